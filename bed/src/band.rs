@@ -1,23 +1,23 @@
-//! Symmetric positive definite matrices whose entries lie near the diagonal: Cholesky's factors and solutions.
+//! Symmetric positive definite band matrices: Cholesky factorisation and solution.
 //!
-//! In: entries on and above the diagonal, at most `width` columns away from it. Out: U with A = U' U, in the same place.
-//! Rows are slices, so that what a row takes from those above it is a sum of slices, `ROWS` at a time (a
-//! [`Kernel`]). Width n - 1 is a full matrix.
+//! In: entries on and above the diagonal, at most `width` columns away from it. Out: U with A = U' U, stored in the
+//! same place. Rows are slices, so that the update of a row is a sum of slices, `ROWS` at a time (a [`Kernel`]). Width
+//! n - 1 gives a full matrix.
 
 use smartbed_runtime::kernel::{self, Kernel};
 use smartbed_runtime::real::Scalar;
 
-/// Rows that are taken out of those below them at a time.
+/// Number of pivot rows that are subtracted from the rows below them in one pass.
 const ROWS: usize = 8;
-/// Numbers side by side.
+/// Numbers that are processed side by side.
 const LANES: usize = 16;
 
-/// A band of a symmetric matrix, or of its factor.
+/// The upper band of a symmetric matrix, or of its factor.
 #[derive(Clone, Debug)]
 pub struct Band<T = f64> {
     size: usize,
     width: usize,
-    /// Row by row from the diagonal on; zeros behind a row, for a pass to read.
+    /// Row by row from the diagonal on; zeros after each row allow a pass to read beyond it.
     entries: Vec<T>,
 }
 
@@ -35,23 +35,23 @@ impl<T: Scalar> Band<T> {
         self.size
     }
 
-    /// From a row to the next one.
+    /// Distance in memory from a row to the next one.
     fn stride(&self) -> usize {
         Self::stride_of(self.width)
     }
 
-    /// A pass is as long as its last row, and then to a whole number of lanes.
+    /// Room for the reach of the last row of a pass, rounded up to a whole number of lanes.
     fn stride_of(width: usize) -> usize {
         width + ROWS + LANES
     }
 
-    /// A row from the diagonal on.
+    /// A row, from the diagonal on.
     #[inline(always)]
     fn row(&self, i: usize) -> &[T] {
         &self.entries[i * self.stride()..][..=self.width]
     }
 
-    /// Adds to the entry of a row and a column, which lies on or above the diagonal; what lies below is left out.
+    /// Adds to the entry of a row and a column on or above the diagonal; an entry below it is ignored, by symmetry.
     pub fn add(&mut self, row: usize, column: usize, value: T) {
         if row <= column {
             let place = row * self.stride() + column - row;
@@ -59,7 +59,7 @@ impl<T: Scalar> Band<T> {
         }
     }
 
-    /// Adds a 3 x 3 block of two nodes and, by symmetry, its transpose.
+    /// Adds a 3 x 3 block between two nodes and, by symmetry, its transpose.
     pub fn add_block(&mut self, row: usize, column: usize, block: &[[T; 3]; 3]) {
         for (i, line) in block.iter().enumerate() {
             for (j, value) in line.iter().enumerate() {
@@ -73,7 +73,7 @@ impl<T: Scalar> Band<T> {
         }
     }
 
-    /// Adds to every diagonal entry.
+    /// Adds a number to every diagonal entry.
     pub fn shift(&mut self, value: T) {
         (0..self.size).for_each(|i| self.add(i, i, value));
     }
@@ -85,7 +85,7 @@ impl<T: Scalar> Band<T> {
     }
 }
 
-/// Turns a band into its factor; false if a pivot is not positive.
+/// Factors a band in place; returns false if a pivot is not positive.
 struct Factoring<'a, T>(&'a mut Band<T>);
 
 impl<T: Scalar> Kernel for Factoring<'_, T> {
@@ -107,7 +107,7 @@ impl<T: Scalar> Kernel for Factoring<'_, T> {
                     take(below, row[0], row);
                 }
             }
-            // Behind the last rows nothing is left.
+            // Rows further down are beyond the reach of these pivots.
             for i in last..(last + band.width).min(size) {
                 let (above, below) = band.entries.split_at_mut(i * stride);
                 let long = (last + band.width - i).next_multiple_of(LANES);
@@ -119,13 +119,13 @@ impl<T: Scalar> Kernel for Factoring<'_, T> {
     }
 }
 
-/// Takes a multiple of a row out of a row.
+/// Subtracts a multiple of another row.
 #[inline(always)]
 fn take<T: Scalar>(row: &mut [T], factor: T, other: &[T]) {
     row.iter_mut().zip(other).for_each(|(own, x)| *own = *own - factor * *x);
 }
 
-/// Takes multiples of several rows out of a row.
+/// Subtracts multiples of several other rows.
 #[inline(always)]
 fn take_all<T: Scalar>(row: &mut [T], factors: [T; ROWS], others: [&[T]; ROWS]) {
     let long = row.len();
@@ -145,12 +145,12 @@ fn take_all<T: Scalar>(row: &mut [T], factors: [T; ROWS], others: [&[T]; ROWS]) 
 }
 
 impl<T: Scalar> Band<T> {
-    /// Divides a row by its pivot's root.
+    /// Divides a row by the square root of its pivot; false if the pivot is not positive.
     #[inline(always)]
     fn pivot(&mut self, k: usize) -> bool {
         let stride = self.stride();
         let row = &mut self.entries[k * stride..(k + 1) * stride];
-        // A comparison that not-a-number fails too.
+        // Written so that NaN fails too.
         if !(row[0] > T::ZERO && row[0].is_finite()) {
             return false;
         }
@@ -165,7 +165,7 @@ impl<T: Scalar> Band<T> {
 pub struct Factor<T = f64>(Band<T>);
 
 impl<T: Scalar> Factor<T> {
-    /// Solves A x = b in place for several b at once, row by row: rows of the factor are read once for all.
+    /// Solves A x = b in place for several b at once, so that each row of the factor is read once for all of them.
     pub fn solve_all<const N: usize>(&self, b: &mut [[T; N]]) {
         kernel::run(Solving { band: &self.0, b });
     }
@@ -176,7 +176,7 @@ impl<T: Scalar> Factor<T> {
     }
 }
 
-/// Solves for several right sides.
+/// Solves for several right-hand sides.
 struct Solving<'a, T, const N: usize> {
     band: &'a Band<T>,
     b: &'a mut [[T; N]],
@@ -209,7 +209,7 @@ impl<T: Scalar, const N: usize> Kernel for Solving<'_, T, N> {
     }
 }
 
-/// Solves for one right side.
+/// Solves for one right-hand side.
 struct SolvingOne<'a, T> {
     band: &'a Band<T>,
     b: &'a mut [T],
@@ -236,7 +236,7 @@ impl<T: Scalar> Kernel for SolvingOne<'_, T> {
     }
 }
 
-/// Dot product in eight sums, which the compiler computes side by side.
+/// Dot product as eight partial sums, which the compiler vectorises.
 #[inline(always)]
 fn dot<T: Scalar>(a: &[T], b: &[T]) -> T {
     let mut sums = [T::ZERO; 8];

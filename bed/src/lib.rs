@@ -1,7 +1,8 @@
-//! The bed as numbers: tiles with air bladders under a patient, what presses where, and what that is called.
+//! Numerical model of the bed: tiles with air bladders under a patient, contact pressures, and their clinical metrics.
 //!
-//! In: sizes, pressures, poses and a body. Out: equilibria, maps of pressure and shear over time, and the metrics of
-//! such maps. No text of plans and no command line; files of pressure maps are read and written ([`files`]).
+//! In: sizes, pressures, poses and a body. Out: equilibria, motions, maps of pressure and shear over time, and the
+//! metrics of such maps. Parses no plans and has no command line; it does read and write files of pressure maps
+//! ([`files`]).
 
 pub mod band;
 pub mod body;

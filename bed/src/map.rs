@@ -1,14 +1,14 @@
 //! Maps of pressure and shear over time.
 //!
 //! In: readings at sites, frame by frame. Out: a [`Recording`], checked once. Sites are the sensels of a sensor, which
-//! stay where they are, or points of the skin, which move over the bed; a [`Grid`] says where sensels lie.
+//! are fixed, or points of the skin, which move over the bed; a [`Grid`] gives the positions of sensels.
 
 use std::fmt;
 
 /// Pascal per millimetre of mercury.
 pub const MMHG: f64 = 133.322;
 
-/// Sensels in rows (along y) and columns (along x), row by row from the corner of least x and y.
+/// Sensels in rows (along y) and columns (along x), row by row, starting at the corner of least x and y.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Grid {
     /// Rows.
@@ -22,7 +22,7 @@ pub struct Grid {
 }
 
 impl Grid {
-    /// Sensels.
+    /// Number of sensels.
     #[must_use]
     pub fn sites(&self) -> usize {
         self.rows.saturating_mul(self.columns)
@@ -34,21 +34,21 @@ impl Grid {
         self.row_pitch * self.column_pitch
     }
 
-    /// Middle of a sensel (m).
+    /// Centre of a sensel (m).
     #[must_use]
     pub fn middle(&self, site: usize) -> [f64; 2] {
         let (row, column) = (site / self.columns, site % self.columns);
         [(column as f64 + 0.5) * self.column_pitch, (row as f64 + 0.5) * self.row_pitch]
     }
 
-    /// All sites with the area of a sensel, none in a region.
+    /// All sensels as sites, each with the area of a sensel and no region.
     #[must_use]
     pub fn all(&self) -> Vec<Site> {
         vec![Site { area: self.cell(), region: None }; self.sites()]
     }
 }
 
-/// Parts of the body at which ulcers begin.
+/// Parts of the body where pressure ulcers begin.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Region {
     /// Back of the head.
@@ -59,16 +59,16 @@ pub enum Region {
     Elbows,
     /// Sacrum.
     Sacrum,
-    /// Seat bones.
+    /// Ischial tuberosities, the "seat bones".
     Ischia,
-    /// Sides of the hips.
+    /// Greater trochanters, at the sides of the hips.
     Trochanters,
     /// Heels.
     Heels,
 }
 
 impl Region {
-    /// All of them, from head to foot.
+    /// All regions, from head to foot.
     pub const ALL: [Region; 7] = [
         Region::Occiput,
         Region::Scapulae,
@@ -94,36 +94,36 @@ impl Region {
     }
 }
 
-/// A place that is watched.
+/// A sensel or a point of the skin at which pressure is recorded.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Site {
     /// Its area (m^2).
     pub area: f64,
-    /// What of the body lies there.
+    /// The part of the body that lies there, if it is one of those watched.
     pub region: Option<Region>,
 }
 
-/// What was read at one time.
+/// Readings of all sites at one time.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Frame {
-    /// When (s).
+    /// Time of the readings (s).
     pub time: f64,
-    /// How long the frame stands for (s); 0 for the last, if it is an end.
+    /// Duration that the frame represents (s); may be 0 for the last frame.
     pub seconds: f64,
     /// Pressure at each site (Pa).
     pub pressure: Vec<f64>,
-    /// Shear at each site (Pa), two directions in the surface; empty where it is not known.
+    /// Shear at each site (Pa), in two directions along the surface; empty if unknown.
     pub shear: Vec<[f64; 2]>,
 }
 
-/// Readings over time, checked.
+/// Readings over time that have been checked.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Recording {
     sites: Vec<Site>,
     frames: Vec<Frame>,
 }
 
-/// Why readings are no recording.
+/// The reason why readings cannot be a recording.
 #[derive(Clone, Debug, PartialEq)]
 pub enum MapError {
     /// A site's area is not positive.
@@ -133,7 +133,7 @@ pub enum MapError {
         /// Its area (m^2).
         area: f64,
     },
-    /// A frame has not one value a site.
+    /// A frame does not have one value per site.
     Length {
         /// The frame, from 0.
         frame: usize,
@@ -149,7 +149,7 @@ pub enum MapError {
         /// The site, from 0.
         site: usize,
     },
-    /// A frame's time does not lie behind the one before, or it stands for no time and is not the last.
+    /// A frame's time is not after the one before, or its duration is 0 although it is not the last.
     Time {
         /// The frame, from 0.
         frame: usize,
@@ -179,10 +179,10 @@ impl fmt::Display for MapError {
 impl std::error::Error for MapError {}
 
 impl Recording {
-    /// Checks readings.
+    /// Checks readings and makes a recording of them.
     ///
     /// # Errors
-    /// [`MapError`], the first that is wrong.
+    /// [`MapError`], the first fault found.
     pub fn new(sites: Vec<Site>, frames: Vec<Frame>) -> Result<Recording, MapError> {
         let wrong = |area: f64| !(area > 0.0 && area.is_finite());
         if let Some((site, found)) = sites.iter().enumerate().find(|(_, s)| wrong(s.area)) {
@@ -201,19 +201,19 @@ impl Recording {
         Ok(Recording { sites, frames })
     }
 
-    /// Places that are watched.
+    /// The sites of the readings.
     #[must_use]
     pub fn sites(&self) -> &[Site] {
         &self.sites
     }
 
-    /// What was read, in the order of time.
+    /// The frames, in the order of time.
     #[must_use]
     pub fn frames(&self) -> &[Frame] {
         &self.frames
     }
 
-    /// The same of some sites only.
+    /// The recording restricted to some of the sites.
     #[must_use]
     pub fn select(&self, kept: &[usize]) -> Recording {
         let frame = |f: &Frame| Frame {
@@ -226,14 +226,14 @@ impl Recording {
         Recording { sites, frames: self.frames.iter().map(frame).collect() }
     }
 
-    /// Time that all frames stand for (s).
+    /// Sum of the durations of all frames (s).
     #[must_use]
     pub fn seconds(&self) -> f64 {
         self.frames.iter().map(|f| f.seconds).sum()
     }
 }
 
-/// Has a frame one sound value a site?
+/// Checks that a frame has one valid value per site.
 fn check(index: usize, frame: &Frame, sites: usize) -> Result<(), MapError> {
     let short = |found: usize| MapError::Length { frame: index, found, expected: sites };
     if frame.pressure.len() != sites {

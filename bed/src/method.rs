@@ -1,26 +1,28 @@
-//! How velocities follow from places: one formula, used for velocities from places and for accelerations from velocities.
+//! Implicit time integration: one formula that gives velocities from positions, and accelerations from velocities.
 //!
-//! In: a method and how many stages are done. Out: x' = b (x - x~) at the end of a stage. Backward Euler's: b = 1/h,
-//! x~ = x_n. Trapezoid's: b = 2/h, x~ = x_n + h x'_n/2. Backward differences of order 2 (Gear 1971): b = 3/(2 h),
-//! x~ = (4 x_n - x_n-1)/3; behind a stage of another length, w = h/h_n, b = (1 + 2 w)/((1 + w) h), x~ = x_n + w^2/(1 + 2 w) (x_n - x_n-1).
-//! Where velocities or forces jump, what was before says nothing of what comes: one stage of Euler's, whose error is of order 2. One after the other by half steps they are the composite of Bank et al. 1985 and Bathe 2007.
+//! In: a method and the number of stages done. Out: x' = b (x - x~) at the end of a stage. Backward Euler: b = 1/h, x~
+//! = x_n. Trapezoidal rule: b = 2/h, x~ = x_n + h x'_n/2. Backward differences of order 2 (Gear 1971): b = 3/(2 h), x~
+//! = (4 x_n - x_n-1)/3; after a stage of another length h_n, with w = h/h_n: b = (1 + 2 w)/((1 + w) h), x~ = x_n +
+//! w^2/(1 + 2 w) (x_n - x_n-1). Trapezoid and backward differences alternating by half steps are the composite method
+//! of Bank et al. 1985 and Bathe 2007. Where velocities or forces jump, the past does not predict the future: then one
+//! stage of backward Euler is taken, whose local error is of order 2.
 
 use smartbed_runtime::vec3::{Vec3, axpy, sub};
 
-/// A method of steps.
+/// An integration method.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Method {
-    /// Backward Euler, of order 1: loses much energy.
+    /// Backward Euler, of order 1: strong numerical dissipation.
     BackwardEuler,
-    /// The trapezoid rule, of order 2: loses no energy in a linear system.
+    /// The trapezoidal rule, of order 2: conserves the energy of a linear system.
     Trapezoid,
     /// Backward differences, of order 2.
     Bdf2,
-    /// A trapezoid of half a step, then backward differences of the other half; of order 2.
+    /// A trapezoidal half step, then a half step of backward differences; of order 2.
     TrBdf2,
 }
 
-/// A formula for one stage.
+/// The formula of one stage.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Formula {
     /// b (1/s).
@@ -28,7 +30,7 @@ pub struct Formula {
     /// Length of the stage (s).
     pub seconds: f64,
     kind: Kind,
-    /// Velocities or forces have jumped at its start.
+    /// Velocities or forces have jumped at the start of the stage.
     pub is_anew: bool,
 }
 
@@ -36,12 +38,12 @@ pub struct Formula {
 enum Kind {
     Euler,
     Trapezoid,
-    /// Length over that of the stage before.
+    /// Length of the stage divided by that of the stage before.
     Differences(f64),
 }
 
 impl Method {
-    /// All, with the names that plans give them.
+    /// All methods, with their names in plans.
     pub const ALL: [(&'static str, Method); 4] = [
         ("backward_euler", Method::BackwardEuler),
         ("trapezoid", Method::Trapezoid),
@@ -49,7 +51,7 @@ impl Method {
         ("tr_bdf2", Method::TrBdf2),
     ];
 
-    /// Stages of a step.
+    /// Number of stages per step.
     #[must_use]
     pub fn stages(self) -> usize {
         if self == Method::TrBdf2 { 2 } else { 1 }
@@ -61,7 +63,7 @@ impl Method {
         let kind = match self {
             Method::BackwardEuler => Kind::Euler,
             Method::Trapezoid => Kind::Trapezoid,
-            // The first step has no place before its start.
+            // The first step has no earlier position to difference with.
             Method::Bdf2 if done == 0 => Kind::Trapezoid,
             Method::Bdf2 => Kind::Differences(1.0),
             Method::TrBdf2 if done.is_multiple_of(2) => Kind::Trapezoid,
@@ -82,7 +84,7 @@ impl Formula {
         Formula { rate: factor / seconds, seconds, kind, is_anew: false }
     }
 
-    /// The same behind a stage of so many seconds.
+    /// The formula for a stage that follows one of another length (s).
     #[must_use]
     pub fn behind(self, seconds: f64) -> Formula {
         match self.kind {
@@ -91,25 +93,25 @@ impl Formula {
         }
     }
 
-    /// A stage of the same length that looks at nothing before its start.
+    /// The formula for a stage of the same length that uses nothing from before its start.
     #[must_use]
     pub fn anew(self) -> Formula {
         Formula { is_anew: true, ..Formula::of(Kind::Euler, self.seconds) }
     }
 
-    /// Weights of what was at the start and of what is at the end in a mean over the stage.
+    /// Weights of the values at the start and at the end in a mean over the stage.
     #[must_use]
     pub fn means(&self) -> [f64; 2] {
         if self.is_anew { [0.0, 1.0] } else { [0.5, 0.5] }
     }
 
-    /// x~ - x_n, from x'_n and from x_n - x_n-1.
+    /// x~ - x_n, from x'_n and x_n - x_n-1.
     #[must_use]
     pub fn ahead(&self, rate: Vec3<f64>, way: Vec3<f64>) -> Vec3<f64> {
         [0, 1, 2].map(|k| self.ahead_of(rate[k], way[k]))
     }
 
-    /// The same for a number.
+    /// [`Self::ahead`] for a scalar.
     #[must_use]
     pub fn ahead_of(&self, rate: f64, way: f64) -> f64 {
         match self.kind {
@@ -120,51 +122,51 @@ impl Formula {
     }
 }
 
-/// A point of mass over time.
+/// A point mass in time.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Track {
-    /// m.
+    /// Position (m).
     pub place: Vec3<f64>,
-    /// m/s.
+    /// Velocity (m/s).
     pub velocity: Vec3<f64>,
-    /// m/s^2.
+    /// Acceleration (m/s^2).
     pub acceleration: Vec3<f64>,
-    /// What it went in the last stage (m), and how its velocity changed (m/s).
+    /// Changes over the last stage: of the position (m) and of the velocity (m/s).
     pub change: [Vec3<f64>; 2],
 }
 
 impl Track {
-    /// At a place with an acceleration, not moving yet.
+    /// A point at rest, with an acceleration.
     #[must_use]
     pub fn at_rest(place: Vec3<f64>, acceleration: Vec3<f64>) -> Track {
         Track { place, velocity: [0.0; 3], acceleration, change: [[0.0; 3]; 2] }
     }
 
-    /// x~.
+    /// x~, the position at which the formula gives velocity 0.
     #[must_use]
     pub fn resting(&self, formula: &Formula) -> Vec3<f64> {
         axpy(self.place, 1.0, formula.ahead(self.velocity, self.change[0]))
     }
 
-    /// v~.
+    /// v~, the velocity at which the formula gives acceleration 0.
     fn steady(&self, formula: &Formula) -> Vec3<f64> {
         axpy(self.velocity, 1.0, formula.ahead(self.acceleration, self.change[1]))
     }
 
-    /// x^ = x~ + v~/b: with it the acceleration at the end is b^2 (x - x^).
+    /// x^ = x~ + v~/b; the acceleration at the end is b^2 (x - x^).
     #[must_use]
     pub fn expected(&self, formula: &Formula) -> Vec3<f64> {
         axpy(self.resting(formula), 1.0 / formula.rate, self.steady(formula))
     }
 
-    /// Where it would go by itself.
+    /// The position at the end if the velocity were constant.
     #[must_use]
     pub fn onwards(&self, formula: &Formula) -> Vec3<f64> {
         axpy(self.place, formula.seconds, self.velocity)
     }
 
-    /// With an impact that will change its velocity, so many seconds from now: as if it had moved so all along and were at
-    /// that time where it will be. Stages are so long.
+    /// The point with an impact that will change its velocity by `gain` in `ahead` seconds: shifted as if it had always
+    /// had the new velocity and arrived at the same place at that time. `stage` is the length of the last stage (s).
     #[must_use]
     pub fn struck(&self, gain: Vec3<f64>, ahead: f64, stage: f64) -> Track {
         let change = [axpy(self.change[0], stage, gain), self.change[1]];
@@ -172,7 +174,7 @@ impl Track {
         Track { place, velocity: axpy(self.velocity, 1.0, gain), change, ..*self }
     }
 
-    /// At the end of a stage.
+    /// The point at the end of a stage, at this position.
     #[must_use]
     pub fn after(&self, formula: &Formula, place: Vec3<f64>) -> Track {
         let derivative = |x: Vec3<f64>, tilde: Vec3<f64>| sub(x, tilde).map(|d| formula.rate * d);

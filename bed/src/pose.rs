@@ -1,4 +1,4 @@
-//! Where a frame stands: place of its origin and attitude.
+//! Poses: position of a frame's origin, and its attitude.
 
 use smartbed_runtime::rigid::attitude::Attitude;
 use smartbed_runtime::vec3::{Vec3, add, scale, sub};
@@ -13,40 +13,40 @@ pub struct Pose {
 }
 
 impl Pose {
-    /// At a place, not turned.
+    /// At a position, not turned.
     #[must_use]
     pub fn at(place: Vec3<f64>) -> Pose {
         Pose { place, attitude: Attitude::identity() }
     }
 
-    /// At a place, turned by an angle (rad) about an axis of length 1.
+    /// At a position, turned by an angle (rad) about a unit axis.
     #[must_use]
     pub fn turned(place: Vec3<f64>, axis: Vec3<f64>, angle: f64) -> Pose {
         let [x, y, z] = scale(axis, (angle / 2.0).sin());
         Pose { place, attitude: Attitude::new([(angle / 2.0).cos(), x, y, z]) }
     }
 
-    /// A point of this frame, in the outer one.
+    /// Transforms a point from this frame to the outer one.
     #[must_use]
     pub fn outwards(&self, point: Vec3<f64>) -> Vec3<f64> {
         add(self.place, self.attitude.to_inertial(point))
     }
 
-    /// A point of the outer frame, in this one.
+    /// Transforms a point from the outer frame to this one.
     #[must_use]
     pub fn inwards(&self, point: Vec3<f64>) -> Vec3<f64> {
         self.attitude.to_body(sub(point, self.place))
     }
 
-    /// Moved by a way and turned by a rotation vector (rad), both in the outer frame.
+    /// Displaced and turned by a rotation vector (rad), both given in the outer frame.
     #[must_use]
     pub fn moved(&self, way: Vec3<f64>, turn: Vec3<f64>) -> Pose {
-        // Cayley's turn of tan(angle/2): of the same direction and, for a Newton step, of the same first order.
+        // Cayley's rotation by 2 atan(angle/2): same axis and same first order, which is enough for a Newton step.
         let attitude = self.attitude.turned(self.attitude.to_body(scale(turn, 0.5)));
         Pose { place: add(self.place, way), attitude }
     }
 
-    /// A frame given in this one, in the outer one.
+    /// Composition: a pose given in this frame, expressed in the outer one.
     #[must_use]
     pub fn of(&self, inner: &Pose) -> Pose {
         let [w, x, y, z] = self.attitude.parameters();

@@ -1,7 +1,8 @@
-//! Soft manipulation, the thesis' Fig. 2.1: one load on one bladder, stiff, deflated, tilted stiff, tilted and deflated.
+//! Soft manipulation, the thesis' Fig. 2.1: one load on one bladder: stiff, deflated, tilted stiff, tilted and
+//! deflated.
 //!
-//! In: a plan of the stiff, level bladder, a low pressure and a tilt. Out: four runs that all begin stiff and level, what each
-//! ends with ([`State`]), and whether it shows what the thesis' section 2.1 says of it or refutes it ([`Claim`]).
+//! In: a plan for the stiff, level bladder, a low pressure and a tilt. Out: four runs that all begin stiff and level,
+//! how each ends ([`State`]), and whether they confirm the statements of the thesis' section 2.1 ([`Claim`]).
 
 use crate::map::MMHG;
 use crate::metrics::{shear, spatial};
@@ -11,52 +12,52 @@ use crate::plan::run::run;
 use crate::plan::{Move, Plan};
 use smartbed_runtime::vec3::{norm, sub};
 
-/// Below this (Pa) a point of the skin is not pressed.
+/// Pressure (Pa) below which a point of the skin counts as unloaded.
 const FREE: f64 = 5.0 * MMHG;
-/// What belongs to the place where the load first rested (m).
+/// Radius (m) of the patch of skin around the point of highest initial pressure.
 const AROUND: f64 = 0.025;
 
-/// The four.
+/// Names of the four runs.
 pub const NAMES: [&str; 4] = ["stiff", "deflated", "tilted stiff", "tilted and deflated"];
 
-/// How a run ends.
+/// The state at the end of a run.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct State {
     /// Largest pressure on a sensel (Pa).
     pub peak: f64,
     /// Area of contact (m^2).
     pub area: f64,
-    /// Mean pressure on the skin that bore most in the beginning (Pa).
+    /// Mean pressure on the patch of skin that carried most at the beginning (Pa).
     pub first: f64,
-    /// Largest shear (Pa), and all of it, sum |tau| A (N).
+    /// Largest shear (Pa), and the total, sum |tau| A (N).
     pub shear: [f64; 2],
-    /// How far the point of most pressure has gone over the skin (m).
+    /// Distance on the skin from the point of highest pressure at the beginning to that at the end (m).
     pub wandered: f64,
-    /// How far the load has gone along the bed (m) and turned (rad).
+    /// How far the load has moved along the bed (m) and tilted (rad).
     pub moved: [f64; 2],
 }
 
-/// Something that the thesis says.
+/// A statement of the thesis.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Claim {
-    /// What it says.
+    /// The statement.
     pub says: &'static str,
-    /// What was found.
+    /// What was found, in figures.
     pub found: String,
-    /// Is it so?
+    /// Is it confirmed?
     pub holds: bool,
 }
 
-/// Four runs.
+/// The four runs.
 #[derive(Clone, Debug)]
 pub struct Comparison {
     /// In the order of [`NAMES`].
     pub histories: Vec<History>,
-    /// How they end.
+    /// Their final states.
     pub states: Vec<State>,
 }
 
-/// What all tiles are told in each of the four, over half of the plan's time.
+/// The commands to all tiles in each of the four runs, executed over half of the plan's time.
 #[must_use]
 pub fn told(plan: &Plan, low: f64, slope: f64) -> [Move; 4] {
     let tiles: Vec<usize> = (0..plan.layout.count()).collect();
@@ -65,10 +66,10 @@ pub fn told(plan: &Plan, low: f64, slope: f64) -> [Move; 4] {
         .map(|(pressure, slope)| Move { at: 0.0, over, tiles: tiles.clone(), pressure, heave: None, slope })
 }
 
-/// Runs the four; `at` hears the share that is done and says whether to go on.
+/// Runs the four. `at` is given the share that is done and returns whether to go on.
 ///
 /// # Errors
-/// [`RunError`], where a load finds no place to rest, say.
+/// [`RunError`], for example if a load finds no equilibrium.
 pub fn compare(
     plan: &Plan,
     low: f64,
@@ -84,7 +85,7 @@ pub fn compare(
     Ok(Comparison { histories, states })
 }
 
-/// How a run ends.
+/// Evaluates the final state of a run.
 fn state(plan: &Plan, history: &History) -> State {
     let (sensels, skins) = (&history.sensels, &history.skin);
     let (Some(last), Some([start, .., end])) = (sensels.frames().last(), skins.frames().get(..)) else {
@@ -117,7 +118,7 @@ fn state(plan: &Plan, history: &History) -> State {
 }
 
 impl Comparison {
-    /// What section 2.1 says of each, held against what was found.
+    /// The statements of section 2.1, each compared with the runs.
     #[must_use]
     pub fn claims(&self) -> Vec<Claim> {
         let [a, b, c, d] = [0, 1, 2, 3].map(|k| self.states[k]);

@@ -1,14 +1,15 @@
-//! Where a tile's platform stands: closed forms of its star on three screws.
+//! Kinematics of a tile's platform: closed forms for its star on three screws.
 //!
-//! In: heave and slopes, or heights of the screws. Out: pose of the platform, and the other of the two. Screws stand at
-//! 120 deg on a circle of radius b; a connector on each slides along an arm of the star, so that the star's centre is the
-//! Fermat point of the three. With slopes (tx, ty), T2 = tx^2 + ty^2, q = sqrt(1 + T2), C = tx^3 - 3 tx ty^2:
-//! h_i = z - b (tx cos_i + ty sin_i), normal (tx, ty, 1)/q, no torsion (3-PSP; Di Gregorio and Parenti-Castelli 1999).
+//! In: heave and slopes, or heights of the screws. Out: the pose of the platform, and the other of the two. The screws
+//! stand at 120 deg on a circle of radius b; a connector on each slides along an arm of the star, so that the star's
+//! centre is the Fermat point of the three. With slopes (tx, ty), T2 = tx^2 + ty^2, q = sqrt(1 + T2), C = tx^3 - 3 tx
+//! ty^2: h_i = z - b (tx cos_i + ty sin_i), normal (tx, ty, 1)/q, no torsion (3-PSP; Di Gregorio and Parenti-Castelli
+//! 1999).
 
 use crate::pose::Pose;
 use smartbed_runtime::rigid::attitude::Attitude;
 
-/// What a tile is told.
+/// A commanded pose of a tile.
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
 pub struct Command {
     /// Mean height of the screws (m).
@@ -25,7 +26,7 @@ impl Command {
     }
 }
 
-/// The star's axes: its first arm lies along the bed's y axis, so that x_star = y and y_star = -x.
+/// Converts to the star's axes: its first arm lies along the bed's y axis, so that x_star = y and y_star = -x.
 fn to_star([x, y]: [f64; 2]) -> [f64; 2] {
     [y, -x]
 }
@@ -58,7 +59,7 @@ pub fn command(heights: [f64; 3], b: f64) -> Command {
     Command { heave: heights.iter().sum::<f64>() / 3.0, slope: to_bed(slope) }
 }
 
-/// Pose of the star's centre above the middle of the circle.
+/// Pose of the star's centre, relative to the centre of the circle.
 #[must_use]
 pub fn pose(command: &Command, b: f64) -> Pose {
     let [tx, ty] = to_star(command.slope);
@@ -74,14 +75,14 @@ pub fn pose(command: &Command, b: f64) -> Pose {
     Pose { place: [x, y, command.heave + 0.5 * b * cubic / (q * (q + 1.0))], attitude: lean(command.slope) }
 }
 
-/// The attitude without torsion whose normal is (tx, ty, 1)/q: half the angle about (-ty, tx).
+/// The attitude without torsion whose normal is (tx, ty, 1)/q: a rotation about (-ty, tx).
 fn lean([tx, ty]: [f64; 2]) -> Attitude<f64> {
     let q = (1.0 + tx * tx + ty * ty).sqrt();
-    // (1 + n_z, -n_y, n_x, 0) before it is scaled to length 1.
+    // Quaternion of the rotation, (1 + n_z, -n_y, n_x, 0), before normalisation.
     Attitude::new([1.0 + 1.0 / q, -ty / q, tx / q, 0.0])
 }
 
-/// How far a point at a distance above the platform has moved sideways (m): what drags the skin.
+/// Lateral displacement (m) of a point at a distance above the platform, which would drag the skin along.
 #[must_use]
 pub fn drag(command: &Command, b: f64, above: f64) -> [f64; 2] {
     let [x, y, _] = pose(command, b).outwards([0.0, 0.0, above]);

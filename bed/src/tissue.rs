@@ -1,35 +1,36 @@
-//! Tissue as a layer of springs with a memory: depth presses, losses retard it, a branch relaxes.
+//! Tissue as a viscoelastic layer: a spring, a damper that retards it, and a branch that relaxes.
 //!
-//! In: a layer at the start of a stage and the formula w' = b (w - w~) of its end. Out: a line f = slope (depth - rest),
-//! f >= 0, per stiffness of the layer: f = w + tau w' + q, q' + q/theta = (r - 1) w', with w the depth, tau the retardation
-//! (Kelvin and Voigt) and r the stiffness at once over that at last (standard linear solid; Zener). With p = (r - 1) w - q,
-//! p' = q/theta. Where nothing presses the layer comes back by itself: f = 0 gives its depth.
+//! In: a layer at the start of a stage and the formula w' = b (w - w~) of its end. Out: a line f = slope (depth -
+//! rest), f >= 0, with f the force per stiffness of the layer: f = w + tau w' + q, q' + q/theta = (r - 1) w', where w
+//! is the depth, tau the retardation time (Kelvin-Voigt) and r the ratio of instantaneous to long-term stiffness
+//! (standard linear solid; Zener). With p = (r - 1) w - q, p' = q/theta. An unloaded layer recovers by itself: f = 0
+//! gives its depth.
 
 use crate::method::Formula;
 use std::collections::BTreeMap;
 
-/// What tissue does besides being a spring.
+/// Parameters of the viscoelastic layer, besides its stiffness.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tissue {
-    /// Retardation (s).
+    /// Retardation time (s).
     pub loss: f64,
-    /// Stiffness at once over that at last, >= 1.
+    /// Instantaneous stiffness divided by long-term stiffness, >= 1.
     pub at_once: f64,
-    /// Time in which the branch relaxes (s).
+    /// Relaxation time of the branch (s).
     pub relaxation: f64,
 }
 
 impl Tissue {
-    /// Retarded as by a loss factor of 0.3 at 2.4 Hz; the branch is off.
+    /// Retarded by a loss factor of 0.3 at 2.4 Hz; without the relaxing branch.
     pub const DEFAULT: Tissue = Tissue { loss: 0.02, at_once: 1.0, relaxation: 30.0 };
 }
 
-/// A number over time, with its rate and its change in the last stage.
+/// A scalar in time, with its rate and its change over the last stage.
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
 pub struct Course {
-    /// Now.
+    /// Present value.
     pub value: f64,
-    /// Per second.
+    /// Rate (1/s).
     pub rate: f64,
     change: f64,
 }
@@ -45,7 +46,7 @@ impl Course {
     }
 }
 
-/// Where a layer stands.
+/// State of a layer.
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
 pub struct Layer {
     /// w (m).
@@ -54,17 +55,17 @@ pub struct Layer {
     pub relaxed: Course,
 }
 
-/// Force per stiffness of the layer: `slope` (depth - `rest`) where that is > 0.
+/// Force per stiffness of the layer: `slope` (depth - `rest`) if positive, else 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Line {
-    /// Stiffness over the layer's own.
+    /// Stiffness divided by the layer's own.
     pub slope: f64,
-    /// Depth (m) that nothing presses on.
+    /// Depth (m) at which the force is 0.
     pub rest: f64,
 }
 
 impl Line {
-    /// The layer without memory.
+    /// A layer without memory.
     pub const SPRING: Line = Line { slope: 1.0, rest: 0.0 };
 }
 
@@ -80,7 +81,7 @@ impl Tissue {
         Line { slope, rest: (held / slope).max(0.0) }
     }
 
-    /// The layer as long pressing to a depth (m) leaves it.
+    /// The layer after it has been pressed to a depth (m) for a long time.
     #[must_use]
     pub fn rested(&self, depth: f64) -> Layer {
         let at = |value: f64| Course { value, ..Course::default() };
@@ -91,7 +92,7 @@ impl Tissue {
         formula.rate / (formula.rate + 1.0 / self.relaxation)
     }
 
-    /// The layer at the end of the stage, under a sheet at a depth.
+    /// The layer at the end of the stage, under a sheet at this depth; deeper if it has not recovered so far.
     #[must_use]
     pub fn after(&self, layer: &Layer, formula: &Formula, depth: f64) -> Layer {
         let depth = depth.max(self.line(layer, formula).rest);
@@ -105,7 +106,7 @@ impl Tissue {
         (self.at_once - 1.0) * layer.depth.value - layer.relaxed.value
     }
 
-    /// Energy (J per N/m) that spring and branch hold.
+    /// Energy (J per N/m) stored in spring and branch.
     #[must_use]
     pub fn energy(&self, layer: &Layer) -> f64 {
         let q = self.branch(layer);
@@ -113,7 +114,7 @@ impl Tissue {
         0.5 * (layer.depth.value * layer.depth.value + branch)
     }
 
-    /// Power (W per N/m) that is lost.
+    /// Dissipated power (W per N/m).
     #[must_use]
     pub fn power(&self, layer: &Layer) -> f64 {
         let q = self.branch(layer);
@@ -122,10 +123,10 @@ impl Tissue {
     }
 }
 
-/// Layers of a tile's nodes in segments, where they differ from untouched tissue.
+/// By node and segment: layers that differ from untouched tissue.
 pub type Layers = BTreeMap<(usize, usize), Layer>;
 
-/// What a tile's nodes meet in the segments in a stage.
+/// The layers that a tile's nodes meet in a stage.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Memory<'a> {
     /// What kind of tissue.
@@ -137,7 +138,7 @@ pub struct Memory<'a> {
 }
 
 impl Memory<'_> {
-    /// What a node meets in a segment.
+    /// The force line that a node meets in a segment.
     #[must_use]
     pub fn line(&self, node: usize, segment: usize) -> Line {
         let layer = self.layers.get(&(node, segment)).copied().unwrap_or_default();

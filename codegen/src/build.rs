@@ -1,4 +1,7 @@
-//! The front door: all stages in order, and one call for build scripts.
+//! Runs all stages in order, from a model file to Rust text; one call for build scripts.
+//!
+//! In: the path of a model and [`Options`]. Out: the text of the emitted file ([`generate`]), or that file written into
+//! `OUT_DIR` and watched by cargo ([`build`]).
 
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::escape;
@@ -15,8 +18,8 @@ use std::path::{Path, PathBuf};
 pub struct Options {
     /// Parameters kept tunable besides the model's own, and changed values.
     pub parameters: ParameterChoice,
-    /// Answers besides those that every mechanism has, such as `port:platform`; what one entry asks for, with commas
-    /// between, is one function.
+    /// Answers besides those that every mechanism has, such as `port:platform`. Each entry becomes one function; an
+    /// entry that names several answers, separated by commas, gives one function that returns them all.
     pub answers: Vec<String>,
     /// How the equations are derived.
     pub settings: Settings,
@@ -44,7 +47,7 @@ pub struct Generated {
     pub files: Vec<PathBuf>,
 }
 
-/// [`generate`] of a model in a folder that no message names, with the files that were read.
+/// [`generate`] for a model in a folder whose path must not appear in messages; also lists the files that were read.
 ///
 /// # Errors
 /// As [`generate`].
@@ -58,14 +61,14 @@ pub fn generate_in(folder: &Path, path: &str, options: &Options) -> Result<Gener
 fn derived(model: &Model, options: &Options) -> Result<Program, Diagnostics> {
     let asked = Asked::complete(model, functions(&options.answers).map_err(failure)?);
     let program = program::derive_asked(model, &options.parameters, options.settings, &asked)?;
-    // What a scalar cannot hold would be emitted as an infinity.
+    // A constant beyond the scalar's range would be emitted as an infinity.
     if let Some(why) = program.beyond_single().filter(|_| options.emit.scalar.is_single()) {
         return Err(failure(format!("{why}; derive for f64, or choose other units")));
     }
     Ok(program)
 }
 
-/// Functions besides those of every mechanism: one an entry, `answers`, `answers_2` and so on where it asks for several.
+/// The functions asked for, one per entry; an entry of several answers is named `answers`, `answers_2` and so on.
 fn functions(entries: &[String]) -> Result<Vec<Function>, String> {
     entries.iter().enumerate().map(|(place, entry)| Function::parse(entry, place)).collect()
 }
@@ -83,7 +86,8 @@ pub fn build_program(path: impl AsRef<Path>, options: &Options) -> (PathBuf, Pro
     match try_build(path.as_ref(), options) {
         Ok(built) => built,
         Err(errors) => {
-            // Cargo shows these lines once and stops; what else a script that fails has written it would show again.
+            // Cargo shows `cargo::error` lines once and stops. A failing exit code would show all output of the script
+            // again.
             for line in errors.to_string().lines() {
                 println!("cargo::error={line}");
             }
@@ -133,7 +137,7 @@ fn watch(path: &str) -> Result<(), Diagnostics> {
     Ok(())
 }
 
-/// An error without a place in a model.
+/// A diagnostic that refers to no place in a model.
 fn failure(message: String) -> Diagnostics {
     Diagnostics::one(Source::default(), Diagnostic::error(message))
 }

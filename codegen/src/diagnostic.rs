@@ -1,8 +1,8 @@
 //! Errors and warnings with a place: collected per stage, rendered with the source excerpt.
 //!
-//! In: a [`Source`] and [`Span`]s of it. Out: text of the form known from compilers: message,
-//! `file:line:column`, the line, a caret under the place with a label, and help.
-//! Invariants: rendering never fails, whatever the spans; no character of a model moves the terminal's cursor.
+//! In: a [`Source`] and [`Span`]s of it. Out: text in the layout of compilers: message, `file:line:column`, the line, a
+//! caret under the place with a label, and help.
+//! Invariants: rendering never fails, whatever the spans; no character of a model can move the terminal's cursor.
 
 use std::fmt;
 
@@ -163,7 +163,7 @@ fn render(f: &mut fmt::Formatter<'_>, source: &Source, item: &Diagnostic) -> fmt
         }
         let text: Vec<char> = file.text.lines().nth(line - 1).unwrap_or("").chars().collect();
         let first = (column - 1).saturating_sub(EXCERPT / 2);
-        // One character for one, so that the marks stand under their place.
+        // Replaces a character by exactly one other, so that the carets stay below the place they mark.
         let visible = |c: char| match c {
             '\t' => ' ',
             c if escape::is_unseen(c) => char::REPLACEMENT_CHARACTER,

@@ -1,11 +1,11 @@
-//! Text that somebody else wrote, made fit for the place where it is shown: one function a place.
+//! Escapes text of other authors for the place where it is shown; one function for each kind of place.
 //!
-//! In: any text: a model's description, a file's name, a command. Out: text that its place cannot read as anything
-//! but words: no line break ends the comment it stands in, no invisible character hides or reorders what a reader
-//! sees, and in Markdown nothing is code, link or markup.
+//! In: any text, such as a model's description, a file name or a command. Out: text that its place can read only as
+//! words: no line break ends the comment around it, no invisible character hides or reorders what a reader sees, and
+//! in Markdown nothing becomes code, link or markup.
 
-/// Text for one line, as in a comment: characters that break lines, cannot be seen or turn the direction of
-/// writing stand as their numbers, such as `U+000A`.
+/// Text for a single line, as in a comment: line breaks, invisible characters and marks that change the writing
+/// direction are replaced by their code points, such as `U+000A`.
 #[must_use]
 pub fn line(text: &str) -> String {
     let mut shown = String::with_capacity(text.len());
@@ -55,7 +55,7 @@ pub fn markdown(text: &str) -> String {
     shown
 }
 
-/// Text as code within a line of Markdown: between more back ticks than it has in a row.
+/// Text as a code span on one line of Markdown, fenced by more back ticks than it holds in a row.
 #[must_use]
 pub fn markdown_code(text: &str) -> String {
     let text = line(text);
@@ -66,7 +66,7 @@ pub fn markdown_code(text: &str) -> String {
     format!("{fence}{space}{text}{space}{fence}")
 }
 
-/// Does it end a line, stay invisible, or turn the direction of what follows?
+/// Does the character end a line, is it invisible, or does it change the writing direction?
 #[must_use]
 pub fn is_unseen(c: char) -> bool {
     c.is_control()

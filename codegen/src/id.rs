@@ -48,7 +48,7 @@ impl<I: Id, T> IdVec<I, T> {
         self.items.push(item);
         I::from_index(self.items.len() - 1)
     }
-    /// Makes room for so many more elements.
+    /// Reserves memory for this number of additional elements.
     pub fn reserve(&mut self, more: usize) {
         self.items.reserve(more);
     }

@@ -44,9 +44,9 @@
 //! # }
 //! ```
 //!
-//! The stages, each a module, data flowing downwards only: `model` (text to checked tree) and `expr`
-//! (expression DAG) know nothing of each other; `vector` -> `kinematics` -> `dynamics` -> `program`
-//! -> `rust` each build on what stands before.
+//! The stages are modules, and data flows downwards only: `model` (text to a checked tree) and `expr` (the expression
+//! DAG) know nothing of each other; `vector` -> `kinematics` -> `dynamics` -> `program` -> `rust` each use only the
+//! stages before them.
 
 pub mod escape;
 pub mod expr;

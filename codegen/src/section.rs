@@ -1,6 +1,6 @@
 //! Sections of the equations, in the order in which they are derived.
 //!
-//! The derivation labels values with the section that they belong to; emitted functions say where a section begins.
+//! The derivation labels each value with its section; comments of the emitted functions say where a section begins.
 
 /// A section.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
@@ -9,18 +9,18 @@ pub enum Section {
     Orientations,
     /// Dependent speeds by independent ones.
     Constraints,
-    /// Speeds, and what of accelerations they leave where they stay as they are.
+    /// Dependent speeds, and the accelerations that remain at u' = 0.
     Velocities,
     /// The mass matrix.
     Inertia,
-    /// Forces of loads and of inertia.
+    /// Generalised active and inertia forces.
     Forces,
-    /// What is solved for, and all other results.
+    /// The elimination of M, accelerations, and everything else that is returned.
     Results,
 }
 
 impl Section {
-    /// What a comment says of it.
+    /// The text of the section's comment in emitted code.
     #[must_use]
     pub fn heading(self) -> &'static str {
         match self {

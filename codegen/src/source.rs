@@ -1,4 +1,4 @@
-//! The text of a model and places in it.
+//! The text of a model (its file and those it extends) and places in it.
 
 use std::sync::Arc;
 
@@ -30,7 +30,7 @@ pub struct Source {
 }
 
 impl File {
-    /// The last part of its path: what is written of it elsewhere, so that no text depends on where the model lies.
+    /// The last part of the model's path. Emitted text uses this alone, so that it does not depend on the folder.
     #[must_use]
     pub fn name(&self) -> &str {
         self.path.rsplit(['/', '\\']).next().unwrap_or(&self.path)
@@ -53,7 +53,7 @@ impl Source {
             end -= 1;
         }
         let before = &file.text[..end];
-        // Counted in bytes, as many as fit one: sixteen at a time.
+        // Sums of at most 255 bytes fit u8, so that the compiler counts sixteen bytes at a time.
         let breaks = |part: &[u8]| part.iter().map(|&byte| u8::from(byte == b'\n')).sum::<u8>();
         let line =
             before.as_bytes().chunks(u8::MAX.into()).map(|part| usize::from(breaks(part))).sum::<usize>() + 1;

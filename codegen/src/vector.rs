@@ -1,7 +1,7 @@
-//! Vectors as sums of scalar x frame-fixed unit vector, and the triads they refer to.
+//! Vectors as sums of scalar x unit vector of a triad, and the triads they refer to.
 //!
-//! A [`Vector`] keeps each term in the triad where it is constant or short; [`Triads`] knows how
-//! triads are turned against each other and expresses a vector in one of them on demand.
+//! A [`Vector`] keeps each term in the triad where it is constant or short; [`Triads`] knows how the triads are turned
+//! against each other and expresses a vector in any one of them on demand.
 //! Convention: a simple rotation by angle a about axis k turns the parent's triad into the child's
 //! (right-hand rule); components transform by v_parent = R v_child.
 
@@ -18,12 +18,12 @@ use std::collections::BTreeMap;
 pub use components::{along_axis, cross_components, dot_components, turn_components};
 pub use triads::{Components, Spin, TriadId, Triads, Turn};
 
-/// A vector: components by triad, plus multiples of lifted points' positions.
+/// A vector: components in one or several triads, plus multiples of the positions of lifted points.
 #[derive(Clone, PartialEq, Debug, Default)]
 pub struct Vector {
     /// Non-zero terms.
     pub terms: BTreeMap<TriadId, Components>,
-    /// Position vectors kept whole: a lifted point's velocity is an unknown of its own.
+    /// Coefficients of the positions of lifted points, whose velocities are unknowns of their own.
     pub points: BTreeMap<PointId, ExprId>,
 }
 
@@ -119,7 +119,7 @@ impl Vector {
     }
 }
 
-/// What vectors are made of, every stage's first argument: expressions, and the triads in which they stand.
+/// The expressions and the triads that vectors are built from; first argument of every stage that builds any.
 #[derive(Clone, Debug, Default)]
 pub struct Algebra {
     /// The expressions.
@@ -144,19 +144,19 @@ impl Algebra {
         self.triads.express(&mut self.dag, vector, target)
     }
 
-    /// [`Self::express`] by sines and cosines of differences of angles.
+    /// [`Self::express`], using sines and cosines of differences of angles where two rotations share an axis.
     pub fn express_by_differences(&mut self, vector: &Vector, target: TriadId) -> Components {
         self.triads.express_by_differences(&mut self.dag, vector, target)
     }
 
-    /// The vector with those terms that are constant in `target` moved there.
+    /// The vector with those terms moved to `target` that are constant there.
     pub fn with_constants(&mut self, vector: &Vector, target: TriadId) -> Vector {
         self.triads.with_constants(&mut self.dag, vector, target)
     }
 }
 
 impl Triads {
-    /// `vector` with every term replaced whose unit vector is known to be constant in `target`.
+    /// `vector` with every term moved to `target` whose unit vectors are known to be constant there.
     pub fn with_constants(&self, dag: &mut Dag, vector: &Vector, target: TriadId) -> Vector {
         let mut result = Vector { terms: BTreeMap::new(), points: vector.points.clone() };
         for (&triad, components) in &vector.terms {
@@ -192,10 +192,10 @@ impl Triads {
         Some(total)
     }
 
-    /// Components of a pointless vector in `target`.
+    /// Components in `target` of a vector without terms in `points`.
     ///
-    /// Terms in ancestors of `target` are added on the way down, outermost first, so that each
-    /// rotation turns one sum and vectors that begin alike share their beginning.
+    /// Terms in ancestors of `target` are summed on the way down, outermost first: each rotation then turns one sum,
+    /// and vectors with the same leading terms share them.
     pub fn express(&mut self, dag: &mut Dag, vector: &Vector, target: TriadId) -> Components {
         debug_assert!(vector.points.is_empty(), "positions are flattened before they are expressed");
         let path = self.ancestors[target].clone();
@@ -244,12 +244,12 @@ impl Triads {
         expressed
     }
 
-    /// [`Self::express_term`], by differences of angles where that is shorter.
+    /// [`Self::express_term`], with sines and cosines of differences of angles where that takes fewer operations.
     ///
-    /// For directions that are formed once. In products of which equations are made the sines of the angles themselves
-    /// stay: one error of a sine then turns all equations alike, where that of a rounded difference beside it would not
-    /// (the four-bar lost a factor of 5 that way, 1e-6 rad from its change point a factor of 2.5). An unrounded
-    /// difference has no such error: [`Dag::as_difference`].
+    /// Used only in cross products, which form directions. Products that enter equations keep the sines of the angles
+    /// themselves: an error of one sine then turns all equations alike, whereas the rounding of a difference would
+    /// turn only some of them (the four-bar lost a factor of 5, and 2.5 at 1e-6 rad from its change point). An
+    /// unrounded difference has no such error: [`Dag::as_difference`].
     fn shorter_term(&mut self, dag: &mut Dag, from: TriadId, v: Components, to: TriadId) -> Components {
         let turned = self.express_term(dag, from, v, to);
         match self.by_differences(dag, from, v, to) {
@@ -258,7 +258,7 @@ impl Triads {
         }
     }
 
-    /// Up to the lowest common ancestor, then down again.
+    /// Rotates from `from` up to the lowest common ancestor and down to `to`, one rotation at a time.
     fn turn_by_turn(&self, dag: &mut Dag, from: TriadId, components: Components, to: TriadId) -> Components {
         let (up, down) = self.ways(from, to);
         let mut v = components;
@@ -271,17 +271,17 @@ impl Triads {
         v
     }
 
-    /// The triads on the ways from two triads to their lowest common ancestor, which is left out.
+    /// The triads on the paths from two triads up to their lowest common ancestor, which is excluded.
     fn ways(&self, from: TriadId, to: TriadId) -> (&[TriadId], &[TriadId]) {
         let (up, down) = (&self.ancestors[from], &self.ancestors[to]);
-        // From the inertial triad inwards both are the same as far as they are common.
+        // Counted from the inertial triad, the two paths agree as far as their common ancestors go.
         let common = up.iter().rev().zip(down.iter().rev()).take_while(|(a, b)| a == b).count();
         (&up[..up.len() - common], &down[..down.len() - common])
     }
 
-    /// [`Self::express`], with turns about one axis that follow each other on the way made one turn by the
-    /// sum or difference of their angles: two links turned against the same triad by absolute angles are
-    /// turned against each other by the difference. It rounds as if one of the angles were off by one rounding.
+    /// [`Self::express`], where consecutive rotations about one axis are merged into one by the sum or difference of
+    /// their angles, as for two links that are turned against the same triad by absolute angles. The merged rotation
+    /// rounds as if one of the angles had an error of one rounding.
     pub fn express_by_differences(&mut self, dag: &mut Dag, vector: &Vector, target: TriadId) -> Components {
         debug_assert!(vector.points.is_empty(), "positions are flattened before they are expressed");
         let mut total = [dag.zero(); 3];

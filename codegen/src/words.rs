@@ -1,4 +1,4 @@
-//! Words of messages and of comments in generated code.
+//! Wording shared by messages and by comments in generated code.
 
 /// A number with what it counts: "1 speed", "2 speeds", "0 entries".
 #[must_use]

@@ -1,16 +1,16 @@
-//! Answers by name on the command line.
+//! Parses the option `--answers`.
 //!
-//! In: what stands behind `--answers`. Out: functions of requests whose names exist. Every `--answers` is one function;
-//! what it lists, with commas between, shares what it has in common.
+//! In: the text after each `--answers`. Out: functions of requests whose names exist. Each `--answers` becomes one
+//! function; the answers that it lists, separated by commas, share sub-expressions.
 
 use crate::failure::Failure;
 use crate::suggest;
 use smartbed_codegen::program::answer::{self, CATALOGUE, Function, Request};
 
-/// One `--answers`, if every name in it is known.
+/// Checks one `--answers`: every name in it must exist.
 ///
 /// # Errors
-/// The name that is not, with the nearest that is.
+/// The first unknown name, with the most similar known one.
 pub fn entry(text: &str) -> Result<String, String> {
     let function = Function::parse(text, 0)?;
     for Request { answer, .. } in &function.requests {

@@ -1,4 +1,4 @@
-//! A look at standard output before the standard library opens the null device where it was closed (`>&-`).
+//! Checks whether standard output is closed (`>&-`), before the standard library opens the null device in its place.
 
 use std::os::fd::BorrowedFd;
 

@@ -1,8 +1,8 @@
-//! Complete configurations: left-out dependent coordinates are solved for.
+//! Completes configurations: solves for dependent coordinates that were left out.
 //!
-//! In: parameters and some coordinates. Out: all coordinates in the program's order. The branch is
-//! the one connected to the nominal configuration; dependent coordinates given beside left-out ones
-//! are start values. A complete configuration is returned as it is.
+//! In: parameters and some coordinates. Out: all coordinates in the program's order, on the branch connected to the
+//! nominal configuration. If only some dependent coordinates are given, their values are starting guesses. A complete
+//! configuration is returned unchanged.
 
 use smartbed_codegen::Program;
 use smartbed_codegen::kinematics::{Assembly, Unreachable};
@@ -10,12 +10,12 @@ use smartbed_codegen::model::Model;
 
 /// Most steps from the default parameters to others.
 const MAX_STEPS: usize = 64;
-/// Most places from which left-out coordinates are searched for.
+/// Most guesses from which left-out coordinates are searched for.
 const MAX_STARTS: usize = 64;
-/// Multiples of the golden section, less whole numbers, cover the unit interval evenly.
+/// The fractional parts of its multiples cover the unit interval evenly (golden section).
 const GOLDEN: f64 = 0.618_033_988_749_894_9;
 
-/// Solver of configurations of one program.
+/// Solves for configurations of one program.
 #[derive(Clone, Debug)]
 pub struct Configurations {
     assembly: Assembly,
@@ -23,7 +23,7 @@ pub struct Configurations {
     ranges: Vec<(f64, f64)>,
     nominal: Vec<f64>,
     defaults: Vec<f64>,
-    /// At which the constraints are to hold (s).
+    /// Time (s) at which the constraints must hold.
     time: f64,
 }
 
@@ -46,13 +46,14 @@ impl Configurations {
         }
     }
 
-    /// Is the coordinate at this place independent?
+    /// Is the coordinate with this index independent?
     #[must_use]
     pub fn is_independent(&self, index: usize) -> bool {
         self.independent.get(index).copied().unwrap_or(false)
     }
 
-    /// From a configuration that meets the constraints at time `t` (s) to the independent coordinates of another.
+    /// Continues from a configuration that satisfies the constraints at time `t` (s) to the independent coordinates of
+    /// another.
     ///
     /// # Errors
     /// If it cannot be assembled there.
@@ -61,7 +62,7 @@ impl Configurations {
         self.assembly.continue_to(from, target)
     }
 
-    /// The nominal configuration at these parameters and time 0, reached from that at the default ones.
+    /// The nominal configuration at these parameters and time 0, continued from the one at the default parameters.
     ///
     /// # Errors
     /// If it cannot be assembled there.
@@ -113,7 +114,7 @@ impl Configurations {
         self.complete(parameters, given)
     }
 
-    /// All coordinates; `given[i]` is the value of the i-th one. A complete list comes back as it is.
+    /// All coordinates; `given[i]` is the value of the i-th one. A complete list is returned unchanged.
     ///
     /// # Errors
     /// As [`Configurations::solve`].
@@ -124,15 +125,15 @@ impl Configurations {
         }
     }
 
-    /// The configuration, unless other parameters than the default ones leave it nowhere to move.
+    /// Checks that at parameters other than the default ones the mechanism is not locked in this configuration.
     fn unlocked(&mut self, parameters: &[f64], q: Vec<f64>) -> Result<Vec<f64>, Unreachable> {
         self.assembly.set_parameters(parameters);
         let locked = if parameters == self.defaults { None } else { self.assembly.locked(&q) };
         locked.map_or(Ok(q), Err)
     }
 
-    /// Coordinates that meet the constraints: independent ones as given (left-out ones nominal),
-    /// dependent ones solved for, from start values where given.
+    /// Coordinates that satisfy the constraints: independent ones as given (left-out ones nominal), dependent ones
+    /// solved for, with given values as starting guesses.
     ///
     /// # Errors
     /// If no dependent coordinates were found, or the mechanism is locked there.
@@ -168,8 +169,8 @@ impl Configurations {
         }
     }
 
-    /// Newton from many places of the left-out dependent coordinates; of the solutions found the one
-    /// nearest to the start values that were given.
+    /// Newton's method from many guesses of the left-out dependent coordinates; returns the solution nearest to the
+    /// guesses given.
     fn search(&mut self, near: Vec<f64>, given: &[Option<f64>]) -> Option<Vec<f64>> {
         let mut best: Option<(f64, Vec<f64>)> = None;
         let mut draw = 0_u64;

@@ -1,22 +1,22 @@
-//! Forces where two things touch, as pictures show them.
+//! Contact forces as pictures show them.
 
 use smartbed_runtime::vec3;
 
-/// What acts at a point of contact.
+/// The force at a point of contact.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct ContactForce {
-    /// Where (m).
+    /// Point of contact (m).
     pub point: [f64; 3],
-    /// Along the normal, on what is shown to be pushed (N).
+    /// Normal force on the part that is shown as pushed (N).
     pub normal: [f64; 3],
-    /// Across it (N).
+    /// Friction force on it (N).
     pub friction: [f64; 3],
-    /// Is the other one pushed as well, or fixed in space?
+    /// Is the other part movable, so that it is pushed too, or is it fixed in space?
     pub on_both: bool,
 }
 
 impl ContactForce {
-    /// From a force along the axes n, t1, t2 on the first of two things that move or do not; none where neither does.
+    /// From a force on the first of two parts, along the axes n, t1, t2; `None` if neither part can move.
     #[must_use]
     pub fn between(
         moves: [bool; 2],
@@ -31,7 +31,7 @@ impl ContactForce {
         is_shown.then_some(Self { point, normal, friction, on_both: moves[0] && moves[1] })
     }
 
-    /// Length of the normal force (N).
+    /// Magnitude of the normal force (N).
     #[must_use]
     pub fn size(&self) -> f64 {
         vec3::norm(self.normal)

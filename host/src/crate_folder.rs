@@ -1,7 +1,7 @@
-//! A folder of generated files: written again as often as one likes, but nothing that anybody else wrote is touched.
+//! Writes a folder of generated files, which may be regenerated at any time without touching files of others.
 //!
-//! In: a folder, paths and texts. Out: the files, and beside them a list of what was written, by hash. A file that
-//! is there already is replaced only if it is as that list says; nothing is written through a link.
+//! In: a folder, paths and texts. Out: the files, and a list of them with hashes. An existing file is replaced only if
+//! its hash is in that list; nothing is written through a symbolic link.
 
 use crate::engine::cache::hash_of;
 use crate::engine::crate_text::Files;
@@ -11,13 +11,13 @@ use std::fs;
 use std::io::{self, ErrorKind};
 use std::path::Path;
 
-/// The list's name in the folder.
+/// Name of the list in the folder.
 const LIST: &str = ".smartbed";
 
 /// Writes all files, or none.
 ///
 /// # Errors
-/// [`Failure::Wrong`] names the file that somebody else wrote or changed, the link, or what cannot be written.
+/// [`Failure::Wrong`] names a file that somebody else wrote or changed, a link, or a file that cannot be written.
 pub fn write(folder: &Path, files: &Files) -> Result<(), Failure> {
     let written = list(folder)?;
     for (path, text) in files {
@@ -31,7 +31,7 @@ pub fn write(folder: &Path, files: &Files) -> Result<(), Failure> {
     put(&folder.join(LIST), &lines)
 }
 
-/// What an earlier derivation wrote, by path.
+/// Paths and hashes of the files that an earlier derivation wrote.
 fn list(folder: &Path) -> Result<BTreeMap<String, u64>, Failure> {
     let file = folder.join(LIST);
     refuse_links(folder, LIST)?;
@@ -46,7 +46,7 @@ fn list(folder: &Path) -> Result<BTreeMap<String, u64>, Failure> {
     Ok(entries.collect())
 }
 
-/// May this file be written?
+/// Checks that this file may be written.
 fn check(folder: &Path, path: &str, text: &str, written: Option<u64>) -> Result<(), Failure> {
     refuse_links(folder, path)?;
     let file = folder.join(path);
@@ -66,7 +66,7 @@ fn check(folder: &Path, path: &str, text: &str, written: Option<u64>) -> Result<
     }
 }
 
-/// The folder, the folders in it on the way to a file, and the file itself are no links.
+/// Refuses symbolic links: the folder, folders on the path to the file, and the file itself.
 fn refuse_links(folder: &Path, path: &str) -> Result<(), Failure> {
     let mut place = folder.to_owned();
     for part in std::iter::once(Path::new("")).chain(Path::new(path).iter().map(Path::new)) {
@@ -81,7 +81,7 @@ fn refuse_links(folder: &Path, path: &str) -> Result<(), Failure> {
     Ok(())
 }
 
-/// By another name first: a file that has two names (a hard link) keeps its content under the other one.
+/// Writes under a temporary name first, so that another hard link to the same file keeps its content.
 fn put(file: &Path, text: &str) -> Result<(), Failure> {
     let parent = file.parent().unwrap_or(Path::new(""));
     fs::create_dir_all(parent).map_err(|e| cannot("create", parent, &e))?;

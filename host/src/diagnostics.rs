@@ -1,7 +1,7 @@
-//! Errors and warnings with their places as a terminal shows them: colour and width are the terminal's.
+//! Shows errors and warnings with their places in a terminal, with its colours and width.
 //!
-//! In: what a stage found. Out: text in the layout of compilers, by `annotate-snippets`, which knows how wide letters
-//! are. What a model's author wrote is shown with nothing in it that moves the cursor.
+//! In: the findings of a stage. Out: text in the layout of compilers, by `annotate-snippets`, which knows the widths of
+//! letters. Text of a model's author is shown without anything that moves the cursor.
 
 use crate::failure::Failure;
 use crate::output::{self, Stream};
@@ -10,17 +10,17 @@ use smartbed_codegen::diagnostic::{Diagnostic, Diagnostics, Label, Severity};
 use smartbed_codegen::escape;
 use smartbed_codegen::source::Source;
 
-/// Columns where nothing says how many there are.
+/// Width in columns if the terminal's is unknown.
 const WIDTH: usize = 120;
 
-/// The text of all findings, an empty line between two.
+/// The text of all findings, separated by empty lines.
 #[must_use]
 pub fn text(found: &Diagnostics, to: Stream) -> String {
     let one = |item: &Diagnostic| render(&found.source, item, to);
     found.items.iter().map(one).collect::<Vec<String>>().join("\n")
 }
 
-/// Says why a command did not do what it was asked to.
+/// Prints why a command has failed.
 pub fn fail(failure: &Failure) {
     match failure {
         Failure::Found(found) => output::say(text(found, Stream::Error).trim_end()),
@@ -43,7 +43,7 @@ fn render(source: &Source, item: &Diagnostic, to: Stream) -> String {
     renderer.term_width(width).render(&[group]).to_string() + "\n"
 }
 
-/// One excerpt for every file, in the order in which labels name them; the first label is the primary one.
+/// One excerpt per file, in the order in which labels name them; the first label is the primary one.
 fn snippets<'s>(source: &'s Source, labels: &[Label]) -> Vec<Snippet<'s, annotate_snippets::Annotation<'s>>> {
     let mut files: Vec<u32> = labels.iter().map(|label| label.span.file).collect();
     let mut seen = Vec::new();
@@ -66,7 +66,7 @@ fn snippets<'s>(source: &'s Source, labels: &[Label]) -> Vec<Snippet<'s, annotat
     files.into_iter().filter_map(of_file).collect()
 }
 
-/// The label's bytes within the text and on one line, whole characters, one at least.
+/// The bytes of a label, limited to the text and to one line, extended to whole characters, at least one.
 fn span(text: &str, label: &Label) -> std::ops::Range<usize> {
     let whole = |mut at: usize| {
         at = at.min(text.len());
@@ -96,7 +96,7 @@ mod tests {
         let controls = shown.chars().filter(|c| c.is_control() && *c != '\n').count();
         assert_eq!(controls, 0, "{shown:?}");
         assert!(shown.starts_with("error: wrong") && shown.contains("help: do"), "{shown}");
-        // Both letters are two columns wide: the mark stands two columns further than by count of letters.
+        // Both letters are two columns wide: the mark is two columns further right than their number suggests.
         let lines: Vec<&str> = shown.lines().collect();
         let mark = lines.iter().position(|line| line.contains("^ here")).expect("a mark");
         let column = |line: &str, c: char| line.split(c).next().map_or(0, |part| part.chars().count());

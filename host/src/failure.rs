@@ -1,4 +1,4 @@
-//! Why a command did not do what it was asked to, and the exit status that says so.
+//! The reasons why a command can fail, with its exit status.
 
 use smartbed_codegen::Diagnostics;
 use std::fmt;
@@ -6,16 +6,16 @@ use std::fmt;
 /// A failure with the exit status of the command.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub enum Failure {
-    /// A model is wrong, with the places: exit status 1.
+    /// A model has errors, with their places: exit status 1.
     Found(Box<Diagnostics>),
-    /// The input, or what was made of it, is wrong: exit status 1.
+    /// The input, or a result computed from it, is wrong: exit status 1.
     Wrong(String),
     /// The machine lacks something; the text names the command that installs it: exit status 2.
     Lacking(String),
 }
 
 impl Failure {
-    /// What a program built without the feature `whole` was asked for all the same.
+    /// The failure for a request that needs the feature `whole`, in a program built without it.
     #[cfg(not(feature = "whole"))]
     #[must_use]
     pub fn not_built(what: &str) -> Self {
@@ -37,7 +37,7 @@ impl Failure {
 impl fmt::Display for Failure {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            // Whoever prints a failure puts `error: ` in front of it.
+            // The caller that prints a failure adds `error: `.
             Self::Found(found) => {
                 let text = found.to_string();
                 let text = text.trim_end();

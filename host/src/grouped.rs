@@ -1,7 +1,7 @@
-//! Findings of one kind as one: a chain of 40 loops has 81 redundant constraints and one thing to say about them.
+//! Groups similar findings: a chain of 40 loops has 81 redundant constraints but needs one warning.
 //!
-//! In: findings with their places. Out: the text of the first of each kind, and how many more there are, by name.
-//! With `all` every one is shown. Of one kind are findings whose messages differ in names and numbers alone.
+//! In: findings with their places. Out: the text of the first of each group, and the names of the others. With `all`
+//! every finding is shown. Findings belong to one group if their messages differ only in names and numbers.
 
 use crate::diagnostics;
 use crate::output::{self, Stream};
@@ -9,7 +9,7 @@ use smartbed_codegen::Diagnostics;
 use smartbed_codegen::diagnostic::Diagnostic;
 use smartbed_codegen::words::count;
 
-/// Names listed of those that are not shown.
+/// Largest number of names listed for findings that are not shown.
 const NAMED: usize = 6;
 
 /// The text.
@@ -43,7 +43,7 @@ pub fn text(found: &Diagnostics, to: Stream, all: bool) -> String {
     text
 }
 
-/// Warnings without a place: the first of each kind, and how many more there are.
+/// The same for warnings without a place.
 #[must_use]
 pub fn lines(warnings: &[String], to: Stream, all: bool) -> String {
     let mut kinds: Vec<(String, &String, usize)> = Vec::new();
@@ -62,14 +62,14 @@ pub fn lines(warnings: &[String], to: Stream, all: bool) -> String {
     kinds.iter().map(line).collect()
 }
 
-/// The first name in a message, with its quotes.
+/// The first quoted name in a message, with its quotes.
 fn name(message: &str) -> Option<&str> {
     let from = message.find('`')?;
     let length = message[from + 1..].find('`')?;
     message.get(from..from + length + 2)
 }
 
-/// The message without what stands in quotes and without numbers.
+/// The message without quoted names and without numbers, which identifies its group.
 fn kind(message: &str) -> String {
     let outside: String = message.split('`').step_by(2).collect();
     outside.chars().filter(|c| !c.is_ascii_digit()).collect()

@@ -1,10 +1,10 @@
-//! Texts that a command line names, read with a bound: a device or a pipe would never end.
+//! Reads files that a command line names, up to a maximum size, because a device or a pipe may never end.
 
 use std::fs::File;
 use std::io::{Read, stdin};
 use std::path::Path;
 
-/// Largest states file, scene, or list of points (bytes): with everything made of them they stay below 1 GiB.
+/// Largest states file, scene, or list of points (bytes); everything made from it stays below 1 GiB.
 pub const LARGEST: u64 = 8 << 20;
 
 /// The text of a file of at most [`LARGEST`] bytes; `-` is standard input.
@@ -19,7 +19,7 @@ pub fn text(path: &str) -> Result<String, String> {
     bounded(File::open(path).map_err(|e| e.to_string())?)
 }
 
-/// The bytes of a file of at most so many.
+/// The contents of a file of at most `most` bytes.
 ///
 /// # Errors
 /// Why it cannot be read.
@@ -34,7 +34,7 @@ pub fn bytes(path: &Path, most: u64) -> Result<Vec<u8>, String> {
     }
 }
 
-/// Only a file has an end; what a shell hands over as `/dev/fd/3` has one too.
+/// Refuses devices, which may never end; a file that a shell passes as `/dev/fd/3` is allowed.
 fn refuse_special(path: &Path) -> Result<(), String> {
     let kind = std::fs::metadata(path).map_err(|e| e.to_string())?.file_type();
     match kind.is_file() || path.starts_with("/dev/fd") || path.starts_with("/proc/self/fd") {

@@ -1,7 +1,7 @@
-//! Installs packages of the distribution, where the machine's package manager can.
+//! Installs packages of the distribution, if the machine's package manager can.
 //!
-//! In: what is lacking, the packages that bring it, the command that helps elsewhere. On Debian and its
-//! relatives, as root or with `sudo -n`, apt-get installs them; else the failure names the command.
+//! In: what is missing, the packages that contain it, and a command for other systems. On Debian and its relatives, as
+//! root or with `sudo -n`, apt-get installs them; otherwise the failure names the command.
 
 use crate::failure::Failure;
 use crate::firmware::process::{self, output, which};
@@ -11,13 +11,13 @@ use std::time::Duration;
 /// Installs Debian packages, or fails with `why` and `help`.
 ///
 /// # Errors
-/// [`Failure::Lacking`] where there is no apt-get, no right to use it, or it fails.
+/// [`Failure::Lacking`] if there is no apt-get, no permission to use it, or it fails.
 pub fn install(why: &str, packages: &[&str], help: &str) -> Result<(), Failure> {
     let Some(root) = root_on_debian() else { return Err(lacking(why, help)) };
     crate::output::say(&format!("{why}; installing {} by apt-get", packages.join(" ")));
     let _waiting = crate::progress::Waiting::new("apt-get");
     let apt = |arguments: &[&str]| apt(root, arguments);
-    // Never at the cost of a package that is already there; see `unpack`.
+    // `--no-remove`: must not remove a package that is installed already; see `unpack`.
     let mut install = vec!["install", "--yes", "--no-install-recommends", "--no-remove"];
     install.extend(packages);
     if apt(&install).is_ok() {
@@ -29,26 +29,26 @@ pub fn install(why: &str, packages: &[&str], help: &str) -> Result<(), Failure> 
     })
 }
 
-/// How much installing packages takes, in words of apt-get's behind a comma, as far as it knows; `None` where it cannot
+/// The size of an installation, in apt-get's words and preceded by a comma, if it reports one; `None` if apt-get cannot
 /// be used.
 #[must_use]
 pub fn size_of(packages: &[&str]) -> Option<String> {
     root_on_debian()?;
     let mut command = Command::new("apt-get");
     command.args(["install", "--assume-no", "--no-install-recommends", "--no-remove"]).args(packages);
-    // It ends without success, having been told no.
+    // It exits with an error, because it has been answered "no".
     let printed = command.env("LC_ALL", "C").stdin(std::process::Stdio::null()).output().ok()?.stdout;
     Some(size_in(&String::from_utf8_lossy(&printed)))
 }
 
-/// The lines that tell how much is fetched and how much it takes.
+/// The lines of apt-get's output that state download and disk sizes.
 fn size_in(printed: &str) -> String {
     let told = |line: &&str| line.starts_with("Need to get ") || line.starts_with("After this operation, ");
     let lines: Vec<&str> = printed.lines().filter(told).map(|line| line.trim_end_matches('.')).collect();
     if lines.is_empty() { String::new() } else { format!(" ({})", lines.join("; ")) }
 }
 
-/// Has apt-get read anew which versions there are.
+/// Lets apt-get update its package lists.
 ///
 /// # Errors
 /// [`Failure::Lacking`] where that fails.
@@ -59,10 +59,10 @@ pub fn update_lists() -> Result<(), Failure> {
         .map_err(|log| Failure::Lacking(format!("apt-get cannot update: run `{help}`\n{log}")))
 }
 
-/// Times that another user of apt is waited for, and how long each time: ten minutes in all.
+/// Number of attempts while another process uses apt, and the pause between them: ten minutes in all.
 const PATIENCE: (usize, Duration) = (300, Duration::from_secs(2));
 
-/// Runs apt-get after the words that [`root_on_debian`] gave; what it printed is the error.
+/// Runs apt-get with the prefix from [`root_on_debian`]; on failure returns what it printed.
 ///
 /// While another process holds one of apt's locks, it is run again.
 pub(crate) fn apt(root: &[&str], arguments: &[&str]) -> Result<(), String> {
@@ -77,18 +77,18 @@ pub(crate) fn apt(root: &[&str], arguments: &[&str]) -> Result<(), String> {
     process::run_quietly(&mut command)
 }
 
-/// Does apt-get say that another process holds a lock?
+/// Does apt-get report that another process holds a lock?
 fn is_locked_out(log: &str) -> bool {
     log.contains("Could not get lock")
 }
 
-/// The failure that names what is lacking and the command that helps.
+/// The failure that names what is missing and the command that installs it.
 #[must_use]
 pub fn lacking(why: &str, help: &str) -> Failure {
     Failure::Lacking(format!("{why}: run `{help}`"))
 }
 
-/// The command line in front of apt-get's arguments, if we are root or become root unasked.
+/// The prefix of apt-get's command line, if this process is root or can become root without a password.
 pub(crate) fn root_on_debian() -> Option<&'static [&'static str]> {
     which("apt-get")?;
     let release = std::fs::read_to_string("/etc/os-release").unwrap_or_default();

@@ -1,9 +1,9 @@
-//! JSON in which no key of an object stands twice: a plain parser would ignore all but the last.
+//! JSON that refuses duplicate keys in an object; an ordinary parser would ignore all but the last.
 
 use serde::de::{Deserialize, Deserializer, Error, MapAccess, SeqAccess, Visitor};
 use serde_json::{Map, Value};
 
-/// A value.
+/// A JSON value without duplicate keys.
 pub struct Unique(pub Value);
 
 impl<'de> Deserialize<'de> for Unique {

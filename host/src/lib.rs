@@ -1,13 +1,12 @@
-//! What the `smartbed` command does, one module per subcommand.
+//! The library of the `smartbed` command, one module per subcommand.
 //!
-//! Each module has `Arguments` (what stands on its command line) and `run`, which prints the
-//! answer to standard output, progress to standard error, and returns a [`failure::Failure`] with
-//! the exit status.
+//! Each of these modules has `Arguments` (its command line) and `run`, which prints results to standard output and
+//! progress to standard error, and returns a [`failure::Failure`] with the exit status.
 //!
-//! Without the feature `whole` mechanisms run and are shown, as far as [`light`] says; that is what a first command
-//! builds.
+//! Without the feature `whole` the library only runs and shows mechanisms, as far as [`light`] says; this smaller
+//! program is what the first command builds.
 
-// A closed standard error or a full standard output is no panic: everything goes through `output`.
+// Printing macros would panic on a closed or full stream: all text goes through `output`.
 #![deny(clippy::print_stdout, clippy::print_stderr)]
 
 pub mod diagnostics;

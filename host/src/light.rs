@@ -1,13 +1,13 @@
-//! What the light program does by itself: it starts, runs and shows mechanisms.
+//! Decides what the light program does by itself: it starts, runs and shows mechanisms.
 //!
-//! In: the arguments of a command. Out: whether scenes, reports, a browser or a compiler are out of it. `cargo
-//! smartbed` builds the light program first, without the feature `whole`; it builds the whole one when that is first
-//! needed.
+//! In: the arguments of a command. Out: whether it can do without scenes, reports, a browser and a compiler. `cargo
+//! smartbed` builds the light program first, without the feature `whole`; that program builds the whole one when it is
+//! first needed.
 
 use crate::engine::EngineKind;
 use crate::{input, model_argument, run, view};
 
-/// Does the light program run this? A file that cannot be read it refuses as the whole one would.
+/// Can the light program run this? Yes also for a file that cannot be read, which both programs refuse alike.
 #[must_use]
 pub fn runs(arguments: &run::Arguments) -> bool {
     let is_picked = arguments.error.is_some() || arguments.budget.is_some();
@@ -17,13 +17,14 @@ pub fn runs(arguments: &run::Arguments) -> bool {
     !(is_picked || is_kept || is_compiled || is_painted) && is_mechanism(&arguments.model)
 }
 
-/// Does the light program show this?
+/// Can the light program show this?
 #[must_use]
 pub fn shows(arguments: &view::Arguments) -> bool {
     arguments.still.is_none() && is_mechanism(&arguments.model)
 }
 
-/// Is it no scene, by what its lines begin with? Whatever may be one is left to the whole program, which reads it.
+/// Is it certainly a mechanism, judging by the beginnings of its lines? Anything that might be a scene goes to the
+/// whole program.
 fn is_mechanism(argument: &str) -> bool {
     let Ok(path) = model_argument::find(argument) else { return true };
     let text = input::text(&path.display().to_string()).unwrap_or_default();

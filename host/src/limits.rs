@@ -1,7 +1,7 @@
-//! Numbers that the chosen scalar cannot hold, and angles whose sine it cannot take: refused by name.
+//! Refuses numbers that the chosen scalar cannot represent, and angles too large for its sine.
 //!
-//! Sine and cosine are exact to rounding up to [`Scalar::LARGEST_ANGLE`]. Beyond, an angle that stands in nothing
-//! but sines and cosines is taken less whole turns, which changes none of them; any other one is refused.
+//! Sine and cosine are accurate up to [`Scalar::LARGEST_ANGLE`]. A larger angle is reduced by whole turns if it is used
+//! in sines and cosines only, which does not change them; any other one is refused.
 
 use crate::engine::kinds::{EngineScalar, explain};
 use crate::failure::Failure;
@@ -9,7 +9,7 @@ use smartbed_codegen::program::limits::fits_single;
 use smartbed_codegen::{Interpreted, Program, ScalarType};
 use smartbed_runtime::real::Scalar;
 
-/// Refuses a program whose parameters or constants single precision cannot hold, if it is to be computed with that.
+/// Refuses a program with parameters or constants that single precision cannot represent, if it is to run in that.
 ///
 /// # Errors
 /// [`Failure::Wrong`] names the number.
@@ -20,7 +20,7 @@ pub fn check_program(program: &Program, scalar: &ScalarType) -> Result<(), Failu
     }
 }
 
-/// Refuses named numbers that the scalar cannot hold.
+/// Refuses named numbers that the scalar cannot represent.
 ///
 /// # Errors
 /// The first one, in words.
@@ -34,7 +34,7 @@ pub fn check_numbers<'a, S: EngineScalar>(
     }
 }
 
-/// The arguments of a program's sines and cosines.
+/// The arguments of a program's sines and cosines, for checking them.
 #[derive(Debug)]
 pub struct Angles {
     names: Vec<String>,
@@ -43,7 +43,7 @@ pub struct Angles {
 }
 
 impl Angles {
-    /// Of a program that is computed with the scalar S.
+    /// For a program that runs in the scalar S.
     #[must_use]
     pub fn new<S: Scalar>(program: &Program) -> Self {
         let angles = program.angles();
@@ -56,7 +56,7 @@ impl Angles {
         self.arguments.set_parameters(values);
     }
 
-    /// Refuses a state with an angle beyond.
+    /// Refuses a state in which such an angle is too large.
     ///
     /// # Errors
     /// The angle, in words.
@@ -77,7 +77,7 @@ impl Angles {
     }
 }
 
-/// Takes whole turns off the coordinates that allow it and are too large for the scalar; the others stay every bit.
+/// Removes whole turns from coordinates that allow it and are too large for the scalar; the others keep every bit.
 #[must_use]
 pub fn less_turns<S: Scalar>(program: &Program, q: &[f64]) -> Vec<f64> {
     let largest = S::LARGEST_ANGLE.to_f64();

@@ -1,4 +1,4 @@
-//! The smartbed command: reads the command line and hands over to one module per subcommand.
+//! The smartbed command: parses the command line and calls one module per subcommand.
 
 use clap::{CommandFactory, Parser, Subcommand};
 use smartbed::{

@@ -1,4 +1,5 @@
-//! The model or plan on a command line: a path, or the name of a file under `models/`; and `name=value`.
+//! Finds the model, scene or plan that a command line names, by path or by the name of a file under `models/`; parses
+//! `name=value`.
 //!
 //! Names are looked up in `models/` and `models/scenes/`, those of plans in `models/plans/`, of the current folder and
 //! of the folders above it, up to the root of the workspace (the first folder with a Cargo.lock).
@@ -19,7 +20,7 @@ const MODELS: [&str; 2] = ["models", "models/scenes"];
 /// Finds the file of a model or scene.
 ///
 /// # Errors
-/// [`Failure::Wrong`] with the likely name, if there is no such file.
+/// [`Failure::Wrong`] with the most similar name, if there is no such file.
 pub fn find(argument: &str) -> Result<PathBuf, Failure> {
     find_in(argument, "model", &MODELS)
 }
@@ -38,7 +39,7 @@ fn find_in(argument: &str, what: &str, under: &[&str]) -> Result<PathBuf, Failur
             return Ok(given);
         }
     }
-    // A folder may be called as a model is.
+    // A folder may have the same name as a model.
     if Path::new(argument).exists() && !Path::new(argument).is_dir() {
         return Err(Failure::Wrong(format!(
             "{argument}: it is a pipe or a device; expected the file of a {what}"
@@ -73,7 +74,7 @@ pub fn is_world(path: &Path) -> bool {
     input::text(&path.display().to_string()).is_ok_and(|text| says_world(&text))
 }
 
-/// Is this text a scene of format 2? Its parts say so; nothing is parsed.
+/// Is this the text of a scene of format 2? Recognised by its sections, without parsing.
 #[must_use]
 pub fn says_world(text: &str) -> bool {
     let begins = |line: &str| ["[parts.", "[parts]", "parts."].iter().any(|word| line.starts_with(word));
@@ -96,17 +97,17 @@ pub fn all() -> Vec<String> {
 /// Finds and reads a model.
 ///
 /// # Errors
-/// [`Failure::Wrong`] if there is none, or with everything that is wrong in it.
+/// [`Failure::Wrong`] if there is no such model, or with all errors in it.
 pub fn read(argument: &str) -> Result<Model, Failure> {
     let path = find(argument)?;
     refuse_world(&path)?;
     model::read(&path).map_err(|errors| wrong(&errors))
 }
 
-/// Reads a scene of format 2, with settings `path = value` on top.
+/// Reads a scene of format 2 and applies settings `path = value`.
 ///
 /// # Errors
-/// [`Failure::Found`] with all that is wrong in it; [`Failure::Wrong`] if there is no such file.
+/// [`Failure::Found`] with all errors in it; [`Failure::Wrong`] if there is no such file.
 #[cfg(feature = "whole")]
 pub fn open_world(path: &Path, settings: &[String]) -> Result<Assembly, Failure> {
     let name = path.display().to_string();
@@ -115,10 +116,10 @@ pub fn open_world(path: &Path, settings: &[String]) -> Result<Assembly, Failure>
     world::read::parse(&name, &text, settings, &find).map_err(|found| wrong(&found))
 }
 
-/// Refuses a scene of format 2 where models or scenes of format 1 are taken.
+/// Refuses a scene of format 2 in a command that takes only models or scenes of format 1.
 ///
 /// # Errors
-/// [`Failure::Wrong`] that names what takes it.
+/// [`Failure::Wrong`] that names the commands that take it.
 pub fn refuse_world(path: &Path) -> Result<(), Failure> {
     match is_world(path) {
         true => Err(Failure::Wrong(format!(
@@ -129,13 +130,13 @@ pub fn refuse_world(path: &Path) -> Result<(), Failure> {
     }
 }
 
-/// A list of findings as a failure.
+/// Findings as a failure.
 #[must_use]
 pub fn wrong(errors: &Diagnostics) -> Failure {
     Failure::Found(Box::new(errors.clone()))
 }
 
-/// What is suspicious in a model: names that nothing uses, constraints that were dropped.
+/// Warnings about a model: names that are never used, constraints that were dropped.
 #[must_use]
 pub fn warnings(model: &Model, program: &Program) -> Diagnostics {
     let mut found = model.warnings();
@@ -143,14 +144,14 @@ pub fn warnings(model: &Model, program: &Program) -> Diagnostics {
     found
 }
 
-/// Warnings of the derivation on standard error: what was derived is not all that was written.
+/// Prints the derivation's warnings to standard error.
 pub fn print_warnings(program: &Program) {
     if !program.warnings.items.is_empty() {
         output::say(grouped::text(&program.warnings, Stream::Error, false).trim_end());
     }
 }
 
-/// A `NAME=NUMBER` behind an option of the command line.
+/// Parses `NAME=NUMBER` after an option of the command line.
 ///
 /// # Errors
 /// [`Failure::Wrong`] if it is none.
@@ -164,12 +165,12 @@ pub fn assignment(option: &str, text: &str) -> Result<(String, f64), Failure> {
     }
 }
 
-/// Folders of these names here and above, nearest first, up to the root of the workspace.
+/// Folders with these names here and above, the nearest first, up to the root of the workspace.
 fn folders(names: &[&str]) -> Vec<PathBuf> {
     let mut folders = Vec::new();
     let here = std::env::current_dir().unwrap_or_default();
     for (depth, folder) in here.ancestors().enumerate() {
-        // Written relative to where we are: the path ends up in generated files and messages.
+        // Relative to the current folder, because the path appears in generated files and messages.
         let prefix: PathBuf = std::iter::repeat_n("..", depth).collect();
         folders.extend(names.iter().map(|name| prefix.join(name)));
         if folder.join("Cargo.lock").is_file() {

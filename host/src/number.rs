@@ -8,19 +8,19 @@ pub fn digits(x: f64) -> String {
     format!("{x:.16e}")
 }
 
-/// Six digits of a number: a third of a hundredth is written 0.00333333.
+/// Rounds to six significant digits: a third of a hundredth is written 0.00333333.
 #[must_use]
 pub fn six_digits(x: f64) -> f64 {
     format!("{x:.5e}").parse().unwrap_or(x)
 }
 
-/// For people: six places behind the point, or an exponent where these would tell too little or too much.
+/// For people: six decimals, or an exponent if these would show too few or too many digits.
 #[must_use]
 pub fn short(x: f64) -> String {
     if x == 0.0 || (1e-2..1e7).contains(&x.abs()) { format!("{x:.6}") } else { format!("{x:.6e}") }
 }
 
-/// `{"name": value, ...}` in the given order; what is not finite becomes `null`.
+/// `{"name": value, ...}` in the given order; a value that is not finite becomes `null`.
 pub fn json_object<'a>(entries: impl IntoIterator<Item = (&'a str, f64)>) -> String {
     let mut text = String::from("{");
     for (n, (name, value)) in entries.into_iter().enumerate() {
@@ -42,7 +42,7 @@ pub fn json_string(text: &str) -> String {
     serde_json::Value::from(text).to_string()
 }
 
-/// The larger of the worst so far and a magnitude. Not a number is worse than any, and stays: `max` would hide it.
+/// The maximum of the worst value so far and a magnitude. NaN counts as the worst and is kept; `max` would drop it.
 #[must_use]
 pub fn worst(so_far: f64, x: f64) -> f64 {
     if so_far.is_nan() || so_far >= x.abs() { so_far } else { x.abs() }

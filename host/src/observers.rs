@@ -1,12 +1,11 @@
-//! What is watched beside the motion: laws, energies, powers of loads, coordinates in closed form, places of
-//! points and turns of bodies.
+//! Quantities observed beside the motion: laws, energies, powers of loads, coordinates in closed form, positions of
+//! points and attitudes of bodies.
 //!
-//! In: a model. Out: the same model with these as its outputs, written in the model's own language,
-//! so that the derivation lowers them like anything else. The program that moves is another one and
-//! does not know of them.
-//! Signs: `actuator` and `external` are power into the mechanism, `damping` is power out of it.
-//! A load's power is split: what vanishes with the inputs is the actuator's; the rest is damping
-//! where it depends on speeds, else external.
+//! In: a model. Out: the same model with these as its outputs, written in the model's own language and derived like any
+//! other output. The program that computes the motion is a different one and does not depend on them. Signs: `actuator`
+//! and `external` are power into the mechanism, `damping` is power out of it. A load's power is split: the part that
+//! vanishes with the inputs is the actuator's; of the rest, what depends on speeds is damping, everything else
+//! external.
 
 use smartbed_codegen::id::Id;
 use smartbed_codegen::model::expression::{Expr, ExprKind};
@@ -15,7 +14,7 @@ use smartbed_codegen::model::{Axis, FrameId, Load, LoadKind, Model, Output};
 use smartbed_codegen::source::Span;
 use smartbed_codegen::{Diagnostics, ParameterChoice, Program, program};
 
-/// Ledger entries in order: two stored energies (J), three powers (W).
+/// Entries of the ledger in order: two stored energies (J), three powers (W).
 pub const LEDGER: [&str; 5] = ["gravity", "spring", "actuator", "damping", "external"];
 
 /// Derived observers.
@@ -24,7 +23,7 @@ pub struct Observers {
     program: Program,
     /// The inputs that have laws, in the order of the laws.
     pub law_inputs: Vec<usize>,
-    /// Coordinates in closed form, which are no state: (name, unit).
+    /// Name and unit of each coordinate in closed form, which is not part of the state.
     pub closed: Vec<(String, String)>,
 }
 
@@ -62,9 +61,9 @@ impl Observers {
         self.part(self.law_inputs.len() + LEDGER.len(), 2 * self.closed.len())
     }
 
-    /// A program whose outputs are what a picture of the mechanism needs: x, y, z of every point; of every body
-    /// with a frame the frame's x and y axes; mass, Ixx, Iyy, Izz, Ixy, Ixz, Iyz of every body; gravity; the lengths
-    /// of the shapes of `[view]`.
+    /// A program whose outputs are the data of a picture of the mechanism: x, y, z of every point; for every body with
+    /// a frame the frame's x and y axes; mass, Ixx, Iyy, Izz, Ixy, Ixz, Iyz of every body; gravity; the lengths of the
+    /// shapes in `[view]`.
     #[must_use]
     pub fn places(&self) -> Program {
         let first = self.law_inputs.len() + LEDGER.len() + 2 * self.closed.len();
@@ -82,7 +81,7 @@ fn output(value: Expr) -> Output {
     Output { name: String::new(), value, unit: String::new(), span: Span::default() }
 }
 
-/// Stored energies and powers as expressions, in the order of [`LEDGER`].
+/// Expressions for stored energies and powers, in the order of [`LEDGER`].
 fn ledger(model: &Model) -> [Expr; 5] {
     let mut sums: [Expr; 5] = std::array::from_fn(|_| number(0.0));
     let mut book = |entry: usize, term: Expr| {
@@ -160,7 +159,7 @@ fn spring_energy(stiffness: &Expr, length: Expr, rest: &Expr) -> Expr {
     times(number(0.5), times(stiffness.clone(), square(stretch)))
 }
 
-/// The load's power by ledger entry.
+/// The parts of a load's power, each with its ledger entry.
 fn split(model: &Model, load: &Expr, velocity: &Expr) -> Vec<(usize, Expr)> {
     let is_input = |e: &Expr| matches!(e.kind, ExprKind::Input(_));
     let is_speed = |e: &Expr| {
@@ -202,7 +201,7 @@ fn mentions(model: &Model, expr: &Expr, wanted: &dyn Fn(&Expr) -> bool) -> bool 
     found
 }
 
-/// The expression with every input 0; definitions that depend on inputs are written out.
+/// The expression with every input set to 0; definitions that depend on inputs are written out.
 fn without_inputs(model: &Model, expr: &Expr) -> Expr {
     let is_input = |e: &Expr| matches!(e.kind, ExprKind::Input(_));
     expr.replaced(&|e| match &e.kind {
@@ -214,7 +213,7 @@ fn without_inputs(model: &Model, expr: &Expr) -> Expr {
     })
 }
 
-/// `of(a) - of(b)`, or `of(a)` against the ground.
+/// `of(a) - of(b)`, or `of(a)` if the other side is the ground.
 fn relative<T>(a: T, b: Option<T>, of: impl Fn(T) -> ExprKind) -> Expr {
     let first = node(of(a));
     match b {

@@ -1,5 +1,5 @@
-//! What a result is made from: version, command, settings, seeds, hashes (SHA-256) of the plan and of the mesh that it names, so
-//! that it can be made again.
+//! The origin of a result, so that it can be reproduced: version, command, settings, seeds, and hashes (SHA-256) of the
+//! plan and of the mesh that it names.
 //!
 //! In: a plan's file and settings. Out: members of a JSON object, or a line for a page.
 
@@ -10,10 +10,10 @@ use crate::plan_file::PlanFile;
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 
-/// Hashes of meshes that were asked for already.
+/// Cache: hashes of meshes, by path.
 pub type Meshes = BTreeMap<PathBuf, String>;
 
-/// What a result is made from.
+/// The origin of a result.
 #[derive(Clone, Debug)]
 pub struct Origin {
     command: String,
@@ -24,18 +24,18 @@ pub struct Origin {
 }
 
 impl Origin {
-    /// Of a command on a plan with `settings` on top.
+    /// For a command that ran a plan with these `settings`.
     #[must_use]
     pub fn new(command: String, plan: &PlanFile, settings: Vec<String>, meshes: &mut Meshes) -> Self {
         let mesh = plan.mesh(&settings).map(|path| {
-            // One that cannot be read ends its run, by name.
+            // A mesh that cannot be read makes the run fail with its own error.
             let own = || crate::plan::mesh::bytes(&path).map(|bytes| hash(&bytes)).unwrap_or_default();
             meshes.entry(path.clone()).or_insert_with(own).clone()
         });
         Self { command, plan: plan.hash.clone(), mesh, settings }
     }
 
-    /// Names and values, in a fixed order; settings are the caller's.
+    /// Names and values in a fixed order, without the settings.
     #[must_use]
     pub fn pairs(&self) -> Vec<(&'static str, String)> {
         let mut pairs = vec![
@@ -47,7 +47,7 @@ impl Origin {
         pairs
     }
 
-    /// As members of a JSON object, with a comma behind the last.
+    /// As members of a JSON object, with a trailing comma.
     #[must_use]
     pub fn json(&self) -> String {
         let pairs: String = self
@@ -58,7 +58,7 @@ impl Origin {
         format!("{pairs}\"settings\": {}, ", list(&self.settings))
     }
 
-    /// As a line for people.
+    /// As a line of text.
     #[must_use]
     pub fn line(&self, read: &Read) -> String {
         let pairs: Vec<String> =

@@ -1,7 +1,7 @@
-//! Where a result goes: a file, or standard output for `-`; and what is said on standard error meanwhile.
+//! Writes results to a file, or to standard output for `-`, and messages to standard error.
 //!
-//! A reader that went away (`| head`) is no failure; a disk that is full is one. Nobody hears a complaint about
-//! standard error itself: what cannot be said there is left unsaid.
+//! A reader that has gone away (`| head`) is no failure; a full disk is one. Failures to write to standard error are
+//! ignored, because there is nowhere to report them.
 
 use crate::failure::Failure;
 use std::fs::File;
@@ -10,10 +10,10 @@ use std::path::Path;
 use std::sync::atomic::{AtomicBool, AtomicU8, Ordering};
 
 /// Was standard output closed before the program began? The standard library then opens the null device in its place,
-/// and every write succeeds.
+/// and every write would seem to succeed.
 static CLOSED: AtomicBool = AtomicBool::new(false);
 
-/// Standard output is closed: whoever writes there hears of it.
+/// Records that standard output is closed, so that writing to it becomes an error.
 pub fn stdout_is_closed() {
     CLOSED.store(true, Ordering::Relaxed);
 }
@@ -56,7 +56,7 @@ impl Output {
         self.judge(done)
     }
 
-    /// Everything has been written.
+    /// Finishes the output and reports late errors.
     ///
     /// # Errors
     /// [`Failure::Wrong`] if that fails.
@@ -73,8 +73,8 @@ impl Output {
     }
 }
 
-/// Writes a file beside its place and moves it there: it appears whole or not at all, whoever is killed meanwhile. Devices
-/// and pipes are written to as they are.
+/// Writes to a temporary file and renames it, so that the file appears complete or not at all, even if the process is
+/// killed. Devices and pipes are written to directly.
 ///
 /// # Errors
 /// [`Failure::Wrong`] if that fails.
@@ -125,7 +125,7 @@ pub fn print(text: &str) -> Result<(), Failure> {
     write("-", text.as_bytes())
 }
 
-/// A line on standard error; `error`, `warning` and `note` in front of it have their colour.
+/// Prints a line to standard error; a leading `error`, `warning` or `note` is coloured.
 pub fn say(line: &str) {
     let _ = writeln!(io::stderr(), "{}", tinted(line, has_colour(Stream::Error)));
 }
@@ -135,7 +135,7 @@ pub fn say(line: &str) {
 pub enum Stream {
     /// Results.
     Out,
-    /// What is said meanwhile.
+    /// Messages.
     Error,
 }
 
@@ -152,15 +152,15 @@ pub enum Colour {
     Never,
 }
 
-/// What `--color` says.
+/// The choice of `--color`.
 static COLOUR: AtomicU8 = AtomicU8::new(Colour::Auto as u8);
 
-/// Chooses when text has colours, for the whole program.
+/// Sets for the whole program when text is coloured.
 pub fn choose_colour(colour: Colour) {
     COLOUR.store(colour as u8, Ordering::Relaxed);
 }
 
-/// Is text to this stream to have colours?
+/// Shall text to this stream be coloured?
 #[must_use]
 pub fn has_colour(to: Stream) -> bool {
     let chosen = COLOUR.load(Ordering::Relaxed);
@@ -177,7 +177,7 @@ fn is_terminal(stream: Stream) -> bool {
     }
 }
 
-/// Width of the terminal behind a stream, if there is one.
+/// Width of the terminal behind a stream, if it is one.
 #[must_use]
 pub fn columns(stream: Stream) -> Option<usize> {
     if !is_terminal(stream) {
@@ -195,10 +195,10 @@ pub fn columns(stream: Stream) -> Option<usize> {
     None
 }
 
-/// A narrower terminal is taken for one that does not know its width.
+/// Narrower than this a terminal's width is not trusted.
 const LEAST_COLUMNS: usize = 40;
 
-/// The first word in its colour (ECMA-48), where it is one that has one.
+/// The line with its first word coloured (ECMA-48), if that word has a colour.
 pub(crate) fn tinted(line: &str, has_colour: bool) -> String {
     let words = [("error", "1;91"), ("warning", "1;33"), ("note", "1;32")];
     let first = words.iter().find_map(|(word, code)| Some((word, code, line.strip_prefix(word)?)));

@@ -1,16 +1,16 @@
-//! The plan on a command line: its file, found and read once.
+//! The plan that a command line names: its file, found and read once.
 //!
-//! In: a path, or a name under `models/plans`, and settings. Out: the plan within its limits, or why not.
+//! In: a path, or a name under `models/plans`, and settings. Out: the plan, checked against its limits, or the errors.
 
 use crate::failure::Failure;
 use crate::plan::{Read, checked, parse};
 use crate::{hash, input, model_argument};
 
-/// The file of a plan, read once: whoever needs it again takes the same text, whatever becomes of the file.
+/// The file of a plan. It is read only once, so that later changes of the file have no effect.
 #[derive(Clone, Debug)]
 pub struct PlanFile {
     path: String,
-    /// What stands in it.
+    /// Its contents.
     text: String,
     /// Its SHA-256.
     pub hash: String,
@@ -28,13 +28,13 @@ impl PlanFile {
         Ok(Self { path, text, hash })
     }
 
-    /// The mesh that it names with `settings` on top, if it names one.
+    /// The path of the mesh that the plan names under these `settings`, if any.
     #[must_use]
     pub fn mesh(&self, settings: &[String]) -> Option<std::path::PathBuf> {
         crate::plan::mesh_file(&self.path, &self.text, settings)
     }
 
-    /// Reads it with `settings` on top and holds it against its limits.
+    /// Parses the plan with `settings` applied and checks it against its limits.
     ///
     /// # Errors
     /// Everything that is wrong in its text, or the first limit that it exceeds.

@@ -1,5 +1,5 @@
-//! How a program of this package ends: exit status 0, it is done; 1, the input is wrong; 2, the machine lacks
-//! something; 101, it panicked, which is a mistake of ours.
+//! Exit status of the programs in this package: 0 success; 1 wrong input; 2 the machine lacks something; 101 a panic,
+//! which is a fault of ours.
 
 use crate::failure::Failure;
 use crate::{diagnostics, output};
@@ -9,7 +9,7 @@ use std::process::ExitCode;
 /// The status of a Rust program that panicked.
 const PANICKED: i32 = 101;
 
-/// Lets a panic end with its own status: built to abort, it would end by a signal and leave a core file.
+/// Makes a panic exit with its own status; with `panic = abort` it would raise a signal and leave a core file.
 pub fn begin() {
     let tell = std::panic::take_hook();
     std::panic::set_hook(Box::new(move |panic| {
@@ -18,7 +18,7 @@ pub fn begin() {
     }));
 }
 
-/// Ends without a command to carry out: a wrong command line is a wrong input (1), help and version are answers (0).
+/// Ends after the command line could not be parsed (wrong input, 1), or after help or version were printed (0).
 #[must_use]
 pub fn refuse(message: &clap::Error) -> ExitCode {
     let to_stdout = if message.use_stderr() { Ok(()) } else { output::print("") };
@@ -26,7 +26,7 @@ pub fn refuse(message: &clap::Error) -> ExitCode {
     ExitCode::from(u8::from(message.use_stderr() || !is_heard))
 }
 
-/// Ends as a command ended.
+/// Ends with the status of a command's result.
 #[must_use]
 pub fn end(done: Result<(), Failure>) -> ExitCode {
     match done {
@@ -43,7 +43,7 @@ mod tests {
     use super::*;
     use std::process::Command;
 
-    /// Runs as a program of its own, below.
+    /// Runs as a separate process, in the test below.
     #[test]
     fn a_panic() {
         if std::env::var_os("SMARTBED_PANICS").is_some() {

@@ -1,7 +1,7 @@
-//! What is said on standard error while something takes longer than a second: a bar with the time left where the share
-//! that is done is known, else what is waited for and for how long.
+//! Progress on standard error for work that takes longer than a second: a bar with the time left if the share done is
+//! known, else the name of the work and the time elapsed.
 //!
-//! On a terminal `indicatif` draws it, and nothing of it stays; elsewhere a line now and then.
+//! On a terminal `indicatif` draws it and removes it at the end; elsewhere a line is printed now and then.
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::io::{IsTerminal, Write};
@@ -9,14 +9,14 @@ use std::sync::mpsc::{self, Receiver, RecvTimeoutError, Sender};
 use std::thread::JoinHandle;
 use std::time::{Duration, Instant};
 
-/// Nothing is said before.
+/// Time before anything is shown.
 const PATIENCE: Duration = Duration::from_secs(1);
-/// Between two lines: on a terminal, where the line is overwritten, and elsewhere.
+/// Time between two updates: on a terminal, and elsewhere, where each is a line of its own.
 const INTERVALS: [Duration; 2] = [Duration::from_millis(200), Duration::from_secs(5)];
-/// Parts of a bar.
+/// Resolution of a bar.
 const PARTS: u64 = 1000;
 
-/// How far a piece of work has come.
+/// Progress of work whose share done is known.
 #[derive(Debug)]
 pub struct Progress {
     what: String,
@@ -34,7 +34,7 @@ impl Progress {
         Self { what: what.to_owned(), start: Instant::now(), last: None, terminal, bar: None }
     }
 
-    /// Says that the share `done` (0 to 1) is done, if it is time to.
+    /// Reports that the share `done` (0 to 1) is done; shows it if an update is due.
     pub fn at(&mut self, done: f64) {
         let interval = if self.terminal { INTERVALS[0] } else { INTERVALS[1] };
         let since = self.last.map_or(self.start.elapsed() >= PATIENCE, |last| last.elapsed() >= interval);
@@ -49,7 +49,7 @@ impl Progress {
             bar.set_message(left);
             bar.set_position((done.clamp(0.0, 1.0) * PARTS as f64) as u64);
         } else {
-            // Nobody reading is no reason to stop.
+            // A closed standard error is no reason to stop.
             let _ = writeln!(std::io::stderr(), "{}: {:3.0} %{left}", self.what, 100.0 * done);
         }
     }
@@ -71,15 +71,15 @@ impl Drop for Progress {
 
 fn bar(what: &str, template: &str) -> ProgressBar {
     let bar = ProgressBar::with_draw_target(Some(PARTS), ProgressDrawTarget::stderr());
-    // A template that does not parse would be a mistake of ours: the usual one does.
+    // The template is a constant; if it were wrong, the default style would serve.
     let style = ProgressStyle::with_template(template).unwrap_or_else(|_| ProgressStyle::default_bar());
     bar.set_style(style);
     bar.set_prefix(what.to_owned());
     bar
 }
 
-/// Work of which nobody knows how far it is: what it is and for how long, from its second on; elsewhere than on a
-/// terminal only if it has stages.
+/// Progress of work whose share done is unknown: what it is and for how long. Where there is no terminal, shown only if
+/// the work has stages.
 #[derive(Debug)]
 pub struct Waiting {
     done: Option<Sender<()>>,
@@ -93,7 +93,7 @@ impl Waiting {
         Self::begin(what, None)
     }
 
-    /// Begins to wait for equations, the stage of whose derivation is shown.
+    /// Shows the derivation of equations, with its present stage.
     #[must_use]
     pub fn deriving() -> Self {
         Self::begin("deriving the equations", Some(smartbed_codegen::program::stage::current))
@@ -124,7 +124,7 @@ impl Drop for Waiting {
     }
 }
 
-/// What is waited for, its stage and its time in one line that moves, and vanishes at the end.
+/// Draws the name of the work, its stage and its time on one line, which is removed at the end.
 fn spin(what: &str, stage: Option<fn() -> &'static str>, ended: &Receiver<()>) {
     let bar = bar(what, "{spinner} {prefix}{msg} {elapsed}");
     loop {
@@ -139,13 +139,13 @@ fn spin(what: &str, stage: Option<fn() -> &'static str>, ended: &Receiver<()>) {
     bar.finish_and_clear();
 }
 
-/// A line for each stage that is begun after the first second.
+/// Prints a line for each stage that begins after the first second.
 fn list(to: &mut dyn Write, what: &str, stage: fn() -> &'static str, ended: &Receiver<()>) {
     let mut last = "";
     loop {
         let now = stage();
         if now != last {
-            // Nobody reading is no reason to stop.
+            // A closed standard error is no reason to stop.
             let _ = writeln!(to, "{what}: {now}");
             last = now;
         }
@@ -155,7 +155,7 @@ fn list(to: &mut dyn Write, what: &str, stage: fn() -> &'static str, ended: &Rec
     }
 }
 
-/// The time left, if the rest goes as fast as the share that is done; nothing where that tells nothing.
+/// Estimated time left, if progress continues at the same rate; empty if that cannot be estimated.
 fn left(elapsed: f64, done: f64) -> String {
     let seconds = elapsed * (1.0 - done) / done;
     match seconds {

@@ -25,7 +25,7 @@ pub struct Arguments {
     pub json: bool,
 }
 
-/// Does what the command line asks for.
+/// Runs the command.
 ///
 /// # Errors
 /// Status 1 for a wrong scene, and for one that does not come to rest.

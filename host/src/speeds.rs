@@ -1,17 +1,17 @@
-//! Complete speeds: where all speeds are state, those left out follow from the constraints.
+//! Completes speeds: if all speeds are state, those left out follow from the constraints.
 //!
-//! In: a configuration and some speeds. Out: all speeds that are state. Independent speeds are taken as given, 0 where
-//! left out. Redundant ones (the motion passes dead points of the independent speeds) must meet the constraints J u =
-//! -j: those given are met as nearly as they allow, the others are as small as they can be.
+//! In: a configuration and some speeds. Out: all speeds of the state. Independent speeds are taken as given, 0 if left
+//! out. Redundant ones (the motion passes dead points of the independent speeds) must satisfy the constraints J u = -j:
+//! those given are met as closely as possible, the others are as small as possible.
 
 use smartbed_codegen::kinematics::linear;
 use smartbed_codegen::{Interpreted, Program};
 use smartbed_runtime::mechanism::{Fault, Mechanism};
 
-/// Equations left with this share of their size do not contradict each other.
+/// A relative residual below this means that the equations are consistent.
 const CONSISTENT: f64 = 1e-9;
 
-/// The speeds of the state; `given[i]` is the i-th one.
+/// Completes the speeds of the state; `given[i]` is the value of the i-th one.
 ///
 /// # Errors
 /// [`Fault::Shape`] if a list has not the length of the state.
@@ -25,7 +25,7 @@ pub fn complete(
     if !program.is_redundant() {
         return Ok(zeros);
     }
-    // Where a dependent speed is given it says how the mechanism moves: independent ones left out are not 0 then.
+    // If a dependent speed is given, it determines the motion: left-out independent ones are then not 0.
     let by_others = given.iter().enumerate().any(|(i, speed)| speed.is_some() && !is_independent(i));
     let given = given.iter().enumerate();
     let wanted = given
@@ -36,7 +36,7 @@ pub fn complete(
     engine.set_time(t);
     let n = zeros.len();
     let mut met = |mut u: Vec<f64>| engine.project_speeds(q, &mut u).map(|()| u);
-    // The constraints are met by u = P w + still, for any w.
+    // The constraints are satisfied by u = P w + still, for any w.
     let still = met(vec![0.0; n])?;
     let mut columns = Vec::new();
     for i in 0..n {
@@ -44,7 +44,7 @@ pub fn complete(
         unit[i] = 1.0;
         columns.push(met(unit)?.iter().zip(&still).map(|(x, y)| x - y).collect::<Vec<f64>>());
     }
-    // The shortest w with (P w)_i as wanted: w = P_i' y.
+    // The w of least norm for which (P w)_i has the given values: w = P_i' y.
     let m = wanted.len();
     let product = |a: usize, b: usize| columns.iter().map(|column| column[a] * column[b]).sum::<f64>();
     let gram: Vec<f64> = wanted
@@ -59,11 +59,11 @@ pub fn complete(
         let w: f64 = wanted.iter().zip(&y).map(|(&(i, _), y)| column[i] * y).sum();
         u.iter_mut().zip(column).for_each(|(u, x)| *u += w * x);
     }
-    // Once more: what rounding has left.
+    // Projects once more, to remove rounding errors.
     met(u)
 }
 
-/// y of G y = r for a symmetric G; where that has no solution, G G y = G r.
+/// Solves G y = r for a symmetric G; if that has no solution, G G y = G r.
 fn least_squares(gram: &[f64], right: &[f64], n: usize) -> Vec<f64> {
     let times = |y: &[f64]| -> Vec<f64> {
         gram.chunks_exact(n.max(1)).map(|row| row.iter().zip(y).map(|(a, y)| a * y).sum()).collect()

@@ -1,11 +1,11 @@
-//! What somebody who wrote an unknown name probably meant.
+//! Suggestions for unknown names.
 
-/// Fewest equal parts (Jaro-Winkler, 0 to 1) for a suggestion.
+/// Least similarity (Jaro-Winkler, 0 to 1) for a suggestion.
 const ALIKE: f64 = 0.66;
-/// Names listed when none is alike.
+/// Number of known names listed if none is similar.
 const LISTED: usize = 12;
 
-/// `; did you mean X?`, or the names there are, to be put behind a message.
+/// `; did you mean X?`, or a list of known names, to be appended to a message.
 pub fn help<'a>(name: &str, known: impl IntoIterator<Item = &'a str>) -> String {
     let known: Vec<&str> = known.into_iter().collect();
     let best = known

@@ -1,9 +1,9 @@
-//! A page's template with its parts put in: `@NAME@` is where a part stands.
+//! Fills in a page's template: each `@NAME@` is replaced by a part.
 //!
-//! In: the template, parts by name in the page's order. Out: the page. Each part is put in once, and what a part says is
-//! not looked through for the next: a title of `@DATA@` stays a title.
+//! In: the template, and parts by name in the page's order. Out: the page. Each part is inserted once, and its text is
+//! not searched for further placeholders: a title `@DATA@` remains a title.
 
-/// The template with its parts.
+/// The template with its parts inserted.
 #[must_use]
 pub fn filled(template: &str, parts: &[(&str, String)]) -> String {
     let (mut done, mut rest) = (String::new(), template);

@@ -1,7 +1,7 @@
-//! A program of the distribution beside the build, where installing it would remove something else.
+//! Unpacks a program of the distribution into a folder, for cases in which installing it would remove other packages.
 //!
-//! In: the name of a Debian package and its program. Out: a script that runs the program as unpacked, with its
-//! own libraries. Nothing of the system changes.
+//! In: the name of a Debian package and its program. Out: a script that runs the unpacked program with its own
+//! libraries. Nothing in the system changes.
 
 use crate::failure::Failure;
 use crate::firmware::process::run_quietly;
@@ -11,7 +11,7 @@ use std::os::unix::fs::PermissionsExt;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-/// Points the program to the libraries that were unpacked with it.
+/// Makes the program use the libraries that were unpacked with it.
 const SCRIPT: &str = r#"#!/bin/sh
 here=$(cd "$(dirname "$0")" && pwd)
 for folder in "$here"/lib/*-linux-gnu "$here"/usr/lib/*-linux-gnu; do
@@ -21,8 +21,8 @@ export LD_LIBRARY_PATH
 exec "$here/usr/bin/$(basename "$0")" "$@"
 "#;
 
-/// The script that runs `program` of the package of that name, unpacked under `folder` with what it depends
-/// on and the system does not have.
+/// The script that runs `program` of this package, unpacked under `folder` together with those of its dependencies that
+/// the system lacks.
 ///
 /// # Errors
 /// [`Failure::Lacking`] where apt-get cannot fetch the packages, or a file cannot be written.
@@ -38,7 +38,7 @@ pub fn unpack(program: &str, folder: &Path) -> Result<PathBuf, Failure> {
         "apt-get could not install {program} beside what is there: unpacking it into {}",
         folder.display()
     ));
-    // Renamed when complete: another process may be unpacking the same.
+    // Renamed when complete, because another process may unpack the same package.
     let mine = folder.with_extension(std::process::id().to_string());
     let done = fetch(root, program, &mine).and_then(|()| finish(program, &mine, folder));
     let _ = fs::remove_dir_all(&mine);
@@ -60,7 +60,7 @@ fn fetch(root: &[&str], package: &str, folder: &Path) -> Result<(), String> {
     fs::remove_dir_all(&archives).map_err(text)
 }
 
-/// Writes the script and gives the folder its name; another process's equal folder serves as well.
+/// Writes the script and renames the folder; if another process has finished an equal folder, that is used.
 fn finish(program: &str, mine: &Path, folder: &Path) -> Result<(), String> {
     let script = mine.join(program);
     fs::write(&script, SCRIPT).map_err(text)?;

@@ -1,16 +1,17 @@
-//! What stands between the macro's parentheses.
+//! Parses the macro's argument: the model's path and choices.
 //!
-//! In: its text. Out: the model's path and the options of a build script; an error says which word was not expected.
+//! In: the tokens between the parentheses. Out: the path and the options of a build script, or an error at the word
+//! that was not expected.
 
 use smartbed_codegen::{Effort, Options, ScalarType};
 use syn::parse::{Parse, ParseStream};
 use syn::{Ident, LitFloat, LitInt, LitStr, Token, braced, bracketed};
 
-/// Path and options.
+/// The arguments of the macro.
 pub struct Choices {
-    /// From the folder of the package.
+    /// Path of the model, relative to the folder of the package.
     pub path: String,
-    /// As in a build script.
+    /// The options, the same as in a build script.
     pub options: Options,
 }
 

@@ -1,7 +1,7 @@
-//! From the macro's text to items.
+//! Expands the macro to items.
 //!
-//! In: what stands between the parentheses; the model in the package's folder. Out: the emitted file as text, and a line a
-//! file read, by which the compiler notices that one has changed.
+//! In: the macro's argument; the model in the package's folder. Out: the text of the emitted file, and one line per
+//! model file that makes the compiler track its changes.
 
 use crate::choices::Choices;
 use smartbed_codegen::generate_in;

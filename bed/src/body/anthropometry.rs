@@ -1,19 +1,19 @@
-//! What the segments of a body weigh and where their mass centres lie, by published tables.
+//! Masses, mass centres and lengths of the segments of a body, from published tables.
 //!
-//! In: a table, mass and stature. Out: kg, m and shares for each [`Part`]. Masses: de Leva, J Biomech 29 (1996) 1223-1230, of
-//! men and women; Winter 2009 after Dempster. Both sum to 1 within 1e-4 and are then normalised. Lengths are de Leva's,
-//! of a man of 1.741 m and a woman of 1.735 m. What the outside of a segment measures is an estimate of ours.
+//! In: a table, mass and stature. Out: kg, m and shares for each [`Part`]. Masses: de Leva, J Biomech 29 (1996)
+//! 1223-1230, for men and women; Winter 2009 after Dempster. Both sum to 1 within 1e-4 and are then normalised. Lengths
+//! are de Leva's, for a man of 1.741 m and a woman of 1.735 m. Widths and depths of segments are estimates of ours.
 
-/// Parts of the body, limbs once.
+/// Parts of the body; paired limbs are listed once.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Part {
     /// Head and neck.
     Head,
-    /// To the end of the breastbone.
+    /// Down to the end of the breastbone.
     UpperTrunk,
-    /// To the navel.
+    /// From there down to the navel.
     MiddleTrunk,
-    /// To the hips.
+    /// From there down to the hips.
     LowerTrunk,
     /// Shoulder to elbow.
     UpperArm,
@@ -44,7 +44,7 @@ impl Part {
         Part::Foot,
     ];
 
-    /// How many of it a body has.
+    /// How many of this part a body has.
     #[must_use]
     pub fn count(self) -> f64 {
         if self >= Part::UpperArm { 2.0 } else { 1.0 }
@@ -63,9 +63,11 @@ pub enum Table {
 }
 
 impl Table {
-    /// Mass of a part over the body's, as printed; mass centre over the length, from the end nearer to the head.
+    /// Mass of a part divided by that of the body, as printed; distance of its mass centre from the end nearer to the
+    /// head, divided by its length.
     ///
-    /// Winter's head ends at the ear, six tenths down; its trunk has other ends than de Leva's, of whom the shares are then.
+    /// Winter's head ends at the ear, six tenths down; its trunk is divided differently, so that de Leva's shares are
+    /// used there.
     #[must_use]
     pub fn printed(self, part: Part) -> (f64, f64) {
         let row = match part {
@@ -89,18 +91,18 @@ impl Table {
         Part::ALL.into_iter().map(|part| part.count() * self.printed(part).0).sum()
     }
 
-    /// Share of the body's mass, so that all sum to 1.
+    /// Share of the body's mass, normalised so that all sum to 1.
     #[must_use]
     pub fn share(self, part: Part) -> f64 {
         self.printed(part).0 / self.sum()
     }
 
-    /// Stature (m) of the body that lengths are of.
+    /// Stature (m) of the body for which the lengths were measured.
     fn stature(self) -> f64 {
         if self == Table::DeLevaFemale { 1.735 } else { 1.741 }
     }
 
-    /// Length of a part (m) of a body of this stature (m).
+    /// Length (m) of a part of a body of this stature (m).
     #[must_use]
     pub fn length(self, part: Part, stature: f64) -> f64 {
         let [male, female] = match part {

@@ -1,9 +1,9 @@
-//! A figure of sixteen segments in a posture, and which part of the skin a point of it belongs to.
+//! A figure of sixteen segments in a posture, and the region of the skin to which a point belongs.
 //!
-//! In: table, mass, stature, posture. Out: a [`Body`] with its poses when it lies straight. Axes of a segment, as the
-//! figure lies on its back: x to its left, y towards the head, z up. A joint turns the outer segment by flexion (about x),
-//! spread (about z) and twist (about y), in this order from inside; what a joint does not allow is refused. Shapes and
-//! moduli of tissue are ours, scaled with the root of mass over stature.
+//! In: table, mass, stature, posture. Out: a [`Body`] with its poses when it lies straight. Axes of a segment of the
+//! figure on its back: x to its left, y towards the head, z up. A joint turns the outer segment by flexion (about x),
+//! spread (about z) and twist (about y), in this order from the inner segment; angles beyond the joint's range are
+//! refused. Shapes and tissue moduli are our estimates, scaled with the square root of mass over stature.
 
 use super::anthropometry::{Part, Table};
 use super::{Body, Joint, Limits, Segment, Shape};
@@ -12,7 +12,7 @@ use crate::pose::Pose;
 use smartbed_runtime::vec3::Vec3;
 use std::fmt;
 
-/// Of a joint beyond its range (N m/rad); an estimate of ours.
+/// Stiffness (N m/rad) of a joint beyond its range; an estimate of ours.
 const STOP: f64 = 300.0;
 
 /// How the figure lies.
@@ -22,7 +22,7 @@ pub enum Posture {
     Supine,
     /// Turned by 30 deg to its right side; a cushion keeps the trunk from rolling back.
     SideLying,
-    /// Legs straight, the trunk upright by itself.
+    /// Legs straight, the trunk held upright.
     Sitting,
 }
 
@@ -34,22 +34,22 @@ struct Link {
     name: String,
     /// Inner and outer segment.
     segments: [usize; 2],
-    /// Where on each, in halves of its length along y and in m across, x for the left side.
+    /// Position on each segment: in half lengths along y and in m across, with x for the left side.
     at: [Vec3<f64>; 2],
-    /// N m/rad.
+    /// Stiffness against rotation (N m/rad).
     turning: f64,
-    /// What it allows (deg).
+    /// Range of each angle (deg).
     range: [[f64; 2]; 3],
 }
 
-/// An angle that a joint does not allow.
+/// The reason why a figure cannot be made.
 #[derive(Clone, Debug, PartialEq)]
 pub enum FigureError {
-    /// Joint, which angle, what was asked for, what is allowed (deg).
+    /// An angle outside its range: joint, which angle, its value, the range (deg).
     Range(String, &'static str, f64, [f64; 2]),
-    /// There is no joint of that name.
+    /// There is no joint with this name.
     Unknown(String),
-    /// Mass (kg) or stature (m) of no grown or growing person.
+    /// Mass (kg) and stature (m) that no child or adult has.
     Size(f64, f64),
 }
 
@@ -172,7 +172,7 @@ fn link(
     Link { name: name.into(), segments, at, turning, range }
 }
 
-/// Half lengths of the box across (x) and up (z), radius (m), and modulus of the tissue (Pa/m).
+/// Half lengths of the box across (x) and up (z), radius (m), and modulus of the tissue foundation (Pa/m).
 fn outside(part: Part) -> ([f64; 2], f64, f64) {
     match part {
         Part::Head => ([0.0, 0.02], 0.075, 4e6),
@@ -188,21 +188,21 @@ fn outside(part: Part) -> ([f64; 2], f64, f64) {
     }
 }
 
-/// A figure: its body, and where its segments are before it is put down.
+/// A figure: its body, and the poses of its segments before it is put down.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Figure {
     /// Segments and joints.
     pub body: Body,
-    /// Part of each segment.
+    /// Part of the body that each segment is.
     pub parts: Vec<Part>,
-    /// Poses, the lower trunk's middle above the origin.
+    /// Poses, with the centre of the lower trunk above the origin.
     pub poses: Vec<Pose>,
-    /// What each joint allows.
+    /// Limits of each joint.
     pub limits: Vec<Limits>,
 }
 
 impl Figure {
-    /// A figure of a mass (kg) and stature (m), with some joints at other angles than the posture has them.
+    /// A figure of this mass (kg) and stature (m), in a posture in which some joints have other angles.
     ///
     /// # Errors
     /// [`FigureError`].
@@ -220,7 +220,7 @@ impl Figure {
         if let Some((joint, _)) = own.iter().find(|(joint, _)| links.iter().all(|l| l.name != *joint)) {
             return Err(FigureError::Unknown(joint.clone()));
         }
-        // A heavier body of the same stature is wider and deeper: its section grows with mass over stature.
+        // A heavier body of the same stature is wider and deeper: its cross section grows with mass over stature.
         let girth = ((mass / stature) / (73.0 / 1.741)).sqrt();
         let segments: Vec<Segment> = SEGMENTS
             .iter()
@@ -234,7 +234,7 @@ impl Figure {
             let angles = own.iter().rev().find(|(joint, _)| *joint == link.name).map(|(_, angles)| *angles);
             let angles = angles.unwrap_or_else(|| usual(posture, &link.name));
             check(link, angles)?;
-            // Spread and twist of the right side are those of the left in a mirror.
+            // Spread and twist of the right side are those of the left side mirrored.
             let mirror = if link.name.starts_with("right") { -1.0 } else { 1.0 };
             let turned = [angles[0], mirror * angles[1], mirror * angles[2]];
             let joint = joint(link, turned, table, stature, girth);
@@ -245,7 +245,7 @@ impl Figure {
             body.joints.push(joint);
             allowed.push(limits(link, turned, link.name.starts_with("right")));
         }
-        // What keeps trunk and head as they are besides the bed: a cushion, or muscles.
+        // A cushion or muscles hold trunk and head in place besides the bed.
         for segment in &mut body.segments[..4] {
             match posture {
                 Posture::Supine => {}
@@ -257,7 +257,7 @@ impl Figure {
         Ok(Figure { body, parts, poses, limits: allowed })
     }
 
-    /// The same with stops at the ends of its joints' ranges.
+    /// The figure with stops at the ends of its joints' ranges.
     #[must_use]
     pub fn with_stops(mut self) -> Figure {
         self.body
@@ -268,7 +268,7 @@ impl Figure {
         self
     }
 
-    /// Which region a point of a segment's skin belongs to, given in the segment's axes with its normal outwards.
+    /// The region of a point on a segment's skin, given in the segment's axes with its outward normal.
     #[must_use]
     pub fn region(&self, segment: usize, point: Vec3<f64>, normal: Vec3<f64>) -> Option<Region> {
         let Shape { half, radius } = *self.body.segments[segment].shape.round()?;
@@ -293,7 +293,7 @@ fn segment(name: &str, part: Part, table: Table, mass: f64, stature: f64, girth:
     let length = table.length(part, stature);
     let ([across, up], radius, foundation) = outside(part);
     let radius = girth * radius;
-    // Ends are round: the box is shorter by what the radius adds, but for trunks, which follow each other.
+    // Ends are round: the box is shorter by what the radius adds, except for trunks, which adjoin each other.
     let is_trunk = matches!(part, Part::UpperTrunk | Part::MiddleTrunk | Part::LowerTrunk);
     let inner = if is_trunk { 0.5 * length - 0.5 * radius } else { 0.5 * length - radius };
     let inner = inner.max(0.0);
@@ -336,7 +336,7 @@ fn joint(link: &Link, angles: Angles, table: Table, stature: f64, girth: f64) ->
     }
 }
 
-/// What a joint allows, on the right side in a mirror.
+/// Limits of a joint, mirrored for the right side.
 fn limits(link: &Link, posture: Angles, is_right: bool) -> Limits {
     let mut range = link.range;
     if is_right {
@@ -356,7 +356,7 @@ fn check(link: &Link, angles: Angles) -> Result<(), FigureError> {
     Ok(())
 }
 
-/// How the lower trunk lies.
+/// Pose of the lower trunk.
 fn root(posture: Posture) -> Pose {
     match posture {
         Posture::Supine => Pose::at([0.0; 3]),
@@ -365,7 +365,7 @@ fn root(posture: Posture) -> Pose {
     }
 }
 
-/// Angles of a posture (deg); arms and legs lie a little apart.
+/// Joint angles of a posture (deg); arms and legs lie slightly apart.
 fn usual(posture: Posture, joint: &str) -> Angles {
     let name = joint.rsplit(' ').next().unwrap_or_default();
     match (posture, name) {

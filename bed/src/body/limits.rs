@@ -1,9 +1,10 @@
-//! What a joint does not allow: a spring beyond each end of its range.
+//! Limits of a joint: a spring beyond each end of its range.
 //!
-//! In: axes of both segments. Out: for each angle beyond its range the moment's size and its direction. With the outer segment
-//! turned by R = Rx(flexion) Rz(spread) Ry(twist) in the inner one, spread = asin(-R_xy), twist = atan2(R_xz, R_xx),
-//! flexion = atan2(R_zy, R_yy); an angle grows at g . omega, g the vector dual to its axis. (flexion + pi, pi - spread,
-//! twist + pi) is the same attitude: what is nearer to the posture counts.
+//! In: axes of both segments. Out: for each angle beyond its range by how much, and the direction of the moment. With
+//! the outer segment turned by R = Rx(flexion) Rz(spread) Ry(twist) in the inner one, spread = asin(-R_xy), twist =
+//! atan2(R_xz, R_xx), flexion = atan2(R_zy, R_yy); an angle grows at the rate g . omega, with g the vector dual to its
+//! axis. (flexion + pi, pi - spread, twist + pi) is the same attitude: of the two the one nearer to the posture is
+//! used.
 
 use smartbed_runtime::vec3::{Vec3, add, cross, dot, scale};
 use std::f64::consts::{PI, TAU};
@@ -11,25 +12,25 @@ use std::f64::consts::{PI, TAU};
 /// The range of a joint.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Limits {
-    /// Flexion, spread, twist of the posture (rad).
+    /// Flexion, spread, twist in the posture (rad).
     pub posture: [f64; 3],
-    /// What is allowed (rad).
+    /// Allowed range of each (rad).
     pub range: [[f64; 2]; 3],
-    /// Beyond (N m/rad).
+    /// Stiffness beyond the range (N m/rad).
     pub stiffness: f64,
 }
 
 /// An angle beyond its range.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stop {
-    /// How far (rad); below 0 under the range.
+    /// By how much (rad); negative below the range.
     pub beyond: f64,
     /// g, in the frame of the axes.
     pub direction: Vec3<f64>,
 }
 
 impl Limits {
-    /// Flexion, spread and twist (rad) of a segment with `outer` axes in one with `inner` ones.
+    /// Flexion, spread and twist (rad) of a segment with axes `outer` relative to one with axes `inner`.
     #[must_use]
     pub fn angles(&self, inner: &[Vec3<f64>; 3], outer: &[Vec3<f64>; 3]) -> [f64; 3] {
         let r = |i: usize, k: usize| dot(inner[i], outer[k]);
@@ -43,7 +44,7 @@ impl Limits {
         if off(&found) <= off(&other) { found } else { other }
     }
 
-    /// Angles beyond their range. None where flexion and twist turn about one axis, at a spread of a right angle.
+    /// Angles beyond their range. None near a spread of 90 deg, where flexion and twist turn about the same axis.
     pub fn stops(&self, inner: &[Vec3<f64>; 3], outer: &[Vec3<f64>; 3]) -> impl Iterator<Item = Stop> {
         let angles = self.angles(inner, outer);
         let (sin, cos) = angles[0].sin_cos();
@@ -59,7 +60,7 @@ impl Limits {
         (0..3).filter_map(one)
     }
 
-    /// Energy (J).
+    /// Energy of the springs (J).
     #[must_use]
     pub fn energy(&self, inner: &[Vec3<f64>; 3], outer: &[Vec3<f64>; 3]) -> f64 {
         self.stops(inner, outer).map(|stop| 0.5 * self.stiffness * stop.beyond * stop.beyond).sum()

@@ -1,8 +1,8 @@
-//! What lies on the bed: rigid cores under soft tissue, joined at points.
+//! What lies on the bed: rigid segments under soft tissue, connected by joints.
 //!
-//! In: shapes, masses and joints. Out: gaps, energies of weight and joints with their derivatives. Tissue is a bed of
-//! springs on the core: pressure = foundation modulus x depth; its modulus over its thickness is that modulus. A ball, a
-//! cylinder, a plate and a mesh are bodies of one segment.
+//! In: shapes, masses and joints. Out: gaps, and energies of weight and joints with their derivatives. Tissue is an
+//! elastic (Winkler) foundation on the rigid core: pressure = foundation modulus x depth, where the foundation modulus
+//! is Young's modulus over thickness. A ball, a cylinder, a plate and a mesh are bodies of one segment.
 
 pub mod anthropometry;
 pub mod figure;

@@ -1,15 +1,16 @@
-//! One kind of shape: a box with round edges. Without lengths it is a ball, with one a capsule, with two a slab.
+//! A box with round edges, the common form of all simple shapes: without side lengths a ball, with one a capsule, with
+//! two a slab.
 //!
-//! In: a point in the shape's axes. Out: its distance from the surface, below 0 inside, and the normal there.
+//! In: a point in the shape's axes. Out: its distance from the surface, negative inside, and the normal there.
 
 use smartbed_runtime::vec3::{Vec3, norm, scale};
 
-/// All points within `radius` of a box with its middle at the origin.
+/// All points within `radius` of a box that is centred at the origin.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Shape {
     /// Half the sides of the box (m).
     pub half: Vec3<f64>,
-    /// m.
+    /// Radius (m).
     pub radius: f64,
 }
 
@@ -29,7 +30,7 @@ impl Shape {
         if distance > 0.0 {
             return (distance - self.radius, scale(beyond, 1.0 / distance));
         }
-        // Within the box itself the nearest of its faces counts.
+        // Inside the box the nearest face counts.
         let depth = |i: usize| self.half[i] - point[i].abs();
         let axis = (1..3).fold(0, |best, i| if depth(i) < depth(best) { i } else { best });
         let mut normal = [0.0; 3];
@@ -37,8 +38,8 @@ impl Shape {
         (-depth(axis) - self.radius, normal)
     }
 
-    /// Second derivatives of the distance: (P - n n')/d outside of the box at a distance d, with P the axes along which
-    /// the point lies beyond it; within the box 0.
+    /// Second derivatives of the distance: (P - n n')/d outside the box at distance d, with P the projection on the
+    /// axes along which the point lies outside; inside the box 0.
     #[must_use]
     pub fn curvature(&self, point: Vec3<f64>) -> [Vec3<f64>; 3] {
         let beyond: Vec3<f64> =
@@ -54,13 +55,13 @@ impl Shape {
         })
     }
 
-    /// No point is further from the middle than this (m).
+    /// Upper bound of the distance of its points from the centre (m).
     #[must_use]
     pub fn reach(&self) -> f64 {
         norm(self.half) + self.radius
     }
 
-    /// How far (m) along its axes three pairs of points stand that have, each with a sixth of its mass, the moments of
+    /// Distances (m) along the axes of three pairs of points, each with a sixth of the mass, that have the moments of
     /// inertia of the solid shape: sqrt(3 <x^2>), by the parts of [`Shape::volume`].
     #[must_use]
     pub fn gyration(&self) -> Vec3<f64> {
@@ -70,14 +71,14 @@ impl Shape {
             let square = a * a / 3.0;
             let within = (8.0 * a * b * c + 8.0 * r * a * (b + c) + 2.0 * pi * r * r * a) * square;
             let ends = 8.0 * b * c * ((a + r).powi(3) - a.powi(3)) / 3.0;
-            // Half a disc's and half a ball's centroid lie 4 r/(3 pi) and 3 r/8 out.
+            // The centroids of half a disc and half a ball are 4 r/(3 pi) and 3 r/8 from the centre.
             let edges = 2.0 * pi * r * r * (b + c) * (a * a + 8.0 / 3.0 / pi * a * r + 0.25 * r * r);
             let corners = 4.0 / 3.0 * pi * r * r * r * (a * a + 0.75 * a * r + 0.2 * r * r);
             (3.0 * (within + ends + edges + corners) / self.volume()).sqrt()
         })
     }
 
-    /// Volume (m^3): the box, slabs on its faces, quarter cylinders along its edges, one ball in all.
+    /// Volume (m^3): the box, slabs on its faces, quarter cylinders along its edges, and eight octants of a ball.
     #[must_use]
     pub fn volume(&self) -> f64 {
         let [a, b, c] = self.half.map(|h| 2.0 * h);

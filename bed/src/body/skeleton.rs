@@ -1,7 +1,8 @@
-//! Segments joined at points: energies of weight and joints, with gradients and Hessians in each segment's way and turn.
+//! Segments connected by joints: energies of weight and joints, with gradients and Hessians in the segments'
+//! displacements.
 //!
-//! A joint is a stiff spring between two points and a soft one that turns the segments back to their posture: with a_k
-//! and b_k the axes of the second segment as the posture has them and as they are, E = kappa/2 (3 - sum a_k . b_k), which is
+//! A joint is a stiff spring between two points, and a soft one that turns the segments back to their posture: with a_k
+//! and b_k the axes of the second segment in the posture and at present, E = kappa/2 (3 - sum a_k . b_k), which is
 //! kappa/2 angle^2 for small angles; its moments are -+kappa/2 sum a_k x b_k.
 
 use super::limits::Limits;
@@ -10,24 +11,24 @@ use crate::pose::Pose;
 use smartbed_runtime::rigid::attitude::Attitude;
 use smartbed_runtime::vec3::{Vec3, add, cross, dot, scale, sub};
 
-/// A rigid core with tissue on it.
+/// A rigid segment covered by tissue.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Segment {
     /// Its name.
     pub name: String,
-    /// Surface of the tissue, about the segment's origin.
+    /// Surface of the tissue, relative to the segment's origin.
     pub shape: Surface,
-    /// kg.
+    /// Mass (kg).
     pub mass: f64,
     /// Mass centre (m) in the segment's axes.
     pub centre: Vec3<f64>,
-    /// Pressure per depth of the tissue (Pa/m).
+    /// Foundation modulus of the tissue: pressure per depth (Pa/m).
     pub foundation: f64,
-    /// Along and about which of the bed's axes it is free: ways x, y, z, then turns.
+    /// Freedom to move along x, y, z of the bed, then to turn about them.
     pub free: [bool; 6],
 }
 
-/// Two segments that share a point.
+/// A joint: two segments that share a point.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Joint {
     /// Its name.
@@ -36,13 +37,13 @@ pub struct Joint {
     pub segments: [usize; 2],
     /// The point in the axes of each (m).
     pub points: [Vec3<f64>; 2],
-    /// Attitude of the second in the first, as the posture has it.
+    /// Attitude of the second segment in the first, in the posture.
     pub posture: Attitude<f64>,
-    /// N/m.
+    /// Stiffness of the spring between the points (N/m).
     pub stiffness: f64,
-    /// kappa (N m/rad).
+    /// Stiffness against rotation, kappa (N m/rad).
     pub turning: f64,
-    /// What it allows.
+    /// Limits of its angles, if any.
     pub limits: Option<Limits>,
 }
 
@@ -55,7 +56,7 @@ pub struct Body {
     pub joints: Vec<Joint>,
 }
 
-/// A gradient and a Hessian in the ways and turns of all segments, six rows each.
+/// A gradient and a Hessian in the displacements and rotations of all segments, six rows per segment.
 #[derive(Clone, Debug)]
 pub struct Rows {
     /// Gradient.
@@ -72,7 +73,7 @@ impl Rows {
         Rows { gradient: vec![0.0; size], hessian: vec![0.0; size * size] }
     }
 
-    /// Adds a gradient g by a point at an arm of a segment, times a sign.
+    /// Adds sign g for the gradient g with respect to a point at an arm of a segment.
     pub fn add_gradient(&mut self, segment: usize, arm: Vec3<f64>, g: Vec3<f64>, sign: f64) {
         let moment = cross(arm, g);
         for i in 0..3 {
@@ -81,7 +82,7 @@ impl Rows {
         }
     }
 
-    /// Adds sign J_a' H J_b of points at the arms of two segments, J = (I, -r x).
+    /// Adds sign J_a' H J_b for points at the arms of two segments, with J = (I, -r x).
     pub fn add_hessian(&mut self, [a, b]: [usize; 2], arms: [Vec3<f64>; 2], h: &[Vec3<f64>; 3], sign: f64) {
         let size = self.gradient.len();
         let (left, right) = (lever(arms[0]), lever(arms[1]));
@@ -94,7 +95,7 @@ impl Rows {
     }
 }
 
-/// Velocity of a point at an arm for each unit of way and turn: e_k, and e_k x r.
+/// Velocity of a point at an arm, per unit of displacement and rotation: e_k, and e_k x r.
 #[must_use]
 pub fn lever(arm: Vec3<f64>) -> [Vec3<f64>; 6] {
     let [x, y, z] = arm;
@@ -102,7 +103,7 @@ pub fn lever(arm: Vec3<f64>) -> [Vec3<f64>; 6] {
 }
 
 impl Segment {
-    /// It does not move, whatever pushes it.
+    /// Is the segment fixed?
     #[must_use]
     pub fn is_held(&self) -> bool {
         self.free == [false; 6]
@@ -110,7 +111,7 @@ impl Segment {
 }
 
 impl Body {
-    /// A body of one segment.
+    /// A body with one segment.
     #[must_use]
     pub fn single(segment: Segment) -> Body {
         Body { segments: vec![segment], joints: Vec::new() }
@@ -130,7 +131,7 @@ impl Body {
         weight + self.joints.iter().map(|j| j.energy(poses)).sum::<f64>()
     }
 
-    /// Adds gradient and Hessian of weight and joints; what weight has of second order is left out.
+    /// Adds gradient and Hessian of weight and joints; the second-order part of the weight is neglected.
     pub fn add_to(&self, poses: &[Pose], gravity: f64, rows: &mut Rows) {
         for (index, (segment, pose)) in self.segments.iter().zip(poses).enumerate() {
             let arm = pose.attitude.to_inertial(segment.centre);
@@ -141,14 +142,14 @@ impl Body {
 }
 
 impl Joint {
-    /// Arms of the point from each origin, and how far the two points are apart.
+    /// Arms of the point from both origins, and the distance vector between the two points.
     fn parted(&self, poses: &[Pose]) -> ([Vec3<f64>; 2], Vec3<f64>) {
         let [a, b] = self.segments.map(|s| &poses[s]);
         let arms = [a.attitude.to_inertial(self.points[0]), b.attitude.to_inertial(self.points[1])];
         (arms, sub(add(a.place, arms[0]), add(b.place, arms[1])))
     }
 
-    /// Axes of the second segment as the posture has them, and as they are.
+    /// Axes of the second segment in the posture, and at present.
     fn axes(&self, poses: &[Pose]) -> [[Vec3<f64>; 3]; 2] {
         let [a, b] = self.segments.map(|s| &poses[s].attitude);
         [self.posture.axes().map(|axis| a.to_inertial(axis)), b.axes()]
@@ -167,7 +168,7 @@ impl Joint {
         0.5 * self.stiffness * dot(apart, apart) + 0.5 * self.turning * (3.0 - self.trace(poses)) + beyond
     }
 
-    /// Angle by which the segments have left their posture (rad).
+    /// Angle between the present attitude and the posture (rad).
     #[must_use]
     pub fn angle(&self, poses: &[Pose]) -> f64 {
         (0.5 * (self.trace(poses) - 1.0)).clamp(-1.0, 1.0).acos()
@@ -190,7 +191,7 @@ impl Joint {
         self.add_stops(poses, rows);
     }
 
-    /// Moments that keep the joint within its limits.
+    /// Adds the moments of the joint's limits.
     fn add_stops(&self, poses: &[Pose], rows: &mut Rows) {
         let [a, b] = self.segments;
         let (Some(limits), size) = (&self.limits, rows.gradient.len()) else { return };
@@ -211,7 +212,7 @@ impl Joint {
         }
     }
 
-    /// Energy (J) of a spring like that which turns the segments back, but towards how they stood before.
+    /// Energy (J) of a rotational spring of the same stiffness towards the relative attitude at an earlier time.
     #[must_use]
     pub fn turning_since(&self, before: &[Pose], poses: &[Pose]) -> f64 {
         let [wanted, found] = self.axes_since(before, poses);
@@ -219,19 +220,19 @@ impl Joint {
         0.5 * self.turning * (3.0 - trace)
     }
 
-    /// Adds a share of its gradient and Hessian.
+    /// Adds its gradient and Hessian, multiplied by `share`.
     pub fn add_turning_since(&self, before: &[Pose], poses: &[Pose], share: f64, rows: &mut Rows) {
         self.add_turning(self.axes_since(before, poses), share * self.turning, rows);
     }
 
-    /// Axes of the second segment as they stood in the first before, and as they are.
+    /// Axes of the second segment in the relative attitude at the earlier time, and at present.
     fn axes_since(&self, before: &[Pose], poses: &[Pose]) -> [[Vec3<f64>; 3]; 2] {
         let [a, b] = self.segments;
         let wanted = before[b].attitude.axes().map(|axis| before[a].attitude.to_body(axis));
         [wanted.map(|axis| poses[a].attitude.to_inertial(axis)), poses[b].attitude.axes()]
     }
 
-    /// Moments that turn the second segment's axes towards those that are wanted.
+    /// Adds the moments that turn the second segment's axes towards the axes `wanted`.
     fn add_turning(&self, [wanted, found]: [[Vec3<f64>; 3]; 2], stiffness: f64, rows: &mut Rows) {
         let [a, b] = self.segments;
         let moments = wanted.iter().zip(found).map(|(a, b)| cross(*a, b));

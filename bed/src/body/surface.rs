@@ -1,6 +1,6 @@
-//! What a segment is outside: a box with round edges, or a mesh.
+//! The outer surface of a segment: a box with round edges, or a mesh.
 //!
-//! In: a point in the segment's axes. Out: how deep it lies and which way out leads; moments and extents of the whole.
+//! In: a point in the segment's axes. Out: its depth and the direction out; moments and extents of the whole.
 
 use super::mesh::Solid;
 use super::shape::Shape;
@@ -16,14 +16,14 @@ pub enum Surface {
     Mesh(Arc<Solid>),
 }
 
-/// Where a point lies that is inside of a surface, or of a cover around it.
+/// A point inside a surface, or inside a cover around it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Inside {
-    /// m, > 0.
+    /// Depth (m), > 0.
     pub depth: f64,
-    /// The way out, of length 1.
+    /// Unit vector that points out.
     pub normal: Vec3<f64>,
-    /// What the depth loses per way along the normal: 1, less where faces of a mesh meet.
+    /// Decrease of the depth per distance along the normal: 1, less near the edges of a mesh.
     pub slope: f64,
 }
 
@@ -34,7 +34,7 @@ impl From<Shape> for Surface {
 }
 
 impl Surface {
-    /// How deep a point lies inside a cover of this thickness (m) around the surface; none outside.
+    /// The depth of a point inside a cover of this thickness (m) around the surface; `None` outside.
     #[must_use]
     pub fn within(&self, point: Vec3<f64>, cover: f64) -> Option<Inside> {
         match self {
@@ -60,7 +60,7 @@ impl Surface {
         }
     }
 
-    /// Distance of a point (m), below 0 inside.
+    /// Distance of a point (m), negative inside.
     #[must_use]
     pub fn distance(&self, point: Vec3<f64>) -> f64 {
         match self {
@@ -71,7 +71,7 @@ impl Surface {
         }
     }
 
-    /// No point is further from the origin than this (m).
+    /// Upper bound of the distance of its points from the origin (m).
     #[must_use]
     pub fn reach(&self) -> f64 {
         match self {
@@ -80,12 +80,12 @@ impl Surface {
         }
     }
 
-    /// The farthest point (m) in a direction of length 1.
+    /// The farthest corner (m) in the direction of a unit vector.
     #[must_use]
     pub fn farthest(&self, direction: Vec3<f64>) -> Vec3<f64> {
         match self {
             Surface::Round(shape) => {
-                // A side that the direction is square to is halved.
+                // Along a side perpendicular to the direction take the middle.
                 let sign = |x: f64| if x.abs() < 1e-9 { 0.0 } else { x.signum() };
                 [0, 1, 2].map(|k| sign(direction[k]) * shape.half[k] + shape.radius * direction[k])
             }
@@ -93,7 +93,7 @@ impl Surface {
         }
     }
 
-    /// How far it goes in a direction of length 1 (m).
+    /// Extent in the direction of a unit vector (m).
     #[must_use]
     pub fn extent(&self, direction: Vec3<f64>) -> f64 {
         dot(self.farthest(direction), direction)

@@ -1,4 +1,4 @@
-//! Keeps the books of a motion: energies of now, powers of what is lost, work of what moves tiles.
+//! Energy accounting of a motion: present energies, dissipated energy, and the work of drives and regulators.
 //!
 //! In: a motion at the end of a stage. Out: its [`Ledger`](super::ledger::Ledger).
 
@@ -10,7 +10,7 @@ use crate::sheet::membrane;
 use smartbed_runtime::vec3::{Vec3, add, dot, norm, scale, sub, tangential};
 
 impl Motion {
-    /// Energies of now.
+    /// Computes the present energies.
     pub(super) fn weigh(&mut self) {
         let (lattice, state) = (&self.bed.lattice, &self.now.state);
         let of_node = 0.5 * self.node_mass();
@@ -20,7 +20,7 @@ impl Motion {
             ledger.kinetic += free.map(|(_, t)| of_node * dot(t.velocity, t.velocity)).sum::<f64>();
             ledger.sheets += membrane::energy(lattice, sheet) + self.bed.plate_energy(sheet);
             ledger.sheets += self.bed.cover_energy(&self.bed.tiles[tile], sheet);
-            // A bladder without air has ended the step before.
+            // A bladder without air has already ended the step with an error.
             ledger.air += self.bed.tiles[tile].air.energy(self.bed.volume(sheet)).unwrap_or(f64::NAN);
             ledger.tissue += state.anchors[tile].iter().flatten().map(Anchor::held).sum::<f64>();
             let pressed = self.layers[tile].iter();
@@ -42,8 +42,8 @@ impl Motion {
         self.body.segments[segment].foundation * self.bed.lattice.cell()
     }
 
-    /// Energy (J) that the sheets' dampers have taken in a stage, from their `pulls` at its end: means of powers. A rim that
-    /// is led may begin to move at once, so that its velocity jumps: dampers beside it take means of pulls times their ways.
+    /// Energy (J) dissipated by the sheets' dampers in a stage, from their `pulls` at its end: mean power times time.
+    /// Next to the rim, whose motion is prescribed and whose velocity may jump, mean force times change of length.
     pub(super) fn damped(&self, formula: &Formula, pulls: &[[f64; 3]]) -> f64 {
         let [before, after] = formula.means();
         let lattice = &self.bed.lattice;
@@ -60,8 +60,8 @@ impl Motion {
         self.pulls.iter().zip(pulls).zip(springs).map(one).sum()
     }
 
-    /// Energy (J) that dampers have taken where a rim was snatched away: nodes have its velocity within microseconds, so that
-    /// what drives give them is m v^2, half of which moves.
+    /// Energy (J) dissipated where a rim starts suddenly: dampers give the nodes beside it its velocity within
+    /// microseconds, so that of the drives' work m v^2 only half becomes kinetic energy.
     pub(super) fn snatched(&self, formula: &Formula) -> f64 {
         if !formula.is_anew {
             return 0.0;
@@ -74,7 +74,7 @@ impl Motion {
         lost * self.nodes.iter().map(free).sum::<f64>()
     }
 
-    /// Length (m) of each spring of all sheets, its rate (m/s) and its damper's pull (N), now.
+    /// For each spring of all sheets at present: length (m), its rate (m/s), and the damper's force (N).
     pub(super) fn pulls(&self) -> Vec<[f64; 3]> {
         let one = |(tracks, spring): (&Vec<Track>, &crate::sheet::Spring)| {
             let [a, b] = spring.ends.map(|end| &tracks[end]);
@@ -103,8 +103,8 @@ impl Motion {
         self.body.joints.iter().map(one).sum()
     }
 
-    /// Work (J) that moves a tile from where it stands to where `bed` has it against the forces of one state: its rim carries
-    /// what contacts leave of the nodes' inertia. `drag` is what friction between sheets holds then.
+    /// Work (J) of moving a tile from its present pose to that in `bed` against the forces of one state. The rim
+    /// carries what the contacts leave of the nodes' inertia; `drag` gives the friction between sheets in that state.
     pub(super) fn moved(
         &self,
         tile: usize,
@@ -132,7 +132,8 @@ impl Motion {
         lifted + inertia + met.sum::<f64>() + pressed.sum::<f64>()
     }
 
-    /// Energy (J) that slip has taken in a stage: work of friction by the trapezoid rule, less what its springs hold more.
+    /// Energy (J) dissipated by slip in a stage: work of friction by the trapezoidal rule, less the increase stored in
+    /// its springs.
     pub(super) fn slipped(&self, next: &Solution, bed: &Bed) -> f64 {
         let before = &self.now.state;
         let mut lost: f64 = before.rubs.iter().map(|rub| rub.taken(bed, &next.state.sheets)).sum();
@@ -157,8 +158,9 @@ impl Motion {
         lost
     }
 
-    /// Energy (J) that meetings of neighbours' sheets gain in a stage by being found anew, at the mean of both states: their
-    /// feet and normals go along the facets, so that their force is not quite the slope of their energy.
+    /// Energy (J) gained when contacts between neighbouring sheets are found anew in a stage, as the mean of both
+    /// states: their feet and normals move along the facets, so that the force is not exactly the derivative of the
+    /// energy.
     pub(super) fn turned(&self, next: &Solution, bed: &Bed) -> f64 {
         let gain = |bed: &Bed, state: &State| {
             let of = |met: &[Meeting]| met.iter().map(|m| m.energy(bed, &state.sheets)).sum::<f64>();
@@ -167,7 +169,7 @@ impl Motion {
         0.5 * (gain(&self.bed, &self.now.state) + gain(bed, &next.state))
     }
 
-    /// Energy (J) that regulators give in a stage by changing pressures, at the mean of both volumes.
+    /// Energy (J) that regulators supply in a stage by changing pressures, at the mean of both volumes.
     pub(super) fn regulated(&self, new: &Bed, after: &State) -> f64 {
         let (old, before) = (&self.bed, &self.now.state);
         let mut given = 0.0;

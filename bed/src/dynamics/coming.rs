@@ -1,6 +1,6 @@
-//! What comes to touch within a stage, and the impacts of that before the stage is computed.
+//! Predicts which nodes will touch within a stage, and resolves their impacts before the stage is computed.
 //!
-//! In: a motion and the formula of its next stage. Out: the motion with what impacts give and take.
+//! In: a motion and the formula of its next stage. Out: the motion with velocities after the impacts.
 
 use super::impact::{Sheet, Yields, strike};
 use super::motion::{Motion, spin};
@@ -43,13 +43,14 @@ impl Motion {
         }
     }
 
-    /// Share of what two nodes take along a spring that its damper leaves at the end of a stage: exp(-2 c h/m) at most.
+    /// Share of a velocity difference along a spring that its damper leaves at the end of a stage: exp(-2 c h/m) at
+    /// most.
     pub(super) fn lasting(&self, seconds: f64) -> f64 {
         let softest = self.bed.lattice.springs.iter().map(|s| s.stiffness).fold(f64::INFINITY, f64::min);
         (-2.0 * self.matter.sheet_loss * softest * seconds / self.node_mass()).exp()
     }
 
-    /// The state at the end of a stage in which nothing presses on anything.
+    /// The state at the end of a stage without any contact forces.
     fn ahead(&self, formula: &Formula, bed: &Bed) -> State {
         let mut ahead = self.now.state.clone();
         for (tile, sheet) in ahead.sheets.iter_mut().enumerate() {

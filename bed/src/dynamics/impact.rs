@@ -1,9 +1,10 @@
-//! The instant in which nodes of a sheet touch a body: what they lose goes on along the sheet's springs.
+//! Impacts of a sheet's nodes on a body, with energy compensation along the sheet's springs.
 //!
-//! In: the nodes of one sheet that will touch within a stage, velocities at its start. Out: velocities after the impact.
-//! Tissue is a layer without mass on a rigid core, so that node and core strike each other: their approach ends, and the
-//! energy that this takes moves neighbours of those nodes that touch nothing (energy compensation; `world::Setting` of
-//! the runtime has the law and its roots). What touches one sheet within a stage touches in one instant.
+//! In: the nodes of one sheet that will touch within a stage, velocities at its start. Out: velocities after the
+//! impact. Tissue is a massless layer on a rigid core, so that node and core collide: their approach ends, and the
+//! energy that this takes goes into neighbours of those nodes that touch nothing (energy compensation; `world::Setting`
+//! of the runtime has the law and its roots). All nodes of one sheet that touch within a stage are treated as
+//! simultaneous.
 
 use crate::band::Band;
 use crate::body::{Body, lever};
@@ -20,29 +21,29 @@ use smartbed_runtime::vec3::{Vec3, add, cross, dot, scale, sub};
 use smartbed_runtime::world::{Setting, Spare};
 use std::collections::BTreeMap;
 
-/// What segments and nodes yield to an impulse: segments first.
+/// Inverse inertia of segments and nodes; segments come first.
 pub struct Yields {
-    /// Twists about each segment's origin per impulse and moment, in what is free.
+    /// By segment: the twist about its origin per unit of impulse and angular impulse, in its free directions.
     segments: Vec<[[f64; 6]; 6]>,
-    /// Of the segments (kg).
+    /// Masses of the segments (kg).
     masses: Vec<f64>,
-    /// 1/m of a node (1/kg).
+    /// Inverse mass of a node (1/kg).
     node: f64,
 }
 
-/// What impacts did.
+/// Effects of impacts.
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
 pub struct Blow {
-    /// Nodes that touched.
+    /// Number of nodes that touched.
     pub touches: usize,
-    /// Energy (J) that they lost and their neighbours took.
+    /// Energy (J) that they lost and their neighbours received.
     pub handed_on: f64,
-    /// What they gave to segments (N s), upwards.
+    /// Upward impulse on segments (N s).
     pub upwards: f64,
 }
 
 impl Blow {
-    /// Both.
+    /// The sum of both.
     #[must_use]
     pub fn and(self, other: Blow) -> Blow {
         Blow {
@@ -57,19 +58,19 @@ impl Blow {
 pub struct Sheet<'a> {
     /// Springs.
     pub lattice: &'a Lattice,
-    /// By node: it takes part in nothing else, so that it may take energy.
+    /// By node: does it touch nothing, so that it may receive energy?
     pub is_free: &'a [bool],
     /// Length of the stage (s).
     pub seconds: f64,
-    /// That of the stage before (s).
+    /// Length of the stage before (s).
     pub last: f64,
-    /// Share of what springs take that their dampers leave at the end of the stage: a stage longer than that would take a
-    /// velocity that has died away for one that lasts.
+    /// Share of a velocity difference along a spring that its damper leaves at the end of the stage. Needed because a
+    /// stage longer than the damper's time constant would take a decaying velocity for a lasting one.
     pub lasting: f64,
 }
 
 impl Yields {
-    /// Of a body at poses, and of nodes of a mass (kg).
+    /// For a body at these poses, and nodes of a mass (kg).
     pub fn new(body: &Body, poses: &[Pose], node: f64) -> Yields {
         let of = |(segment, pose): (&crate::body::Segment, &Pose)| {
             let mut mass = Band::new(6, 6);
@@ -88,7 +89,7 @@ impl Yields {
                 row[i] = 1.0;
                 match &factor {
                     Some(factor) if segment.free[i] => factor.solve(&mut row),
-                    // Neither what is held nor what has no mass yields.
+                    // What is held, or has no mass, does not yield.
                     _ => row[i] = 0.0,
                 }
                 row
@@ -98,14 +99,14 @@ impl Yields {
         Yields { segments: body.segments.iter().zip(poses).map(of).collect(), masses, node: 1.0 / node }
     }
 
-    /// The twist of a segment that has a momentum, and a moment of it about its origin.
+    /// The twist of a segment with this momentum and angular momentum about its origin.
     fn twist(&self, segment: usize, momentum: [f64; 6]) -> Twist<f64> {
         let rows = self.segments[segment];
         let of = |i: usize| rows[i].iter().zip(momentum).map(|(y, p)| y * p).sum();
         Twist { velocity: [of(0), of(1), of(2)], angular: [of(3), of(4), of(5)] }
     }
 
-    /// How a segment moves, by the momentum of its six points.
+    /// The twist of a segment, from the momentum of its six points.
     fn moving(&self, segment: usize, pose: &Pose, tracks: &[Track; 6]) -> Twist<f64> {
         let mut momentum = [0.0; 6];
         for track in tracks {
@@ -116,7 +117,7 @@ impl Yields {
         self.twist(segment, momentum)
     }
 
-    /// What an impulse at a point changes.
+    /// The change of twist due to an impulse at a point.
     fn change(&self, at: &Point<f64>, impulse: Vec3<f64>) -> Twist<f64> {
         if at.body < self.segments.len() {
             let [x, y, z] = impulse;
@@ -141,7 +142,7 @@ impl Inertia<f64> for Yields {
     }
 }
 
-/// Strikes what will touch; those that do not come nearer are left alone.
+/// Resolves the impacts of nodes that will touch; pairs that are not approaching are left alone.
 pub fn strike(
     sheet: &Sheet,
     yields: &Yields,
@@ -157,7 +158,7 @@ pub fn strike(
         let core = twists[t.segment].at(sub(at.place, poses[t.segment].place));
         dot(t.normal, sub(core, at.velocity))
     };
-    // A touch that is so deep at the end of the stage began so long before.
+    // The time of touch follows from the depth at the end of the stage and the approach speed.
     let touches: Vec<(&Touch, f64)> = touches.iter().map(|t| (t, approach(t))).collect();
     let touches: Vec<(&Touch, f64)> = touches.into_iter().filter(|(_, speed)| *speed > 0.0).collect();
     if touches.is_empty() {
@@ -196,7 +197,7 @@ pub fn strike(
     Blow { touches: touches.len(), handed_on, upwards }
 }
 
-/// Energy (J) that ends with the approach.
+/// Energy (J) that is lost when the approach ends.
 fn taken(struck: &[Struck<f64>], yields: &Yields, twists: &[Twist<f64>]) -> f64 {
     let (mut struck, mut after) = (struck.to_vec(), twists.to_vec());
     stop(&mut struck, yields, &mut after);
@@ -207,11 +208,11 @@ fn taken(struck: &[Struck<f64>], yields: &Yields, twists: &[Twist<f64>]) -> f64 
     struck.iter().map(of).sum()
 }
 
-/// Nodes that touch and those that may take energy, with the springs between them.
+/// The nodes that touch and those that may receive energy, with the springs between them.
 struct Party {
-    /// Of the sheet.
+    /// Indices in the sheet.
     nodes: Vec<usize>,
-    /// Places in that list.
+    /// Index in `nodes`, by index in the sheet.
     numbers: BTreeMap<usize, usize>,
     springs: Vec<Spring<f64>>,
 }
@@ -226,7 +227,7 @@ impl Party {
             for [i, k] in [spring.ends, [spring.ends[1], spring.ends[0]]] {
                 if is_struck(&party, i) && !is_struck(&party, k) && sheet.is_free[k] {
                     let [tail, head] = [i, k].map(|node| party.number(node));
-                    // The law asks for a spring's direction alone.
+                    // The law uses only the direction of a spring.
                     party.springs.push(Spring { tail, head, stiffness: 0.0, damping: 0.0, rest_length: 0.0 });
                 }
             }
@@ -243,7 +244,7 @@ impl Party {
         number
     }
 
-    /// Energy compensation with this share.
+    /// Resolves the impacts with energy compensation for this share.
     fn strike(
         &self,
         places: &[Vec3<f64>],
@@ -258,7 +259,7 @@ impl Party {
         let setting = Setting { body: &body, pos: places, ports: yields.segments.len(), inertia: yields };
         let (mut lifts, mut field, mut before) = (struck.to_vec(), twists.to_vec(), twists.to_vec());
         let mut spare = Spare { lifts: &mut lifts, twists: [&mut field, &mut before] };
-        // Sweeps that stop early take energy and create none.
+        // Sweeps that end early remove energy and create none.
         _ = setting.strike(struck, Some((Kind::Compensation, lasting.sqrt())), twists, &mut spare);
     }
 }

@@ -1,7 +1,7 @@
-//! One stage after the other.
+//! Integrates the motion, one stage after the other.
 //!
-//! In: a state at rest, and the bed as it stands at the end of each stage. Out: the state there. Nodes and six points of each
-//! segment are followed in the bed's frame, so that a tile that moves takes its sheet along.
+//! In: a state at rest, and the tiles at the end of each stage. Out: the state there. Nodes, and six points of each
+//! segment, are tracked in the bed's frame, so that a moving tile carries its sheet along.
 
 use super::impact::Blow;
 use super::ledger::Ledger;
@@ -18,35 +18,35 @@ use crate::tissue::{Layers, Memory, Tissue};
 use smartbed_runtime::vec3::{Vec3, add, cross, dot, scale, sub};
 use std::borrow::Cow;
 
-/// A body is in equilibrium where contacts miss its weight by less than this share.
+/// A body counts as in equilibrium if the contacts miss its weight by less than this share.
 const CARRIED: f64 = 1e-3;
 
-/// What matters in motion alone.
+/// Parameters that matter only in motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Matter {
-    /// Mass of a sheet per area (kg/m^2).
+    /// Mass per area of a sheet (kg/m^2).
     pub density: f64,
-    /// Retardation of the sheets (s).
+    /// Retardation time of the sheets (s).
     pub sheet_loss: f64,
-    /// Retardation of what turns joints back (s).
+    /// Retardation time of the joints' rotational springs (s).
     pub joint_loss: f64,
-    /// Tissue.
+    /// Viscoelasticity of the tissue.
     pub tissue: Tissue,
 }
 
 impl Default for Matter {
     fn default() -> Matter {
-        // A loss factor of 0.13 at 1 Hz, at which loads swing; films have 0.1 to 0.3.
+        // A loss factor of 0.13 at 1 Hz, the frequency at which loads swing; films have 0.1 to 0.3.
         Matter { density: 0.625, sheet_loss: 0.02, joint_loss: 0.05, tissue: Tissue::DEFAULT }
     }
 }
 
-/// What happens where a node of a sheet comes to touch tissue.
+/// What happens when a node of a sheet touches tissue.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 pub enum Impact {
-    /// Tissue presses at the end of the stage, nothing else.
+    /// No impact: the tissue force at the end of the stage alone acts.
     Implicit,
-    /// The approach ends at once, and what that takes goes on along the sheet's springs: energy compensation.
+    /// The approach ends at once, and its energy goes on along the sheet's springs: energy compensation.
     #[default]
     Compensation,
 }
@@ -54,42 +54,42 @@ pub enum Impact {
 /// A bed and a body in motion.
 #[derive(Clone, Debug)]
 pub struct Motion {
-    /// Tiles as they stand.
+    /// Tiles at present.
     pub bed: Bed,
     /// What lies on them.
     pub body: Body,
-    /// Where everything is, and what presses where.
+    /// Positions and contact forces at present.
     pub now: Solution,
-    /// All energy.
+    /// Energy ledger.
     pub ledger: Ledger,
-    /// Impacts so far.
+    /// Effects of impacts so far.
     pub blows: Blow,
     pub(super) matter: Matter,
     impact: Impact,
     method: Method,
     step: f64,
     stages: usize,
-    /// When (s) steps of this length began, how many stages since, and the length of the last (s).
+    /// Time (s) at which steps of this length began, number of stages since, and the length of the last stage (s).
     since: (f64, usize),
     pub(super) last: f64,
-    /// What drives do jumps now.
+    /// A command of the drives begins or ends now, so that velocities or forces jump.
     jumps: bool,
     pub(super) nodes: Vec<Vec<Track>>,
     pub(super) segments: Vec<[Track; 6]>,
     pub(super) layers: Vec<Layers>,
     before: State,
-    /// Stiffnesses of sheets that nothing touches.
+    /// Factors of the stiffness of untouched sheets, kept for reuse.
     kept: Kept<f64>,
-    /// The same in f32, and the lattice, where sheets are brought to their ends in it.
+    /// The same in f32, with the lattice, if sheets are solved in f32.
     single: Option<(Lattice<f32>, Kept<f32>)>,
-    /// Length (m) of each spring, its rate (m/s) and its damper's pull (N).
+    /// For each spring: length (m), its rate (m/s), and the damper's force (N).
     pub(super) pulls: Vec<[f64; 3]>,
-    /// Lost power of tissue and joints (W).
+    /// Dissipated power of tissue and joints (W).
     powers: [f64; 2],
 }
 
 impl Motion {
-    /// From rest: in equilibrium, tissue relaxed, or let go where nothing carries the body.
+    /// Starts at rest: in equilibrium with relaxed tissue, or released if nothing carries the body.
     #[must_use]
     pub fn new(bed: Bed, body: Body, state: State, matter: Matter, method: Method, step: f64) -> Motion {
         let of_tile = |(tile, sheet): (&crate::equilibrium::Tile, &Vec<Vec3<f64>>)| {
@@ -135,26 +135,26 @@ impl Motion {
         motion
     }
 
-    /// The same with another law of touching.
+    /// Sets what happens at impacts.
     #[must_use]
     pub fn touching(self, impact: Impact) -> Motion {
         Motion { impact, ..self }
     }
 
-    /// The same for an empty bed, whose sheets are brought to the ends of their stages in f32. What steps sum up stays f64.
+    /// For an empty bed: sheets are solved in f32; sums over the steps stay in f64.
     #[must_use]
     pub fn in_f32(self) -> Motion {
         let lattice = self.bed.lattice.rounded();
         Motion { single: Some((lattice, Kept::new())), ..self }
     }
 
-    /// Seconds since the start.
+    /// Time since the start (s).
     #[must_use]
     pub fn time(&self) -> f64 {
         self.since.0 + (self.since.1 as f64 * self.step) / self.method.stages() as f64
     }
 
-    /// A step; `bed` says how tiles stand at a time.
+    /// Takes one step; `bed` gives the tiles at a time.
     ///
     /// # Errors
     /// [`Fault`].
@@ -162,7 +162,8 @@ impl Motion {
         if !std::mem::take(&mut self.jumps) {
             return self.stages_of(false, &bed);
         }
-        // Euler's stage takes m dv^2/2 of the body, which gets a new acceleration: half a step takes a quarter of that.
+        // A stage of backward Euler dissipates m dv^2/2 of a body whose acceleration jumps; half a step dissipates a
+        // quarter of it.
         let (whole, (begin, done)) = (self.step, self.since);
         for is_anew in [true, false] {
             (self.since, self.step) = ((self.time(), 0), 0.5 * whole);
@@ -172,7 +173,7 @@ impl Motion {
         Ok(())
     }
 
-    /// All stages of a step, the first anew or not.
+    /// All stages of a step; `is_anew` tells whether the first one starts without a past.
     fn stages_of(&mut self, is_anew: bool, bed: &impl Fn(f64) -> Bed) -> Result<(), Fault> {
         for stage in 0..self.method.stages() {
             let formula = self.method.formula(self.step, self.stages).behind(self.last);
@@ -182,7 +183,7 @@ impl Motion {
         Ok(())
     }
 
-    /// The same of another length (s).
+    /// [`Self::step`] with another step length (s).
     ///
     /// # Errors
     /// [`Fault`].
@@ -193,12 +194,12 @@ impl Motion {
         self.step(bed)
     }
 
-    /// Now screws begin or end their way, or pressures jump: the next stage begins anew.
+    /// Announces that screws start or stop, or pressures jump, now: the next stage starts without a past.
     pub fn jump(&mut self) {
         self.jumps = true;
     }
 
-    /// Fastest of all points (m/s).
+    /// Largest speed of all points (m/s).
     #[must_use]
     pub fn fastest(&self) -> f64 {
         let all = self.nodes.iter().flatten().chain(self.segments.iter().flatten());
@@ -218,7 +219,7 @@ impl Motion {
         let next = if let Some((lattice, kept)) = &mut single {
             let (own, all) = alone::settle(&scene, lattice, &mut guess, kept, |s| Cow::Owned(s.rounded()));
             *kept = own;
-            // What f32 does not bring to rest f64 does.
+            // A sheet that does not converge in f32 is solved in f64.
             if all { read(&scene, guess) } else { find(&scene, &guess)? }
         } else {
             (kept, _) = alone::settle(&scene, &bed.lattice, &mut guess, &kept, |s| Cow::Borrowed(s));
@@ -230,7 +231,7 @@ impl Motion {
         Ok(())
     }
 
-    /// What the stage adds to the energy.
+    /// The kinetic and dissipative terms that the stage adds to the energy.
     fn increment(&self, formula: &Formula, bed: &Bed) -> Increment<'_> {
         let lattice = &bed.lattice;
         let in_tile = |tile: usize, of: &dyn Fn(&Track) -> Vec3<f64>| -> Vec<Vec3<f64>> {
@@ -268,7 +269,7 @@ impl Motion {
         (self.matter.density + self.bed.cover.density) * self.bed.lattice.cell()
     }
 
-    /// The state if all went on as in the stage before.
+    /// Extrapolation of the last stage, as a starting guess.
     fn guess(&self, bed: &Bed) -> State {
         let (now, before) = (&self.now.state, &self.before);
         let mut guess = now.clone();
@@ -285,7 +286,7 @@ impl Motion {
         guess
     }
 
-    /// Takes the end of a stage as the state of now.
+    /// Takes over the end of a stage as the present state, and updates the ledger.
     fn follow(&mut self, formula: &Formula, bed: Bed, next: Solution) {
         self.ledger.lost_by_friction += self.slipped(&next, &bed);
         self.ledger.turned += self.turned(&next, &bed);
@@ -323,7 +324,7 @@ impl Motion {
         self.ledger.lost_in_joints += joints;
         self.ledger.driven += old * begun + new * ended + given;
         if formula.is_anew {
-            // Where dampers give a sheet the rim's new velocity at once, it had that from the start.
+            // Dampers give a sheet the rim's new velocity almost at once, so it is counted as present from the start.
             let lasting = self.lasting(formula.seconds);
             for track in self.nodes.iter_mut().flatten() {
                 track.change[1] = scale(track.change[1], lasting);
@@ -333,7 +334,7 @@ impl Motion {
         self.weigh();
     }
 
-    /// Tissue's layers at the end of a stage; those that have come back are forgotten.
+    /// Layers of tissue at the end of a stage; fully recovered ones are removed.
     fn remembered(&self, formula: &Formula, next: &Solution) -> Vec<Layers> {
         let tissue = &self.matter.tissue;
         let of_tile = |(old, contacts): (&Layers, &Vec<Contact>)| {
@@ -350,7 +351,8 @@ impl Motion {
         self.layers.iter().zip(&next.contacts).map(of_tile).collect()
     }
 
-    /// What contacts must carry, sum m (a - g) of the segments that are free (N), and how far they are from it, of the weight.
+    /// The force that contacts must carry, sum m (a - g) of the free segments (N), and the relative error of the
+    /// contacts, as a share of the weight.
     fn balance(&self) -> (f64, f64) {
         let weight = Bed::weight(&self.body);
         let is_free = |segment: usize| self.body.segments[segment].free[2];
@@ -365,7 +367,7 @@ impl Motion {
     }
 }
 
-/// Rotation vector (rad, to first order) that takes six points to others: sum e_i x (t x e_i) = 2 t.
+/// Rotation vector (rad, to first order) that takes six points to six others: sum e_i x (t x e_i) = 2 t.
 fn turn(from: &[Vec3<f64>; 6], to: &[Vec3<f64>; 6]) -> Vec3<f64> {
     let one = |axis: usize| {
         let [old, new] = [from, to].map(|p| sub(p[2 * axis], p[2 * axis + 1]));
@@ -374,7 +376,7 @@ fn turn(from: &[Vec3<f64>; 6], to: &[Vec3<f64>; 6]) -> Vec3<f64> {
     add(add(one(0), one(1)), one(2))
 }
 
-/// Angular velocity (rad/s) of six points.
+/// Angular velocity (rad/s) of a segment, from its six points.
 pub(super) fn spin(tracks: &[Track; 6]) -> Vec3<f64> {
     let one = |axis: usize| {
         let [a, b] = [&tracks[2 * axis], &tracks[2 * axis + 1]];

@@ -1,10 +1,10 @@
-//! Where motion begins: sheets at rest, the body at rest above them.
+//! The start of a motion: sheets in equilibrium, the body at rest above them.
 
 use crate::body::Body;
 use crate::equilibrium::{Bed, Fault, State, solve};
 use crate::pose::Pose;
 
-/// Sheets in equilibrium, a body above them at this smallest distance (m).
+/// Sheets in equilibrium, and a body above them at this smallest distance (m).
 ///
 /// # Errors
 /// [`Fault`].
@@ -15,11 +15,11 @@ pub fn dropped(bed: &Bed, body: &Body, poses: &[Pose], distance: f64) -> Result<
     Ok(state)
 }
 
-/// Poses moved up or down until the smallest distance of a segment from a node is this (m).
+/// The poses moved vertically until the smallest distance of a segment from a node is this (m).
 #[must_use]
 pub fn lowered(bed: &Bed, body: &Body, state: &State, poses: &[Pose], distance: f64) -> Vec<Pose> {
     let mut poses = poses.to_vec();
-    // A step down by what is too much never goes too far; steps become short as distance and height become one.
+    // A step down by the excess distance never goes too far; it shrinks as distance and height approach each other.
     for _ in 0..100 {
         let mut least = f64::INFINITY;
         for (tile, sheet) in bed.tiles.iter().zip(&state.sheets) {

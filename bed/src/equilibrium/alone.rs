@@ -1,9 +1,9 @@
-//! Sheets that nothing touches, not even a neighbour, each by itself: they come to the end of a stage before the whole bed is looked at.
+//! Solves the sheets that nothing touches, each by itself, before the whole bed is solved.
 //!
-//! In: a scene in motion, a guess, stiffnesses kept from the stage before. Out: the guess with those sheets where their
-//! forces balance. Newton's method with a stiffness that is kept as long as each step takes most of what is left over away
-//! (modified Newton): a solution costs a tenth of a factor. What does not come near stays a guess for the search. An empty
-//! bed may do all of this in f32.
+//! In: a scene in motion, a guess, factored stiffnesses kept from the stage before. Out: the guess with those sheets in
+//! equilibrium. Modified Newton: a factored stiffness is reused as long as each step removes most of the residual
+//! force, because a solution costs a tenth of a factorisation. A sheet that does not converge keeps its guess, for the
+//! search over the whole bed. In an empty bed all of this may be done in f32.
 
 use super::beside::meetings;
 use super::lone::Lone;
@@ -19,24 +19,24 @@ use smartbed_runtime::vec3::{Vec3, sub};
 use std::borrow::Cow;
 use std::sync::Arc;
 
-/// Stiffnesses by tile, where one is kept.
+/// By tile: the factored stiffness, if one is kept.
 pub type Kept<T> = Vec<Option<Arc<Stiffness<T>>>>;
 
-/// Most steps of a sheet.
+/// Most steps per sheet.
 const STEPS: usize = 16;
-/// A step that leaves more than this share asks for another stiffness.
+/// A step that leaves more than this share of the residual asks for a new factorisation.
 const SLOW: f64 = 0.2;
-/// No node goes further in one step (m).
+/// Longest step of a node (m).
 const LONGEST: f64 = 0.02;
 
-/// A sheet at the end of its stage.
+/// A sheet in equilibrium at the end of its stage.
 struct Settled<T> {
     sheet: Vec<Vec3<T>>,
     stiffness: Option<Arc<Stiffness<T>>>,
 }
 
-/// Brings sheets that nothing touches to rest, in the lattice's scalar; returns the stiffnesses to keep, and whether all
-/// sheets rest.
+/// Solves the untouched sheets, in the lattice's scalar. Returns the stiffnesses to keep, and whether all sheets were
+/// solved.
 pub fn settle<T: Scalar + Send + Sync>(
     scene: &Scene,
     lattice: &Lattice<T>,
@@ -67,7 +67,7 @@ pub fn settle<T: Scalar + Send + Sync>(
     (guess.sheets.iter_mut().zip(found).map(keep).collect(), all)
 }
 
-/// One sheet; `None` where it does not come nearer.
+/// Solves one sheet; `None` if it does not converge.
 fn own<T: Scalar>(
     lone: &Lone<T>,
     mut sheet: Vec<Vec3<T>>,
@@ -83,7 +83,7 @@ fn own<T: Scalar>(
             return Some(Settled { sheet, stiffness });
         }
         if before.is_some_and(|before| left >= before) {
-            // As near as places are rounded, nothing is left to gain.
+            // The residual has stopped falling: accept it if it is within the rounding of the positions.
             return (left <= rounding).then_some(Settled { sheet, stiffness });
         }
         let is_slow = before.is_some_and(|before| left > T::from_f64(SLOW) * before) && left > rounding;
@@ -93,7 +93,7 @@ fn own<T: Scalar>(
         }
         let mut way = force;
         stiffness.as_ref()?.solve(&mut way);
-        // A comparison that not-a-number fails too.
+        // Written so that NaN fails too.
         if !way.iter().all(|x| size(*x) <= T::from_f64(LONGEST)) {
             return None;
         }

@@ -1,9 +1,9 @@
-//! Sheets of neighbours that meet: a node of one presses on a facet of the other.
+//! Contact between sheets of neighbouring tiles: a node of one presses on a facet of the other.
 //!
-//! In: a bed's pairs of neighbours and a state. Out: where nodes are near facets, with the shares w_i of the facet's corners
-//! in the foot and the normal n there (the runtime's facets, whose normals pass from one to the next without a jump). A
-//! depth d = n . (sum w_i b_i - x) > 0 stores k d^2/2; w and n stand for a pass and are renewed as friction's limits are.
-//! Forces at node and foot are equal, opposite and in one line. What friction adds stands in `rub`.
+//! In: a bed's pairs of neighbours and a state. Out: nodes near facets, each with the shares w_i of the facet's corners
+//! in the foot, and the normal n there (the runtime's facets, whose normals are continuous across edges). A depth d = n
+//! . (sum w_i b_i - x) > 0 stores k d^2/2; w and n are constant within a pass and renewed together with the friction
+//! limits. Forces at node and foot are equal and opposite along one line. Friction between sheets is in `rub`.
 
 use super::bed::{ALONG, Bed};
 use super::rub::{Ends, Rub, span};
@@ -12,34 +12,35 @@ use smartbed_runtime::surface::facet::{Facet, vertex_normals};
 use smartbed_runtime::vec3::{Vec3, axpy, dot, norm, scale, sub, tangential};
 use std::collections::BTreeMap;
 
-/// Pressure per depth (Pa/m) of one sheet in another: air that presses by 5 kPa takes a tenth of a millimetre.
+/// Contact stiffness: pressure per depth (Pa/m) of one sheet in another. 5 kPa of air gives a depth of a tenth of a
+/// millimetre.
 const SHEET: f64 = 5e7;
-/// Nodes this far (m) outside a facet are followed within a pass.
+/// Nodes up to this distance (m) outside a facet are tracked within a pass.
 const OUTSIDE: f64 = 0.002;
-/// Sheets within reach of each other go this far (m) before their meetings are found anew.
+/// Distance (m) that sheets near each other may move before their contacts are found anew.
 pub const FOLLOWED: f64 = 0.5 * OUTSIDE;
-/// No node is deeper (m) in a neighbour.
+/// Largest depth (m) of a node in a neighbour.
 const INSIDE: f64 = 0.04;
 
-/// A node near a facet of a neighbour.
+/// A node near a facet of a neighbouring sheet.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Meeting {
-    /// Of its depth.
+    /// The ends of its distance vector D, from the node to its foot.
     pub ends: Ends,
-    /// Out of the facet, in the bed's frame.
+    /// Outward normal of the facet, in the bed's frame.
     pub normal: Vec3<f64>,
-    /// N/m.
+    /// Stiffness (N/m).
     pub stiffness: f64,
 }
 
 impl Meeting {
-    /// Depth (m), < 0 where they are apart.
+    /// Depth (m); negative if they are apart.
     #[must_use]
     pub fn depth(&self, bed: &Bed, sheets: &[Vec<Vec3<f64>>]) -> f64 {
         dot(self.normal, span(&self.ends, bed, sheets))
     }
 
-    /// Force (N) that drives them apart.
+    /// Repulsive force (N).
     #[must_use]
     pub fn force(&self, bed: &Bed, sheets: &[Vec<Vec3<f64>>]) -> f64 {
         self.stiffness * self.depth(bed, sheets).max(0.0)
@@ -51,7 +52,7 @@ impl Meeting {
         0.5 * self.stiffness * self.depth(bed, sheets).max(0.0).powi(2)
     }
 
-    /// One of its ends is a tile's.
+    /// Does the tile take part in the contact?
     #[must_use]
     pub fn is_of(&self, tile: usize) -> bool {
         self.ends.iter().any(|end| end.0 == tile)
@@ -76,7 +77,7 @@ impl Laid {
         Laid { places, low, high }
     }
 
-    /// Is a place within its bounds and some more?
+    /// Is a point within its bounding box, extended by a margin?
     fn holds(&self, x: Vec3<f64>) -> bool {
         (0..3).all(|k| self.low[k] - OUTSIDE <= x[k] && x[k] <= self.high[k] + OUTSIDE)
     }
@@ -86,7 +87,7 @@ impl Laid {
     }
 }
 
-/// All sheets in the bed's frame, where some have neighbours.
+/// All sheets in the bed's frame, for beds with neighbours.
 fn lay(bed: &Bed, state: &State) -> Vec<Laid> {
     if bed.beside.is_empty() {
         return Vec::new();
@@ -94,13 +95,13 @@ fn lay(bed: &Bed, state: &State) -> Vec<Laid> {
     (0..bed.tiles.len()).map(|tile| Laid::new(bed, state, tile)).collect()
 }
 
-/// May sheets of neighbours touch, by their bounds?
+/// Do bounding boxes of neighbouring sheets come so near that these may touch?
 pub fn is_near(bed: &Bed, state: &State) -> bool {
     let laid = lay(bed, state);
     bed.beside.iter().any(|[a, b]| laid[*a].reaches(&laid[*b]))
 }
 
-/// Nodes near facets of neighbours.
+/// All nodes near facets of neighbouring sheets.
 #[must_use]
 pub fn meetings(bed: &Bed, state: &State) -> Vec<Meeting> {
     let mut all = Vec::new();
@@ -114,7 +115,7 @@ pub fn meetings(bed: &Bed, state: &State) -> Vec<Meeting> {
     all
 }
 
-/// Adds nodes of the first that are near facets of the second: the nearest facet of each.
+/// Adds the nodes of the first sheet that are near facets of the second, each with its nearest facet.
 fn add(bed: &Bed, [a, b]: [usize; 2], [nodes, sheet]: [&Laid; 2], all: &mut Vec<Meeting>) {
     let near: Vec<usize> = (0..nodes.places.len())
         .filter(|n| bed.lattice.free(*n).is_some() && sheet.holds(nodes.places[*n]))
@@ -139,7 +140,7 @@ fn add(bed: &Bed, [a, b]: [usize; 2], [nodes, sheet]: [&Laid; 2], all: &mut Vec<
             if is_near && best.as_ref().is_none_or(|(gap, _)| found.gap.abs() < gap.abs()) {
                 let corner = |k: usize| (b, corners[k], found.weights[k]);
                 let ends = [corner(0), corner(1), corner(2), corner(3), (a, node, -1.0)];
-                // Nodes of both press on facets of the other: each bears half.
+                // Nodes of both sheets press on facets of the other: each carries half.
                 let stiffness = 0.5 * SHEET * bed.lattice.cell();
                 best = Some((found.gap, Meeting { ends, normal: found.normal, stiffness }));
             }
@@ -148,7 +149,7 @@ fn add(bed: &Bed, [a, b]: [usize; 2], [nodes, sheet]: [&Laid; 2], all: &mut Vec<
     }
 }
 
-/// Forces (N) on nodes in the bed's frame.
+/// Contact forces (N) by node, in the bed's frame.
 fn pushes(bed: &Bed, state: &State, meetings: &[Meeting]) -> BTreeMap<(usize, usize), Vec3<f64>> {
     let mut all = BTreeMap::new();
     for meeting in meetings {
@@ -161,7 +162,7 @@ fn pushes(bed: &Bed, state: &State, meetings: &[Meeting]) -> BTreeMap<(usize, us
     all
 }
 
-/// Largest change of a force on a node (N) from one pass's meetings to the next one's.
+/// Largest change of the force on a node (N) from the contacts of one pass to those of the next.
 pub fn change(bed: &Bed, state: &State, [old, new]: [&[Meeting]; 2]) -> f64 {
     let [old, new] = [old, new].map(|meetings| pushes(bed, state, meetings));
     let of = |all: &BTreeMap<_, Vec3<f64>>, key| all.get(key).copied().unwrap_or_default();
@@ -169,12 +170,12 @@ pub fn change(bed: &Bed, state: &State, [old, new]: [&[Meeting]; 2]) -> f64 {
     keys.map(|key| norm(sub(of(&old, key), of(&new, key)))).fold(0.0, f64::max)
 }
 
-/// A node and the neighbour whose sheet it meets.
+/// Identifies a contact: the node, and the neighbour whose sheet it touches.
 fn key(ends: &Ends) -> (usize, usize, usize) {
     (ends[4].0, ends[4].1, ends[0].0)
 }
 
-/// Rubs with the normals and limits of now, and the largest change of a limit (N).
+/// Rubs with present normals and limits, and the largest change of a limit (N).
 pub fn renewed(bed: &Bed, state: &State, met: &[Meeting]) -> (Vec<Rub>, f64) {
     let mut most = 0.0_f64;
     let renew = |rub: &Rub| {
@@ -187,7 +188,7 @@ pub fn renewed(bed: &Bed, state: &State, met: &[Meeting]) -> (Vec<Rub>, f64) {
     (rubs, most)
 }
 
-/// What friction can hold from a state on, with what it holds already.
+/// The friction that may act from this state on, including the force that it holds already.
 pub fn anchored(bed: &Bed, state: &State, met: &[Meeting]) -> Vec<Rub> {
     let sheets = &state.sheets;
     let one = |meeting: &Meeting| {

@@ -1,30 +1,31 @@
-//! Sheets that meet in a Newton step: forces mu of the springs between them are unknowns beside the segments' ways y.
+//! Contact forces between sheets in a Newton step: the forces mu of their springs are unknowns beside the segments'
+//! steps y.
 //!
-//! In: what each tile gives. Out: what they add to the segments' rows, and mu. With W the directions of springs,
-//! x = -K^-1 g - Z y - K^-1 W mu and W' x = mu/k give R mu = -W' K^-1 g - Q' y, where R = 1/k + W' K^-1 W and Q = B' K^-1 W;
-//! the segments' matrix grows by Q R^-1 Q'.
+//! In: the contributions of each tile. Out: what they add to the segments' rows, and mu. With W the directions of the
+//! springs, x = -K^-1 g - Z y - K^-1 W mu and W' x = mu/k give R mu = -W' K^-1 g - Q' y, where R = 1/k + W' K^-1 W and
+//! Q = B' K^-1 W; the segments' matrix grows by Q R^-1 Q' (Schur complement).
 
 use super::stiffness::product;
 use super::tile::{Crossing, Eliminated};
 use crate::band::Band;
 use std::collections::BTreeMap;
 
-/// Springs between sheets.
+/// The springs between sheets, and R factored.
 pub struct Bridge {
-    /// Their numbers.
+    /// Numbers of the springs, ascending.
     numbers: Vec<usize>,
     /// Rows of Q', by spring.
     coupled: Vec<Vec<f64>>,
-    /// R^-1 Q', by row of a segment.
+    /// R^-1 Q', by row of the segments.
     solved: Vec<Vec<f64>>,
     /// R^-1 (-W' K^-1 g).
     alone: Vec<f64>,
 }
 
 impl Bridge {
-    /// Of all tiles; segments have so many rows.
+    /// The springs of all tiles; `size` is the number of rows of the segments.
     pub fn new(tiles: &[Option<Eliminated>], size: usize) -> Bridge {
-        // Both tiles of a spring name it.
+        // Each spring is listed by both of its tiles.
         let crossings = tiles.iter().flatten().flat_map(|t| &t.crossings);
         let springs: BTreeMap<usize, f64> = crossings.map(|c| (c.number, c.stiffness)).collect();
         let numbers: Vec<usize> = springs.keys().copied().collect();
@@ -47,7 +48,7 @@ impl Bridge {
             }
         }
         let mut solved = vec![vec![0.0; count]; size];
-        // K^-1 is positive, so is R.
+        // K^-1 is positive definite, hence R is too.
         if let Some(factor) = matrix.factor().filter(|_| count > 0) {
             factor.solve(&mut alone);
             for (row, own) in solved.iter_mut().enumerate() {
@@ -68,12 +69,12 @@ impl Bridge {
         }
     }
 
-    /// Q R^-1 (-W' K^-1 g), which stands on the right side of a segment's row.
+    /// Q R^-1 (-W' K^-1 g), to be subtracted from the right-hand side of a segment's row.
     pub fn right(&self, row: usize) -> f64 {
         self.coupled.iter().zip(&self.alone).map(|(q, mu)| q[row] * mu).sum()
     }
 
-    /// mu of a spring by the segments' ways.
+    /// mu of a spring, from the segments' steps.
     pub fn force(&self, number: usize, segments: &[f64]) -> f64 {
         let i = self.numbers.partition_point(|n| *n < number);
         let by_ways: Vec<f64> = self.solved.iter().map(|row| row[i]).collect();

@@ -1,9 +1,11 @@
-//! What a stage of time adds to the energy: inertia and losses, so that its end is found as an equilibrium is.
+//! The terms that a stage of time adds to the energy, inertia and dissipation, so that its end is found like an
+//! equilibrium.
 //!
-//! In: what a method of steps expects of every point. Out: terms of energy, gradient and Hessian. Every formula of
-//! [`Method`](crate::method::Method) gives the velocity at the end as v = b (p - p~) and the acceleration as b (v - v~) =
-//! b^2 (p - p^), so that the equations of motion at the end make m b^2/2 |p - p^|^2 + energy least. A segment's inertia is
-//! that of six points on its axes. Losses are Kelvin and Voigt's: a damper of retardation times stiffness beside a spring.
+//! In: the predictions of an integration method for every point. Out: terms of energy, gradient and Hessian. Every
+//! formula of [`Method`](crate::method::Method) gives the velocity at the end as v = b (p - p~) and the acceleration as
+//! b (v - v~) = b^2 (p - p^), so that the equations of motion at the end minimise m b^2/2 |p - p^|^2 + energy. A
+//! segment's inertia is that of six points on its axes. Dissipation is of Kelvin-Voigt type: parallel to a spring, a
+//! damper of retardation time times stiffness.
 
 use super::swing::Swing;
 use crate::body::{Body, Rows, Segment};
@@ -11,24 +13,24 @@ use crate::pose::Pose;
 use crate::tissue::Memory;
 use smartbed_runtime::vec3::{Vec3, dot, scale, sub};
 
-/// A stage of time for all points.
+/// The predictions for all points in a stage.
 #[derive(Clone, Debug)]
 pub struct Increment<'a> {
     /// b (1/s).
     pub rate: f64,
-    /// Retardation of what turns joints back (s).
+    /// Retardation time of the joints' rotational springs (s).
     pub joint_loss: f64,
-    /// Of the sheets, by tile.
+    /// Terms of the sheets, by tile.
     pub sheets: Vec<Swing>,
     /// p^ of six points of each segment, in the bed's frame.
     pub segments: Vec<[Vec3<f64>; 6]>,
-    /// p~ of the segments' attitudes.
+    /// The segments' poses at p~, from which joints' dampers count.
     pub resting: Vec<Pose>,
-    /// What tissue remembers, by tile.
+    /// Memory of the tissue, by tile.
     pub tissue: Vec<Memory<'a>>,
 }
 
-/// Points that have a segment's mass and moments of inertia, a sixth of its mass each.
+/// Six points with a sixth of the segment's mass each that have its moments of inertia.
 #[must_use]
 pub fn points(segment: &Segment, pose: &Pose) -> [Vec3<f64>; 6] {
     let at = segment.shape.gyration();
@@ -40,7 +42,7 @@ pub fn points(segment: &Segment, pose: &Pose) -> [Vec3<f64>; 6] {
 }
 
 impl Increment<'_> {
-    /// Energy of the segments' inertia and of what joints lose.
+    /// Terms of the segments' inertia and of the joints' dampers.
     pub(super) fn body_energy(&self, body: &Body, poses: &[Pose]) -> f64 {
         let one = |(segment, (pose, hats)): (&Segment, (&Pose, &[Vec3<f64>; 6]))| {
             let factor = segment.mass / 12.0 * self.rate * self.rate;
@@ -53,7 +55,7 @@ impl Increment<'_> {
         kinetic + lost
     }
 
-    /// Adds their gradient and Hessian; what turns of a segment have of second order is left out.
+    /// Adds their gradient and Hessian; second-order terms of a segment's rotation are neglected.
     pub(super) fn add_body(&self, body: &Body, poses: &[Pose], rows: &mut Rows) {
         for (index, (segment, pose)) in body.segments.iter().zip(poses).enumerate() {
             let factor = segment.mass / 6.0 * self.rate * self.rate;

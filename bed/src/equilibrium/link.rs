@@ -1,24 +1,24 @@
-//! What sheets of neighbours do to each other, meetings and friction alike: a force along D and springs along directions of D.
+//! Forces between neighbouring sheets, contact and friction alike: a force along D, and springs along directions of D.
 //!
-//! In: meetings and rubs of a state. Out: [`Link`]s of a tile, each with D's ends, the energy's gradient by D and the
-//! directions in which it has a stiffness, numbered alike for both tiles.
+//! In: contacts and rubs of a state. Out: the [`Link`]s of a tile, each with the ends of D, the energy's gradient with
+//! respect to D, and the directions in which it has a stiffness, numbered alike for both tiles.
 
 use super::bed::Bed;
 use super::beside::Meeting;
 use super::rub::{Ends, Rub};
 use smartbed_runtime::vec3::{Vec3, scale};
 
-/// Between sheets of two tiles.
+/// A force between the sheets of two tiles.
 pub struct Link {
-    /// Tile, node and share of D's ends.
+    /// Tile, node and weight of each end of D.
     pub ends: Ends,
-    /// Gradient by D (N), in the bed's frame.
+    /// Gradient with respect to D (N), in the bed's frame.
     pub force: Vec3<f64>,
-    /// Number, direction and stiffness (N/m).
+    /// Springs: number, direction and stiffness (N/m).
     pub ways: Vec<(usize, Vec3<f64>, f64)>,
 }
 
-/// Links of a tile that do something.
+/// The links of a tile that exert a force.
 pub fn links(bed: &Bed, sheets: &[Vec<Vec3<f64>>], met: &[Meeting], rubs: &[Rub], tile: usize) -> Vec<Link> {
     let pressed = met.iter().enumerate().filter(|(_, m)| m.is_of(tile)).filter_map(|(index, m)| {
         let force = m.force(bed, sheets);

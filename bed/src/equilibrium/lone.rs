@@ -1,6 +1,7 @@
-//! One sheet with what is its own: springs, air, plate, what is mounted on it, inertia; whatever lies on it, in any scalar.
+//! The terms that a sheet has by itself, whatever lies on it: springs, air, plate, cover and inertia; in any scalar.
 //!
-//! In: a tile and a stage of time, if there is one. Out: energy, gradient and Hessian by the places of its nodes.
+//! In: a tile and, in motion, a stage of time. Out: energy, gradient and Hessian with respect to the positions of its
+//! nodes.
 
 use super::bed::{Bed, PLATE, Tile};
 use super::stiffness::Stiffness;
@@ -11,7 +12,7 @@ use crate::sheet::{Lattice, membrane};
 use smartbed_runtime::real::Scalar;
 use smartbed_runtime::vec3::{Vec3, add, scale};
 
-/// A sheet's own.
+/// A sheet with its own terms.
 #[derive(Clone, Copy)]
 pub struct Lone<'a, T = f64> {
     pub lattice: &'a Lattice<T>,
@@ -19,7 +20,7 @@ pub struct Lone<'a, T = f64> {
     air: Air,
     /// From the rim down to the base (m).
     depth: T,
-    /// Weight that a free node bears, in the tile's frame (N).
+    /// Weight on a free node, in the tile's frame (N).
     borne: Vec3<T>,
 }
 
@@ -35,7 +36,7 @@ impl<'a, T: Scalar> Lone<'a, T> {
         a * b * self.depth.to_f64() + membrane::volume(self.lattice, sheet).to_f64()
     }
 
-    /// Force (N) that springs and dampers may miss where places are rounded.
+    /// Bound of the residual force (N) that rounding of the positions causes.
     pub fn rounding(&self) -> T {
         let [a, b] = self.lattice.size;
         let stiffness = self.lattice.springs.iter().map(|s| s.stiffness);
@@ -44,13 +45,13 @@ impl<'a, T: Scalar> Lone<'a, T> {
         T::from_f64(8.0 * a.max(b)) * T::EPSILON * most * (T::ONE + damped)
     }
 
-    /// How far a node is in the plate (m).
+    /// Depth of a node in the plate (m).
     pub fn below(&self, x: &Vec3<T>) -> T {
         let below = -self.depth - x[2];
         if below > T::ZERO { below } else { T::ZERO }
     }
 
-    /// Pressure per depth of a node's share of the plate (N/m).
+    /// Stiffness of a node's share of the plate (N/m).
     fn plate(&self) -> T {
         T::from_f64(PLATE * self.lattice.cell())
     }
@@ -71,13 +72,13 @@ impl<'a, T: Scalar> Lone<'a, T> {
         Ok([force, volume])
     }
 
-    /// The free nodes' rows of numbers by node.
+    /// The entries of the free nodes, as a flat vector.
     pub fn of_free(&self, rows: &[Vec3<T>]) -> Vec<T> {
         let free = rows.iter().enumerate().filter(|(node, _)| self.lattice.free(*node).is_some());
         free.flat_map(|(_, v)| *v).collect()
     }
 
-    /// The free nodes' Hessian, but for what a sealed gas adds.
+    /// Hessian of the free nodes, without the contribution of a sealed gas.
     pub fn hessian(&self, sheet: &[Vec3<T>], is_exact: bool) -> Result<Band<T>, Collapsed> {
         let lattice = self.lattice;
         let pressure = T::from_f64(self.air.gauge(self.volume(sheet))?);
@@ -96,7 +97,7 @@ impl<'a, T: Scalar> Lone<'a, T> {
         Ok(band)
     }
 
-    /// Factors a Hessian and adds the gas, by the volume's gradient at the free nodes.
+    /// Factors a Hessian and adds the gas, by the volume's gradient with respect to the free nodes.
     pub fn factored(
         &self,
         sheet: &[Vec3<T>],
@@ -104,7 +105,7 @@ impl<'a, T: Scalar> Lone<'a, T> {
         by_nodes: Vec<T>,
     ) -> Result<Stiffness<T>, Collapsed> {
         let volume = self.volume(sheet);
-        // A slack sheet has no stiffness across: as much is added as makes the band positive.
+        // A slack sheet has no transverse stiffness: shifts the diagonal until the band is positive definite.
         let mut shift = 0.0;
         while shift < 1e12 {
             let mut shifted = band.clone();

@@ -1,9 +1,10 @@
-//! The quasi-static bed: where air, sheets and bodies rest after each command, contact with friction kept.
+//! The quasi-static bed: equilibrium of air, sheets and bodies after each command, with frictional contact.
 //!
-//! In: a [`Bed`] with its tiles' poses and air, a [`Body`](crate::body::Body), a [`State`] to start from. Out: the state of least energy:
-//! springs, air, weight, joints, tissue pressed by sheets, and what friction takes up since the state before. Newton's
-//! method with a search along each step (`newton`); each tile's sheet is a band, bodies are what is left when all sheets
-//! are eliminated (`tile`), so that tiles are solved side by side and the result does not depend on how many at a time.
+//! In: a [`Bed`] with its tiles' poses and air, a [`Body`](crate::body::Body), a [`State`] to start from. Out: the
+//! state that minimises the energy of springs, air, weight, joints and tissue, and of friction as an increment from the
+//! state before. Newton's method with a line search (`newton`). Each tile's sheet is a band matrix that is eliminated,
+//! which leaves the bodies (`tile`): tiles are solved in parallel, and the result does not depend on the number of
+//! threads.
 
 pub(crate) mod alone;
 mod bed;

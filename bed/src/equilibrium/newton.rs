@@ -1,8 +1,8 @@
-//! Newton's method on the whole bed, with a search along each step.
+//! Newton's method for the whole bed, with a line search.
 //!
-//! In: a state. Out: the state of equilibrium. A step is shortened until the energy falls. Friction's limits are those of the
-//! pass before; passes end when they do not change. Sheets of neighbours that come within reach of each other go so far only
-//! as their meetings are known, which are then found anew: soft ones would else bulge through one another.
+//! In: a state. Out: the state of equilibrium. A step is shortened until the energy falls. Friction limits are those of
+//! the pass before; passes end when the limits do not change any more. Neighbouring sheets near each other move only as
+//! far as their contacts are known, which are then found anew; otherwise soft sheets could pass through one another.
 
 use super::bed::{Bed, GRAVITY};
 use super::beside;
@@ -22,25 +22,26 @@ use std::fmt;
 
 /// Most Newton steps of one pass.
 const STEPS: usize = 2000;
-/// Most passes in which limits of friction are renewed.
+/// Most passes in which friction limits are renewed.
 const PASSES: usize = 60;
-/// Sheets that rest have no more than some four times the area of their rims; those that do not grow on.
+/// Largest area of a sheet relative to its rim. Sheets in equilibrium stay below about four; a larger one grows without
+/// bound.
 const LARGEST: f64 = 5.0;
-/// No node goes further in one step (m).
+/// Longest step of a node (m).
 const LONGEST: f64 = 0.02;
 
-/// Why there is no equilibrium.
+/// The reason why there is no equilibrium.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Fault {
-    /// A bladder has no air left: its tile and volume (m^3).
+    /// A bladder has lost its air: its tile and volume (m^3).
     Collapsed(usize, f64),
-    /// A sheet is too soft for its pressure: its tile, and its area over that of its rim.
+    /// A sheet is too soft for its pressure: its tile, and its area relative to its rim.
     Burst(usize, f64),
-    /// Nothing carries the body.
+    /// Nothing supports the body.
     Lost,
-    /// Springs so stiff (N/m) that rounding leaves more force (N) on a node than may be left over.
+    /// Springs are so stiff (N/m) that rounding causes a larger residual force (N) on a node than is allowed.
     Rounded(f64, [f64; 2]),
-    /// Force (N) is left over after all steps: on nodes, on segments.
+    /// Residual force (N) after all steps: on nodes, on segments.
     NotFound(f64, f64),
 }
 
@@ -80,7 +81,7 @@ impl fmt::Display for Fault {
 
 impl std::error::Error for Fault {}
 
-/// Finds the equilibrium from a state; friction acts on what touched in it.
+/// Finds the equilibrium from a state; friction acts where contact existed in that state.
 ///
 /// # Errors
 /// [`Fault`].
@@ -88,7 +89,7 @@ pub fn solve(bed: &Bed, body: &Body, start: &State) -> Result<Solution, Fault> {
     find(&Scene::at_rest(bed, body), start)
 }
 
-/// Finds the state of least energy of a scene.
+/// Minimises the energy of a scene.
 pub fn find(scene: &Scene, start: &State) -> Result<Solution, Fault> {
     let mut state = start.clone();
     let weight = Bed::weight(scene.body).max(1e-3);
@@ -108,7 +109,8 @@ pub fn find(scene: &Scene, start: &State) -> Result<Solution, Fault> {
         let pushed = beside::change(scene.bed, &state, [&met, &now]);
         let (anchors, change) = renewed(scene, &state);
         let (rubs, rubbed) = beside::renewed(scene.bed, &state, &now);
-        // What is read off balances with the limits of this pass: those of the next one would miss it, node by node.
+        // Reads the solution with the limits of this pass, in which it is in balance; those of a next pass would not
+        // fit node by node.
         if change.max(rubbed) <= least * weight && pushed <= 100.0 * scene.calm() || pass == PASSES {
             break;
         }
@@ -118,8 +120,8 @@ pub fn find(scene: &Scene, start: &State) -> Result<Solution, Fault> {
     Ok(finish(&Scene { met: &met, ..*scene }, state, steps))
 }
 
-/// Puts a body down: it goes straight down first, whatever would tip it, then it is let go, held by friction where it has
-/// touched. A plate that is set free above a round bladder would slide off.
+/// Puts a body down: first guided vertically, without rotation, then released and held by friction where it has
+/// touched. A plate that was free from the beginning would slide off a round bladder.
 ///
 /// # Errors
 /// [`Fault`].
@@ -133,8 +135,8 @@ pub fn put_down(bed: &Bed, body: &Body, start: &State) -> Result<Solution, Fault
     Ok(Solution { steps: down.steps + free.steps, ..free })
 }
 
-/// Lays a body's weight on in equal parts, so that friction holds what touches first, as where it falls. Its first segment
-/// is led straight down, then let go.
+/// Applies a body's weight in equal increments, so that friction acts where it touches first, as in a fall. Its first
+/// segment is guided vertically, then released.
 ///
 /// # Errors
 /// [`Fault`].
@@ -154,7 +156,7 @@ pub fn lay_on(bed: &Bed, body: &Body, start: &State, parts: usize) -> Result<Sol
     Ok(Solution { steps: steps + free.steps, ..free })
 }
 
-/// Anchors with the normals and the limits of now, and the largest change of a limit (N).
+/// Anchors with present normals and limits, and the largest change of a limit (N).
 fn renewed(scene: &Scene, state: &State) -> (Vec<Vec<Option<Anchor>>>, f64) {
     let bed = scene.bed;
     let (mut all, mut most) = (state.anchors.clone(), 0.0_f64);
@@ -177,14 +179,14 @@ fn renewed(scene: &Scene, state: &State) -> (Vec<Vec<Option<Anchor>>>, f64) {
     (all, most)
 }
 
-/// What Newton's steps came to.
+/// Result of a series of Newton steps.
 struct Descent {
     steps: usize,
-    /// No force is left over; else sheets have come so far that their meetings are to be found anew.
+    /// True if it has converged; false if sheets have moved so far that their contacts must be found anew.
     is_found: bool,
 }
 
-/// Newton's steps, so many at most, with friction's limits and meetings as they are.
+/// At most `most` Newton steps, with constant friction limits and contacts.
 fn descend(scene: &Scene, state: &mut State, weight: f64, most: usize) -> Result<Descent, Fault> {
     let calm = scene.calm();
     let (mut last, mut gone) = (None, 0.0);
@@ -218,8 +220,8 @@ fn descend(scene: &Scene, state: &mut State, weight: f64, most: usize) -> Result
     Ok(Descent { steps: most, is_found: true })
 }
 
-/// A sheet that has grown beyond any that rests. The tension T = k (l - L) of springs grows less than p R does, so that a
-/// soft sheet bears a pressure at most, as a balloon does.
+/// Detects a sheet that has grown beyond any equilibrium. The tension T = k (l - L) of springs grows more slowly than p
+/// R, so that a soft sheet supports only a limited pressure, like a balloon.
 fn burst(bed: &Bed, state: &State) -> Option<Fault> {
     let [a, b] = bed.lattice.size;
     let share = |sheet: &Vec<Vec3<f64>>| {
@@ -230,7 +232,8 @@ fn burst(bed: &Bed, state: &State) -> Option<Fault> {
     (most > LARGEST).then_some(Fault::Burst(tile, most))
 }
 
-/// What rounding alone leaves on a node: places in a sheet are known to an ulp of its size, forces to that times a stiffness.
+/// Detects a residual due to rounding: positions are known to an ulp of the sheet's size, forces to that times a
+/// stiffness.
 fn rounded(scene: &Scene, left: f64) -> Option<Fault> {
     let lattice = &scene.bed.lattice;
     let springs = lattice.springs.iter().map(|spring| spring.stiffness);
@@ -241,7 +244,7 @@ fn rounded(scene: &Scene, left: f64) -> Option<Fault> {
     (known > 0.1 * calm && left < 100.0 * known).then_some(Fault::Rounded(stiffest, [left, calm]))
 }
 
-/// Names the tile of a collapse.
+/// Adds the index of the tile to a collapse.
 fn named<T>(results: Vec<Result<T, Collapsed>>) -> Result<Vec<T>, Fault> {
     let named =
         |(tile, result): (usize, Result<T, Collapsed>)| result.map_err(|c| Fault::Collapsed(tile, c.0));
@@ -262,7 +265,7 @@ fn eliminate(scene: &Scene, state: &State, calm: f64) -> Result<Vec<Option<Elimi
     named(side_by_side::run(scene.bed.tiles.len(), one))
 }
 
-/// Largest force left over on a node and on a segment.
+/// Largest residual force on a node and on a segment.
 fn left_over(body: &Body, rows: &Rows, tiles: &[Option<Eliminated>]) -> [f64; 2] {
     let nodes = tiles.iter().flatten().flat_map(|t| &t.gradient).fold(0.0_f64, |most, g| most.max(g.abs()));
     let mut most = 0.0_f64;
@@ -275,7 +278,7 @@ fn left_over(body: &Body, rows: &Rows, tiles: &[Option<Eliminated>]) -> [f64; 2]
     [nodes, most]
 }
 
-/// Change of the energy along a step, per share of it, at a state.
+/// Derivative of the energy along a step, at a state.
 fn slope(scene: &Scene, state: &State, ways: &Ways) -> Result<f64, Fault> {
     let one = |tile| Patch::new(scene, state, tile).gradient();
     let (nodes, bonds): (Vec<_>, Vec<_>) =
@@ -287,17 +290,17 @@ fn slope(scene: &Scene, state: &State, ways: &Ways) -> Result<f64, Fault> {
     Ok(ways.slope(&nodes, &rows))
 }
 
-/// What a search along a step has found.
+/// Result of a line search.
 struct Found {
     state: State,
     energy: f64,
-    /// How far a node has gone at most (m).
+    /// Largest displacement of a node (m).
     way: f64,
 }
 
-/// A share of a step that lowers the energy. Where the energy does not change but for rounding its slope decides: it must
-/// have become less steep (Hager and Zhang 2005, approximate Wolfe conditions). Into reach of a neighbour a sheet goes
-/// only as far as meetings are known.
+/// Finds a fraction of the step that lowers the energy. If the energy changes only by rounding, its slope decides: it
+/// must have become less steep (approximate Wolfe conditions, Hager and Zhang 2005). Near a neighbour a sheet moves
+/// only as far as its contacts are known.
 fn search(
     scene: &Scene,
     state: &State,
@@ -314,12 +317,12 @@ fn search(
             share = (0.5 * share).max(0.99 * beside::FOLLOWED / longest);
             continue;
         }
-        // A bladder that collapses on the way is as bad as a rise.
+        // A bladder that collapses on the way is rejected like a rise of the energy.
         if let Ok(after) = energy(scene, &next)
             && after <= before + rounding
         {
             let falls = after < before - rounding;
-            // That of the parabola through both energies, where they say enough.
+            // The slope of the parabola through both energies, if their difference exceeds rounding.
             let steep =
                 if falls { 2.0 * (after - before) / share + steepness } else { slope(scene, &next, ways)? };
             if falls || steep <= 0.8 * steepness {
@@ -332,8 +335,8 @@ fn search(
     Ok(None)
 }
 
-/// Goes on along a whole step for as long as it has hardly become less steep: what the Hessian leaves out, the curvature
-/// of tissue, can make a bed far softer along a step than the Hessian says, and each step would be too short.
+/// Extends a full step as long as the slope has hardly decreased. The curvature of tissue, which the Hessian neglects,
+/// can make a bed much softer along a step than the Hessian says; every step would then be too short.
 fn go_on(
     scene: &Scene,
     state: &State,
@@ -358,7 +361,8 @@ fn go_on(
     Ok(found)
 }
 
-/// Force on a held segment (N) and how it changes with the segment's way (N/m), all sheets in equilibrium.
+/// Force on a fixed segment (N) and its derivative with respect to the segment's position (N/m), with all sheets in
+/// equilibrium.
 ///
 /// # Errors
 /// [`Fault`].

@@ -1,19 +1,20 @@
-//! Something done for every tile or case on several processors, with results in their order.
+//! Runs a function for every tile or case in parallel; results keep their order.
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// Processors of this machine.
+/// Number of processors of this machine.
 #[must_use]
 pub fn cores() -> usize {
     std::thread::available_parallelism().map_or(1, usize::from)
 }
 
-/// Runs it for `0..count` tiles by all processors, each with four tiles at least: fewer are not worth a thread.
+/// Runs a function for `0..count` on all processors, with at least four tiles per thread, since fewer do not pay for
+/// one.
 pub fn run<T: Send>(count: usize, one: impl Fn(usize) -> T + Sync) -> Vec<T> {
     run_by(count, cores().min(count.div_ceil(4)), one)
 }
 
-/// Runs it for `0..count` by at most so many workers; who does what has no part in the results.
+/// Runs a function for `0..count` on at most `workers` threads; results do not depend on their number.
 pub fn run_by<T: Send>(count: usize, workers: usize, one: impl Fn(usize) -> T + Sync) -> Vec<T> {
     let workers = workers.clamp(1, 256).min(count);
     if workers < 2 {

@@ -1,4 +1,5 @@
-//! What an equilibrium is read off: contact forces, pressures, what friction holds from there on.
+//! An equilibrium and the quantities derived from it: contact forces, pressures, and the friction that may act from
+//! there on.
 
 use super::bed::{Bed, GRAVITY};
 use super::beside::{self, Meeting};
@@ -9,37 +10,37 @@ use super::touch::{Anchor, Touch};
 use crate::sheet::membrane;
 use smartbed_runtime::vec3::{Vec3, norm};
 
-/// A node in tissue, as it rests.
+/// A node in contact with tissue, in equilibrium.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Contact {
-    /// Depth and normal.
+    /// Depth and normal of the contact.
     pub touch: Touch,
     /// Area of the stretched sheet that belongs to the node (m^2).
     pub area: f64,
-    /// The node in the bed (m).
+    /// Position of the node in the bed (m).
     pub place: Vec3<f64>,
-    /// Force of friction on the tissue (N).
+    /// Friction force on the tissue (N).
     pub drag: Vec3<f64>,
 }
 
 /// An equilibrium.
 #[derive(Clone, Debug)]
 pub struct Solution {
-    /// Where everything is.
+    /// Positions.
     pub state: State,
-    /// Nodes in tissue, by tile.
+    /// Contacts of nodes with tissue, by tile.
     pub contacts: Vec<Vec<Contact>>,
-    /// Where sheets of neighbours meet.
+    /// Contacts between neighbouring sheets.
     pub met: Vec<Meeting>,
     /// Gauge pressures (Pa), by tile.
     pub gauges: Vec<f64>,
-    /// Nodes on the plate, by tile.
+    /// Number of nodes on the plate, by tile.
     pub bottomed: Vec<usize>,
-    /// Newton steps taken.
+    /// Number of Newton steps.
     pub steps: usize,
-    /// What contacts must carry (N): the weight of all segments that are free; in motion sum m (a - g).
+    /// Force that contacts must carry (N): the weight of all free segments, in motion sum m (a - g).
     pub carried: f64,
-    /// Contact forces on those segments less that, of the weight.
+    /// Difference between the contact forces on those segments and that, relative to the weight.
     pub imbalance: f64,
 }
 
@@ -58,12 +59,12 @@ impl Contact {
     }
 }
 
-/// Reads a state off that nothing has been looked for in.
+/// The solution at a state as it is, without a search.
 pub fn read(scene: &Scene, state: State) -> Solution {
     finish(scene, state, 0)
 }
 
-/// Reads a state of equilibrium off, and anchors friction there.
+/// The solution at a state of equilibrium, with friction anchored there.
 pub(super) fn finish(scene: &Scene, mut state: State, steps: usize) -> Solution {
     let (bed, body) = (scene.bed, scene.body);
     let (mut contacts, mut gauges, mut bottomed) = (Vec::new(), Vec::new(), Vec::new());
@@ -78,7 +79,7 @@ pub(super) fn finish(scene: &Scene, mut state: State, steps: usize) -> Solution 
             Contact { touch, area: norm(areas[touch.node]), place, drag }
         };
         let mut found: Vec<Contact> = patch.touches().into_iter().map(one).collect();
-        // In motion friction may hold a node until the end of the stage in which it has come off.
+        // In motion friction may hold a node until the end of the stage in which contact was lost.
         found.extend(patch.held_off().map(|(touch, place, drag)| Contact {
             touch,
             area: norm(areas[touch.node]),
@@ -100,7 +101,7 @@ pub(super) fn finish(scene: &Scene, mut state: State, steps: usize) -> Solution 
     Solution { state, contacts, met, gauges, bottomed, steps, carried, imbalance }
 }
 
-/// What friction holds at each node; one between two segments is held by that in which it is deeper.
+/// Friction anchors by node; a node in two segments belongs to the one in which it is deeper.
 fn anchors(bed: &Bed, contacts: &[Contact], poses: &[crate::pose::Pose]) -> Vec<Option<Anchor>> {
     let mut anchors: Vec<Option<Anchor>> = vec![None; bed.lattice.nodes()];
     if bed.friction > 0.0 {

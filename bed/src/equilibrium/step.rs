@@ -1,7 +1,8 @@
-//! One Newton step of the whole bed: segments first, all sheets eliminated, then each sheet.
+//! One Newton step of the whole bed: all sheets eliminated, then the segments, then each sheet.
 //!
-//! In: what each tile gives. Out: ways of nodes, ways and turns of segments. With D the segments' own Hessian and
-//! Z = (K + c g g')^-1 B of each tile: (D - sum B' Z) y = -(g_y - sum B' K^-1 g_x), x = -K^-1 g_x - Z y.
+//! In: the contributions of each tile. Out: steps of nodes, displacements and rotations of segments. With D the
+//! segments' own Hessian and Z = (K + c g g')^-1 B of each tile: (D - sum B' Z) y = -(g_y - sum B' K^-1 g_x), x = -K^-1
+//! g_x - Z y.
 
 use super::bed::{Bed, GRAVITY};
 use super::bridge::Bridge;
@@ -13,19 +14,19 @@ use crate::band::Band;
 use crate::body::{Body, Rows};
 use smartbed_runtime::vec3::{add, scale};
 
-/// No segment goes or turns further in one step (m, rad).
+/// Largest displacement or rotation of a segment in one step (m, rad).
 const LONGEST: f64 = 0.02;
-/// Stiffness (N/m, N m/rad) that a step of a segment meets at least: nothing holds a ball that spins. It grows until the
-/// step is short enough, as for a body that touches nothing yet.
+/// Smallest stiffness (N/m, N m/rad) added to a segment, because nothing resists a spinning ball. It is increased until
+/// the step is short enough, as for a body that touches nothing yet.
 const SPIN: f64 = 1e-3;
 
-/// A step of all nodes and segments.
+/// A Newton step of all nodes and segments.
 pub struct Ways {
     nodes: Vec<Vec<f64>>,
     segments: Vec<f64>,
 }
 
-/// The segments' own rows, before sheets are taken out of them.
+/// The segments' rows with contact forces, before the sheets are eliminated.
 pub fn rows(scene: &Scene, state: &State, tiles: &[Option<Eliminated>]) -> Rows {
     let mut rows = of_body(scene, state);
     for bond in tiles.iter().flatten().flat_map(|t| &t.bonds) {
@@ -35,7 +36,7 @@ pub fn rows(scene: &Scene, state: &State, tiles: &[Option<Eliminated>]) -> Rows 
     rows
 }
 
-/// The segments' rows without what touches them.
+/// The segments' rows without contact forces.
 pub fn of_body(scene: &Scene, state: &State) -> Rows {
     let mut rows = Rows::new(scene.body.segments.len());
     scene.body.add_to(&state.segments, GRAVITY, &mut rows);
@@ -46,7 +47,7 @@ pub fn of_body(scene: &Scene, state: &State) -> Rows {
 }
 
 impl Ways {
-    /// The step.
+    /// Computes the step.
     pub fn new(scene: &Scene, rows: &Rows, tiles: &[Option<Eliminated>]) -> Ways {
         let (bed, body) = (scene.bed, scene.body);
         let bridge = Bridge::new(tiles, rows.gradient.len());
@@ -68,18 +69,18 @@ impl Ways {
         Ways { nodes: tiles.iter().map(nodes).collect(), segments }
     }
 
-    /// The longest way of a node (m).
+    /// Largest displacement of a node (m).
     pub fn longest(&self) -> f64 {
         self.nodes.iter().flatten().fold(0.0_f64, |most, x| most.max(x.abs()))
     }
 
-    /// Change of the energy along the step, per share of it: gradients of nodes and of segments.
+    /// Derivative of the energy along the step, from the gradients with respect to nodes and segments.
     pub fn slope(&self, nodes: &[impl AsRef<[f64]>], rows: &Rows) -> f64 {
         let sheets: f64 = self.nodes.iter().zip(nodes).map(|(way, g)| product(way, g.as_ref())).sum();
         sheets + product(&self.segments, &rows.gradient)
     }
 
-    /// A state after a share of the step.
+    /// The state after a fraction of the step.
     pub fn taken(&self, bed: &Bed, state: &State, share: f64) -> State {
         let mut next = state.clone();
         for (sheet, way) in next.sheets.iter_mut().zip(&self.nodes) {
@@ -97,7 +98,7 @@ impl Ways {
     }
 }
 
-/// D - sum B' Z and what meetings add, row by row.
+/// D - sum B' Z plus the contribution of contacts between sheets, row by row.
 pub fn condensed(rows: &Rows, tiles: &[Option<Eliminated>], bridge: &Bridge) -> Vec<f64> {
     let size = rows.gradient.len();
     let mut hessian = rows.hessian.clone();
@@ -119,7 +120,7 @@ pub fn condensed(rows: &Rows, tiles: &[Option<Eliminated>], bridge: &Bridge) -> 
     hessian
 }
 
-/// Ways and turns of the segments.
+/// Displacements and rotations of the segments.
 fn of_segments(body: &Body, rows: &Rows, tiles: &[Option<Eliminated>], bridge: &Bridge) -> Vec<f64> {
     let size = rows.gradient.len();
     let hessian = condensed(rows, tiles, bridge);

@@ -1,12 +1,12 @@
-//! The Hessian of a sheet's free nodes, factored: a band, and one rank more where gas is sealed.
+//! The factored Hessian of a sheet's free nodes: a band, plus a rank-one term if gas is sealed.
 //!
-//! In: the band's factor K, the volume's gradient g and c = -dp/dV. Out: solutions by
+//! In: the band's factor K, the volume's gradient g and c = -dp/dV. Out: solutions by Sherman and Morrison's formula,
 //! (K + c g g')^-1 b = K^-1 b - K^-1 g c (g . K^-1 b)/(1 + c g . K^-1 g).
 
 use crate::band::Factor;
 use smartbed_runtime::real::Scalar;
 
-/// K + c g g'.
+/// K + c g g', factored.
 #[derive(Clone, Debug)]
 pub struct Stiffness<T = f64> {
     band: Factor<T>,
@@ -22,7 +22,7 @@ struct Gas<T> {
 }
 
 impl<T: Scalar> Stiffness<T> {
-    /// From K, g and c; gas that keeps its pressure has c = 0.
+    /// From K, g and c; a gas at regulated pressure has c = 0.
     pub fn new(band: Factor<T>, volume: Vec<T>, c: T) -> Self {
         let gas = (c != T::ZERO).then(|| {
             let mut share = volume.clone();
@@ -34,7 +34,7 @@ impl<T: Scalar> Stiffness<T> {
         Stiffness { band, gas }
     }
 
-    /// Solves for one right side in place.
+    /// Solves in place for one right-hand side.
     pub fn solve(&self, b: &mut [T]) {
         self.band.solve(b);
         if let Some(gas) = &self.gas {
@@ -43,7 +43,7 @@ impl<T: Scalar> Stiffness<T> {
         }
     }
 
-    /// Solves for several right sides in place.
+    /// Solves in place for several right-hand sides.
     pub fn solve_all<const N: usize>(&self, b: &mut [[T; N]]) {
         self.band.solve_all(b);
         if let Some(gas) = &self.gas {

@@ -1,32 +1,34 @@
-//! What a stage of time adds to the energy of one sheet: inertia and dampers beside its springs, in any scalar.
+//! The terms that a stage of time adds to the energy of one sheet: inertia, and dampers parallel to its springs; in any
+//! scalar.
 //!
-//! In: where nodes are expected at the end of the stage. Out: terms of energy, gradient and Hessian. Inertia is
-//! m b^2/2 |p - p^|^2; a damper of retardation times stiffness k is c b k/2 (what the spring is longer than p~ has it)^2.
+//! In: predicted positions of the nodes at the end of the stage. Out: terms of energy, gradient and Hessian. Inertia
+//! gives m b^2/2 |p - p^|^2; a damper with retardation time c beside stiffness k gives c b k/2 (length minus its length
+//! at p~)^2.
 
 use crate::band::Band;
 use crate::sheet::{Lattice, Spring};
 use smartbed_runtime::real::Scalar;
 use smartbed_runtime::vec3::{Vec3, add_at, dot, norm, scale, sub};
 
-/// A sheet's stage.
+/// The terms of a stage for one sheet.
 #[derive(Clone, Debug)]
 pub struct Swing<T = f64> {
     /// m b^2 of a free node (N/m).
     pub inertia: T,
-    /// c b: a damper's stiffness over its spring's.
+    /// c b, the ratio of a damper's term to its spring's stiffness.
     pub damping: T,
     /// p^ of nodes, in the tile's frame at the end of the stage.
     pub nodes: Vec<Vec3<T>>,
-    /// Of each spring.
+    /// One damper per spring.
     pub dampers: Vec<Damper<T>>,
 }
 
-/// Beside a spring.
+/// A damper parallel to a spring.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Damper<T = f64> {
-    /// Direction, from where the nodes are expected.
+    /// Direction of the spring at the predicted positions.
     pub direction: Vec3<T>,
-    /// Along it, between p~ of the ends (m).
+    /// Distance of its ends at p~ along that direction (m).
     pub apart: T,
 }
 
@@ -46,7 +48,7 @@ impl Swing {
 }
 
 impl<T: Scalar> Swing<T> {
-    /// Energy of inertia and dampers.
+    /// Energy terms of inertia and dampers.
     pub(super) fn energy(&self, lattice: &Lattice<T>, sheet: &[Vec3<T>]) -> T {
         let half = T::from_f64(0.5);
         let mut energy = T::ZERO;
@@ -63,7 +65,7 @@ impl<T: Scalar> Swing<T> {
         energy
     }
 
-    /// Adds that energy's gradient.
+    /// Adds the gradient of that energy.
     pub(super) fn add_gradient(&self, lattice: &Lattice<T>, sheet: &[Vec3<T>], gradient: &mut [Vec3<T>]) {
         for (node, (x, hat)) in sheet.iter().zip(&self.nodes).enumerate() {
             add_at(gradient, node, scale(sub(*x, *hat), self.inertia));
@@ -76,7 +78,7 @@ impl<T: Scalar> Swing<T> {
         }
     }
 
-    /// Adds its Hessian.
+    /// Adds the Hessian of that energy.
     pub(super) fn add_hessian(&self, lattice: &Lattice<T>, band: &mut Band<T>) {
         band.shift(self.inertia);
         for (spring, damper) in self.damped(lattice) {
@@ -98,7 +100,7 @@ impl<T: Scalar> Swing<T> {
 }
 
 impl Damper {
-    /// Between two ends whose p~ and expected places are known.
+    /// A damper between two ends with these predicted positions and these p~.
     #[must_use]
     pub fn new(expected: [Vec3<f64>; 2], resting: [Vec3<f64>; 2]) -> Damper {
         let along = sub(expected[1], expected[0]);
@@ -108,7 +110,7 @@ impl Damper {
 }
 
 impl<T: Scalar> Damper<T> {
-    /// How much longer than p~ have it (m).
+    /// Length along the direction minus that at p~ (m).
     #[must_use]
     pub fn stretch(&self, sheet: &[Vec3<T>], ends: [usize; 2]) -> T {
         dot(self.direction, sub(sheet[ends[1]], sheet[ends[0]])) - self.apart

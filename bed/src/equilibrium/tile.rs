@@ -1,7 +1,7 @@
-//! One tile's share: its energy, and its sheet eliminated from the step that is looked for.
+//! The contributions of one tile: its energy, and its sheet eliminated from the Newton step.
 //!
-//! In: a tile, its sheet and the segments near it. Out: energy; gradient and Hessian with the nodes' rows solved for, by the
-//! sheet's [`Stiffness`], and so the columns B that couple nodes to segments.
+//! In: a tile, its sheet and the segments near it. Out: energy; gradient and Hessian with the nodes' rows solved by the
+//! sheet's [`Stiffness`], including the columns B that couple nodes to segments.
 
 use super::bed::{Bed, Tile};
 use super::beside::Meeting;
@@ -20,7 +20,7 @@ use crate::sheet::membrane;
 use crate::tissue::Line;
 use smartbed_runtime::vec3::{Vec3, add, dot, scale, sub};
 
-/// A tile with its sheet and what lies near.
+/// A tile with its sheet and the segments near it.
 #[derive(Clone, Copy)]
 pub struct Patch<'a> {
     bed: &'a Bed,
@@ -34,11 +34,11 @@ pub struct Patch<'a> {
     sheets: &'a [Vec<Vec3<f64>>],
     met: &'a [Meeting],
     rubs: &'a [Rub],
-    /// Hessians are whole, as stiffness wants them; else what may make them indefinite is left out.
+    /// True: exact Hessians, as needed for stiffnesses. False: without terms that may make them indefinite.
     is_exact: bool,
 }
 
-/// What a node and a segment do to each other.
+/// A contact or friction force between a node and a segment.
 pub struct Bond {
     pub node: usize,
     pub segment: usize,
@@ -47,45 +47,45 @@ pub struct Bond {
     pub pull: Pull,
 }
 
-/// Columns of the coupling to one segment.
+/// Coupling of the sheet to one segment.
 pub struct Coupling {
     pub segment: usize,
-    /// B: by way and turn.
+    /// B: six entries per row, for displacement and rotation.
     pub columns: Vec<[f64; 6]>,
     /// (K + c g g')^-1 B.
     pub solved: Vec<[f64; 6]>,
 }
 
-/// A spring between a node and a neighbour's sheet.
+/// A spring between this sheet and a neighbouring one.
 pub struct Crossing {
-    /// Which, by its number among those of all links.
+    /// Its number among those of all links.
     pub number: usize,
-    /// N/m.
+    /// Stiffness (N/m).
     pub stiffness: f64,
-    /// W: how its length follows the free nodes, by their places among them.
+    /// W: derivative of its length with respect to the free nodes, with their indices.
     column: Vec<(usize, Vec3<f64>)>,
     /// (K + c g g')^-1 W.
     pub solved: Vec<f64>,
 }
 
 impl Crossing {
-    /// W' times a vector of the nodes.
+    /// W' times a vector over the nodes.
     pub fn along(&self, x: &[f64]) -> f64 {
         self.column.iter().map(|(free, w)| dot(*w, [x[3 * free], x[3 * free + 1], x[3 * free + 2]])).sum()
     }
 }
 
-/// What a tile gives to the segments' rows, and what it takes to find its nodes' step.
+/// The contributions of a tile to the segments' rows, and the data to find its nodes' step afterwards.
 pub struct Eliminated {
     /// (K + c g g')^-1 times the nodes' gradient.
     pub solved: Vec<f64>,
-    /// Nodes' gradient.
+    /// Gradient with respect to the nodes.
     pub gradient: Vec<f64>,
-    /// Touched segments.
+    /// Couplings to the segments in contact.
     pub couplings: Vec<Coupling>,
     /// Forces on segments.
     pub bonds: Vec<Bond>,
-    /// Where neighbours press.
+    /// Springs to neighbouring sheets.
     pub crossings: Vec<Crossing>,
 }
 
@@ -107,18 +107,18 @@ impl<'a> Patch<'a> {
         }
     }
 
-    /// The same with whole Hessians.
+    /// The same patch with exact Hessians.
     pub fn exact(self) -> Patch<'a> {
         Patch { is_exact: true, ..self }
     }
 
-    /// No segment can reach the sheet, and friction holds nothing.
+    /// Can no segment reach the sheet, and does friction hold nothing?
     pub fn is_alone(&self) -> bool {
         let is_free = self.anchors.iter().all(Option::is_none);
         is_free && touch::near(self.bed, self.body, &self.tile.pose, self.poses).is_empty()
     }
 
-    /// All nodes in tissue, with their places in the bed.
+    /// All contacts of nodes with tissue, with the nodes' positions in the bed.
     pub fn touches(&self) -> Vec<(Touch, Vec3<f64>)> {
         let near = touch::near(self.bed, self.body, &self.tile.pose, self.poses);
         let mut found = Vec::new();
@@ -137,7 +137,7 @@ impl<'a> Patch<'a> {
         found
     }
 
-    /// What friction holds though it touches nothing: touches without force, places and drags.
+    /// Friction that still holds nodes without contact: touches without force, positions and friction forces.
     pub fn held_off(&self) -> impl Iterator<Item = (Touch, Vec3<f64>, Vec3<f64>)> {
         let touches = self.touches();
         let one = move |(node, anchor): (usize, &touch::Anchor)| {
@@ -151,7 +151,7 @@ impl<'a> Patch<'a> {
         anchors.filter_map(one)
     }
 
-    /// What tissue remembers of a node.
+    /// The force line of the tissue at a node.
     fn line(&self, node: usize, segment: usize) -> Line {
         self.increment.map_or(Line::SPRING, |i| i.tissue[self.index].line(node, segment))
     }
@@ -171,12 +171,12 @@ impl<'a> Patch<'a> {
         Ok(energy + held.sum::<f64>())
     }
 
-    /// Nodes that rest on the plate.
+    /// Number of nodes on the plate.
     pub fn bottomed(&self) -> usize {
         self.sheet.iter().filter(|x| self.lone().below(x) > 0.0).count()
     }
 
-    /// Everything between nodes and segments.
+    /// All forces between nodes and segments.
     pub fn bonds(&self) -> Vec<Bond> {
         let bond = |node: usize, segment: usize, place: Vec3<f64>, pull: Pull| Bond {
             node,
@@ -191,7 +191,7 @@ impl<'a> Patch<'a> {
             let Some(anchor) = anchor else { continue };
             let place = self.tile.pose.outwards(self.sheet[node]);
             let pull = anchor.pull(place, &self.poses[anchor.segment]);
-            // Touches come in the order of nodes.
+            // Touches are sorted by node.
             let first = bonds[..touches.len()].partition_point(|b| b.node < node);
             let mut own = bonds[first..touches.len()].iter_mut().take_while(|b| b.node == node);
             match own.find(|b| b.segment == anchor.segment) {
@@ -202,7 +202,7 @@ impl<'a> Patch<'a> {
         bonds
     }
 
-    /// What tissue does, with its surface's curvature where Hessians are whole.
+    /// Gradient and Hessian of a contact; if Hessians are exact, with the curvature of the surface.
     fn pull(&self, touch: &Touch, place: Vec3<f64>) -> Pull {
         let mut pull = touch.pull();
         if self.is_exact {
@@ -216,13 +216,13 @@ impl<'a> Patch<'a> {
         pull
     }
 
-    /// What is the sheet's own.
+    /// The sheet's own terms.
     fn lone(&self) -> Lone<'a> {
         let swing = self.increment.map(|i| &i.sheets[self.index]);
         Lone::new(self.bed, self.tile, &self.bed.lattice, swing)
     }
 
-    /// Gradient by the free nodes, and the volume's.
+    /// Gradients of energy and volume with respect to the free nodes.
     pub fn gradients(&self, bonds: &[Bond]) -> Result<[Vec<f64>; 2], Collapsed> {
         let lone = self.lone();
         let [mut force, volume] = lone.gradients(self.sheet)?;
@@ -237,7 +237,7 @@ impl<'a> Patch<'a> {
         Ok([&force, &volume].map(|rows| lone.of_free(rows)))
     }
 
-    /// The free nodes' Hessian, factored; the volume's gradient is known.
+    /// The factored Hessian of the free nodes, given the volume's gradient.
     pub fn stiffness(&self, bonds: &[Bond], by_nodes: Vec<f64>) -> Result<Stiffness, Collapsed> {
         let lone = self.lone();
         let mut band = lone.hessian(self.sheet, self.is_exact)?;
@@ -249,20 +249,20 @@ impl<'a> Patch<'a> {
         lone.factored(self.sheet, &band, by_nodes)
     }
 
-    /// A matrix of the bed's frame in the tile's.
+    /// Transforms a matrix from the bed's frame to the tile's.
     fn inwards(&self, h: &[Vec3<f64>; 3]) -> [Vec3<f64>; 3] {
         let axes = self.tile.pose.attitude.axes();
         axes.map(|a| axes.map(|b| dot(a, [dot(h[0], b), dot(h[1], b), dot(h[2], b)])))
     }
 
-    /// Gradient by the free nodes, and forces on segments.
+    /// Gradient with respect to the free nodes, and forces on segments.
     pub fn gradient(&self) -> Result<(Vec<f64>, Vec<Bond>), Collapsed> {
         let bonds = self.bonds();
         let [gradient, _] = self.gradients(&bonds)?;
         Ok((gradient, bonds))
     }
 
-    /// Solves for the nodes; `None` if no force is left over and nothing touches.
+    /// Eliminates the nodes; `None` if no residual force is left and nothing touches.
     pub fn eliminate(&self, calm: f64) -> Result<Option<Eliminated>, Collapsed> {
         let bonds = self.bonds();
         let [gradient, volume] = self.gradients(&bonds)?;
@@ -278,18 +278,18 @@ impl<'a> Patch<'a> {
         Ok(Some(Eliminated { solved, gradient, couplings, bonds, crossings }))
     }
 
-    /// What sheets of neighbours do to this one.
+    /// Forces between this sheet and neighbouring ones.
     fn links(&self) -> Vec<Link> {
         links(self.bed, self.sheets, self.met, self.rubs, self.index)
     }
 
-    /// Nodes of this sheet among the ends of a link, with their shares.
+    /// The nodes of this sheet among the ends of a link, with their weights.
     fn own<'b>(&self, link: &'b Link) -> impl Iterator<Item = (usize, f64)> + 'b {
         let index = self.index;
         link.ends.iter().filter(move |end| end.0 == index).map(|(_, node, share)| (*node, *share))
     }
 
-    /// Springs of links, solved for.
+    /// The springs of all links, with W solved.
     fn crossings(&self, stiffness: &Stiffness, size: usize) -> Vec<Crossing> {
         let attitude = self.tile.pose.attitude;
         let mut crossings = Vec::new();
@@ -309,7 +309,7 @@ impl<'a> Patch<'a> {
         crossings
     }
 
-    /// B, one segment after the other: -H (e_k, e_k x r) in the tile's axes; not solved yet.
+    /// B for one segment after the other, -H (e_k, e_k x r) in the tile's axes; not solved yet.
     fn couplings(&self, bonds: &[Bond], size: usize) -> Vec<Coupling> {
         let mut touched: Vec<usize> = bonds.iter().map(|b| b.segment).collect();
         touched.sort_unstable();

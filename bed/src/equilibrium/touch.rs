@@ -1,8 +1,9 @@
-//! What a sheet's node and a body's tissue do to each other: pressure by depth, friction by what slid since before.
+//! Contact of a sheet's node with a body's tissue: pressure from depth, friction from the slip since the state before.
 //!
-//! In: a node's place in the bed and a segment's pose. Out: energy, the gradient by the node's place, its Hessian. Tissue
-//! stores k A depth^2/2, more or less where it has a memory. Friction is an increment's potential: with u how far the node has gone over the tissue since the
-//! state before, t = t0 + k_t P u is held up to the limit mu N, beyond it |t| stays there: |t|^2/(2 k_t), or
+//! In: a node's position in the bed and a segment's pose. Out: energy, its gradient with respect to the node's
+//! position, its Hessian. Tissue stores k A depth^2/2, modified if it has a memory. Friction has an incremental
+//! potential: with u the slip of the node over the tissue since the state before, and P the tangential projection, the
+//! trial force t = t0 + k_t P u is held up to the limit mu N, and beyond it |t| = mu N; the energy is |t|^2/(2 k_t), or
 //! mu N (|t| - mu N/2)/k_t. Normal and limit are those of the pass before and are renewed until they do not change.
 
 use super::bed::{ALONG, Bed};
@@ -11,7 +12,7 @@ use crate::pose::Pose;
 use crate::tissue::Line;
 use smartbed_runtime::vec3::{Vec3, add, axpy, dot, norm, scale, sub, tangential};
 
-/// A node in tissue.
+/// A node in contact with tissue.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Touch {
     /// Node of the sheet.
@@ -20,24 +21,24 @@ pub struct Touch {
     pub segment: usize,
     /// Depth (m), > 0.
     pub depth: f64,
-    /// Out of the tissue, in the bed's frame.
+    /// Outward normal of the tissue, in the bed's frame.
     pub normal: Vec3<f64>,
-    /// What the depth loses per way along the normal.
+    /// Decrease of the depth per distance along the normal.
     pub slope: f64,
-    /// N/m.
+    /// Normal stiffness (N/m).
     pub stiffness: f64,
-    /// Depth (m) at which tissue presses nothing.
+    /// Depth (m) at which the force is 0.
     pub rest: f64,
-    /// N/m along the surface.
+    /// Tangential stiffness (N/m).
     pub along: f64,
 }
 
-/// What friction holds at a node, in the segment's axes.
+/// Friction at a node since the state before, in the segment's axes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Anchor {
     /// Segment.
     pub segment: usize,
-    /// Where the node stood (m).
+    /// Position of the node in the state before (m).
     pub place: Vec3<f64>,
     /// Force t0 (N) on the tissue.
     pub force: Vec3<f64>,
@@ -49,17 +50,17 @@ pub struct Anchor {
     pub stiffness: f64,
 }
 
-/// Gradient by a node's place and Hessian, in the bed's frame.
+/// Gradient with respect to a node's position, and Hessian, in the bed's frame.
 #[derive(Clone, Copy, Debug)]
 pub struct Pull {
     pub gradient: Vec3<f64>,
     pub hessian: [Vec3<f64>; 3],
 }
 
-/// Segments that can reach a tile's sheet.
+/// The segments that can reach a tile's sheet.
 pub fn near(bed: &Bed, body: &Body, tile: &Pose, poses: &[Pose]) -> Vec<usize> {
     let [a, b] = bed.lattice.size;
-    // A sheet bulges less than it is wide.
+    // Assumes that a sheet bulges by less than its width.
     let reach = 0.5 * a.hypot(b) + 0.5 * a.min(b);
     let is_near = |s: &usize| {
         norm(sub(poses[*s].place, tile.place)) < reach + body.segments[*s].shape.reach() + bed.cover.thickness
@@ -67,7 +68,7 @@ pub fn near(bed: &Bed, body: &Body, tile: &Pose, poses: &[Pose]) -> Vec<usize> {
     (0..poses.len()).filter(is_near).collect()
 }
 
-/// The touch of a node at a place in the bed with a segment, if it lies inside its tissue.
+/// The contact of a node with a segment, if the node is inside its tissue.
 pub fn touch(
     bed: &Bed,
     body: &Body,
@@ -78,7 +79,7 @@ pub fn touch(
     line: impl Fn() -> Line,
 ) -> Option<Touch> {
     let part = &body.segments[segment];
-    // Most nodes are far away: their squared distance says so.
+    // Most nodes are too far away, which their squared distance shows quickly.
     let away = sub(place, pose.place);
     let reach = part.shape.reach() + bed.cover.thickness;
     if dot(away, away) >= reach * reach {
@@ -100,7 +101,7 @@ impl Touch {
         self.slope * self.tension()
     }
 
-    /// What the layer's energy gains per depth (N).
+    /// Derivative of the layer's energy with respect to the depth (N).
     pub(super) fn tension(&self) -> f64 {
         self.stiffness * (self.depth - self.rest)
     }
@@ -110,14 +111,14 @@ impl Touch {
         0.5 * self.stiffness * (self.depth - self.rest).powi(2)
     }
 
-    /// Gradient and Hessian without that of the surface's curvature, which is negative.
+    /// Gradient and Hessian, without the term of the surface's curvature, which is negative.
     pub(super) fn pull(&self) -> Pull {
         let n = self.normal;
         let stiffness = self.stiffness * self.slope * self.slope;
         Pull { gradient: scale(n, -self.force()), hessian: n.map(|x| scale(n, stiffness * x)) }
     }
 
-    /// What friction can hold from here on, with a force that it holds already (on the tissue, in the bed's frame).
+    /// The anchor of friction from here on, with the force that it holds already (on the tissue, in the bed's frame).
     pub(super) fn anchor(&self, place: Vec3<f64>, pose: &Pose, held: Vec3<f64>, friction: f64) -> Anchor {
         let limit = friction * self.force();
         let along = tangential(held, self.normal);
@@ -135,7 +136,7 @@ impl Touch {
 }
 
 impl Anchor {
-    /// t as a spring would have it, in the segment's axes.
+    /// Trial force t, as for a spring, in the segment's axes.
     fn trial(&self, place: Vec3<f64>, pose: &Pose) -> Vec3<f64> {
         let slid = sub(pose.inwards(place), self.place);
         tangential(axpy(self.force, self.stiffness, slid), self.normal)
@@ -148,7 +149,7 @@ impl Anchor {
         energy / self.stiffness
     }
 
-    /// A touch that presses nothing.
+    /// A touch without normal force.
     pub(super) fn without_touch(&self, node: usize, pose: &Pose) -> Touch {
         let normal = pose.attitude.to_inertial(self.normal);
         let along = self.stiffness;
@@ -164,13 +165,13 @@ impl Anchor {
         }
     }
 
-    /// Energy (J) that the surface holds.
+    /// Energy (J) stored by shear of the surface.
     #[must_use]
     pub fn held(&self) -> f64 {
         0.5 * dot(self.force, self.force) / self.stiffness
     }
 
-    /// Force (N) that the sheet drags the tissue with, in the bed's frame.
+    /// Friction force (N) of the sheet on the tissue, in the bed's frame.
     #[must_use]
     pub fn drag(&self, place: Vec3<f64>, pose: &Pose) -> Vec3<f64> {
         let t = self.trial(place, pose);
@@ -200,7 +201,7 @@ impl Anchor {
 }
 
 impl Pull {
-    /// Both together.
+    /// The sum of both.
     pub fn with(self, other: &Pull) -> Pull {
         let hessian = std::array::from_fn(|i| add(self.hessian[i], other.hessian[i]));
         Pull { gradient: add(self.gradient, other.gradient), hessian }

@@ -1,7 +1,7 @@
-//! Files of pressure maps: what sensor makers' programs export, read and written.
+//! Reads and writes files of pressure maps, in formats that sensor makers' programs export.
 //!
-//! In: a text. Out: a grid and a recording in SI units, or the line at which the text is wrong. [`tekscan`] is the ASCII
-//! movie of Tekscan's programs, [`xsensor`] blocks of keys and rows as XSENSOR's export them.
+//! In: a text. Out: a grid and a recording in SI units, or the line at which the text is wrong. [`tekscan`] is the
+//! ASCII movie of Tekscan's programs, [`xsensor`] the blocks of keys and rows that XSENSOR's export.
 
 pub mod tekscan;
 mod text;
@@ -9,7 +9,7 @@ pub mod xsensor;
 
 pub use text::{FileError, Mapped};
 
-/// Reads a text of either kind: Tekscan's begin with `DATA_TYPE` and have `ASCII_DATA`.
+/// Reads a text in either format; Tekscan's begin with `DATA_TYPE` and contain `ASCII_DATA`.
 ///
 /// # Errors
 /// [`FileError`] at the first line that is wrong.

@@ -1,13 +1,13 @@
-//! Tekscan's ASCII movie: lines `KEY value`, then `ASCII_DATA @@`, then `Frame n` with its rows, at last `@@`.
+//! Tekscan's ASCII movie: lines `KEY value`, then `ASCII_DATA @@`, then `Frame n` with its rows, finally `@@`.
 //!
-//! Needed: `ROWS`, `COLS`, `ROW_SPACING`, `COL_SPACING` (with unit), `SECONDS_PER_FRAME`, `UNITS`; other keys are passed
-//! over. Uncalibrated files (`UNITS RAW`) are refused: their numbers are no pressures.
+//! Required: `ROWS`, `COLS`, `ROW_SPACING`, `COL_SPACING` (with unit), `SECONDS_PER_FRAME`, `UNITS`; other keys are
+//! ignored. Uncalibrated files (`UNITS RAW`) are refused, because their numbers are not pressures.
 
 use super::text::{FileError, Mapped, count, mapped, metres, number, pascal, row, row_text};
 use crate::map::{Frame, Grid};
 use std::fmt::Write as _;
 
-/// What the head of a file says; each with its line once it has been read.
+/// The values in the head of a file, each with the line where it was read.
 #[derive(Default)]
 struct Head {
     rows: Option<usize>,
@@ -42,7 +42,7 @@ impl Head {
         Ok(())
     }
 
-    /// The grid, seconds a frame and Pascal a unit.
+    /// The grid, seconds per frame, and Pascal per unit.
     fn whole(&self, line: usize) -> Result<(Grid, f64, f64), FileError> {
         let lacks = |key: &str| FileError::at(line, format!("`{key}` is missing before the data"));
         let grid = Grid {
@@ -105,7 +105,7 @@ pub fn read(text: &str) -> Result<Mapped, FileError> {
     mapped(grid, frames)
 }
 
-/// Has the frame before this line all its rows?
+/// Checks that the frame before this line has all its rows.
 fn full(grid: &Grid, frame: Option<&Frame>, line: usize) -> Result<(), FileError> {
     let found = frame.map_or(grid.sites(), |f| f.pressure.len());
     if found == grid.sites() {
@@ -118,7 +118,8 @@ fn full(grid: &Grid, frame: Option<&Frame>, line: usize) -> Result<(), FileError
 /// Writes a movie in kPa; shear is not part of the format.
 ///
 /// # Errors
-/// Frames that do not all stand for the same time, which the format cannot say; an end comes to stand for as long as the rest.
+/// Frames with different durations, which the format cannot express; a final frame of duration 0 gets that of the
+/// others.
 pub fn write(mapped: &Mapped) -> Result<String, FileError> {
     let (grid, frames) = (&mapped.grid, mapped.recording.frames());
     let seconds = frames.first().map_or(1.0, |f| f.seconds);

@@ -1,21 +1,21 @@
-//! What both kinds of files are made of: numbers with units, rows, and what is wrong in a line.
+//! Parts common to both formats: numbers with units, rows, and errors with their line.
 
 use crate::map::{Frame, Grid, MMHG, Recording};
 use std::fmt;
 
-/// Most values that a file may hold.
+/// Largest number of values in a file.
 const MOST: usize = 100_000_000;
 
-/// A map with its grid.
+/// A recording with its grid.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mapped {
-    /// Where sensels lie.
+    /// Positions of the sensels.
     pub grid: Grid,
-    /// What they read.
+    /// Their readings.
     pub recording: Recording,
 }
 
-/// What is wrong in a text, and where.
+/// An error in a text, with its place.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct FileError {
     /// Line, from 1; 0 for the text as a whole.
@@ -41,7 +41,7 @@ impl fmt::Display for FileError {
 
 impl std::error::Error for FileError {}
 
-/// Pascal of a unit of pressure.
+/// The value of a unit of pressure in Pascal.
 pub(super) fn pascal(unit: &str, line: usize) -> Result<f64, FileError> {
     match unit.trim().to_ascii_lowercase().as_str() {
         "kpa" => Ok(1000.0),
@@ -56,7 +56,7 @@ pub(super) fn pascal(unit: &str, line: usize) -> Result<f64, FileError> {
     }
 }
 
-/// Metres of a length with its unit, as `10.16 mm`.
+/// A length with unit, such as `10.16 mm`, in metres.
 pub(super) fn metres(text: &str, line: usize) -> Result<f64, FileError> {
     let text = text.trim();
     let split = text.find(|c: char| c.is_alphabetic() && !matches!(c, 'e' | 'E')).unwrap_or(text.len());
@@ -89,7 +89,7 @@ pub(super) fn count(text: &str, line: usize) -> Result<usize, FileError> {
     value.ok_or_else(|| FileError::at(line, format!("expected a count from 1, found `{}`", shortened(text))))
 }
 
-/// A text short enough for a message.
+/// A text shortened for a message.
 fn shortened(text: &str) -> String {
     let mut short: String = text.trim().chars().take(40).collect();
     if text.trim().chars().count() > 40 {
@@ -125,13 +125,13 @@ pub(super) fn row(
     Err(FileError::at(line, format!("{found} values, expected {columns}, one a column")))
 }
 
-/// A row of text: values in a unit, with as many digits as read back the same.
+/// A row as text: values in a unit, with as many digits as are needed to read back the same number.
 pub(super) fn row_text(pressures: &[f64], unit: f64) -> String {
     let values: Vec<String> = pressures.iter().map(|p| format!("{}", p / unit)).collect();
     values.join(",")
 }
 
-/// Puts a map together that has been read.
+/// Makes a map of the frames that were read.
 pub(super) fn mapped(grid: Grid, frames: Vec<Frame>) -> Result<Mapped, FileError> {
     let recording = Recording::new(grid.all(), frames).map_err(|e| FileError::at(0, e.to_string()))?;
     Ok(Mapped { grid, recording })

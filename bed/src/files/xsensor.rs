@@ -1,14 +1,14 @@
 //! XSENSOR-style CSV: each frame is a block of lines `Key,value`, then `SENSELS` and its rows, then an empty line.
 //!
-//! Keys: `FRAME`, `Time (s)`, `Duration (s)` (default: till the next frame, the last as long as the one before, a single
-//! one is a moment), `Rows`, `Columns`, `Row Pitch`, `Column Pitch` (with unit), `Units`; others are passed over, and what the
-//! first frame said need not be said again.
+//! Keys: `FRAME`, `Time (s)`, `Duration (s)` (default: until the next frame; the last one as long as the one before; a
+//! single frame has duration 0), `Rows`, `Columns`, `Row Pitch`, `Column Pitch` (with unit), `Units`. Other keys are
+//! ignored, and later frames may omit what the first one states.
 
 use super::text::{FileError, Mapped, count, mapped, metres, number, pascal, row, row_text};
 use crate::map::{Frame, Grid};
 use std::fmt::Write as _;
 
-/// What has been said so far.
+/// The values of keys read so far.
 #[derive(Default)]
 struct Head {
     rows: Option<usize>,

@@ -1,17 +1,17 @@
-//! The Braden scale: six marks that a nurse enters; nothing here computes them.
+//! The Braden scale: six scores that a nurse enters; none of them is computed here.
 //!
-//! In: sensory perception, moisture, activity, mobility, nutrition (1 to 4) and friction with shear (1 to 3). Out: sum
-//! and band.
+//! In: sensory perception, moisture, activity, mobility, nutrition (1 to 4), and friction and shear (1 to 3). Out: sum
+//! and risk band.
 
 use std::fmt;
 
-/// Marks in the scale's order.
+/// Scores in the order of the scale.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Braden {
     marks: [u8; 6],
 }
 
-/// How a mark is called, and its best.
+/// Name and best score of each subscale.
 pub const SUBSCALES: [(&str, u8); 6] = [
     ("sensory", 4),
     ("moisture", 4),
@@ -21,12 +21,12 @@ pub const SUBSCALES: [(&str, u8); 6] = [
     ("friction_and_shear", 3),
 ];
 
-/// A mark outside its scale.
+/// A score outside its scale.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct WrongMark {
-    /// Which of [`SUBSCALES`].
+    /// Index in [`SUBSCALES`].
     pub subscale: usize,
-    /// What was given.
+    /// The score given.
     pub found: u8,
 }
 
@@ -40,10 +40,10 @@ impl fmt::Display for WrongMark {
 impl std::error::Error for WrongMark {}
 
 impl Braden {
-    /// Takes the marks.
+    /// Checks the scores.
     ///
     /// # Errors
-    /// [`WrongMark`], the first outside its scale.
+    /// [`WrongMark`], for the first score outside its scale.
     pub fn new(marks: [u8; 6]) -> Result<Braden, WrongMark> {
         let wrong = marks.iter().zip(SUBSCALES).position(|(mark, (_, best))| *mark < 1 || *mark > best);
         match wrong {
@@ -64,7 +64,7 @@ impl Braden {
         self.marks.iter().sum()
     }
 
-    /// What the sum is called.
+    /// Name of the risk band of the sum.
     #[must_use]
     pub fn band(&self) -> &'static str {
         match self.sum() {

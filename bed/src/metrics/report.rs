@@ -1,47 +1,48 @@
-//! All metrics as rows with units and thresholds, of the whole bed and of each region of the body.
+//! All metrics as rows with units and thresholds, for the whole bed and for each region of the body.
 //!
-//! In: a recording of sensels on their grid, or of points of the skin. Out: [`Row`]s in units that are read at a bed
-//! (mmHg, cm^2, mmHg h), which any rendering prints as they are.
+//! In: a recording of sensels on their grid, or of points of the skin. Out: [`Row`]s in the units used in care (mmHg,
+//! cm^2, mmHg h), which every rendering prints as they are.
 
 use super::tissue::{self, Dose, Sigmoid};
 use super::{Thresholds, shear, spatial, time};
 use crate::map::{Grid, MMHG, Recording, Region, Site};
 
-/// Area of the window of the peak pressure index (m^2).
+/// Area of the window for the peak pressure index (m^2).
 pub const WINDOW: f64 = 9e-4;
-/// Shear below which it has no direction (Pa).
+/// Below this shear (Pa) its direction is not evaluated.
 pub const LEAST_SHEAR: f64 = 100.0;
 
-/// One metric of one place.
+/// The value of one metric for one place.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Row {
     /// `bed` or a region's name.
     pub place: &'static str,
     /// Its name.
     pub metric: &'static str,
-    /// Its value; `None` if there was nothing to measure, or too little time.
+    /// Its value; `None` if there is nothing to measure, or the recording is too short.
     pub value: Option<f64>,
     /// Its unit.
     pub unit: &'static str,
-    /// What it is compared with, in its unit.
+    /// Its threshold, in the same unit.
     pub threshold: Option<f64>,
 }
 
-/// What is reported and from what.
+/// The data and parameters of a report.
 #[derive(Clone, Copy, Debug)]
 pub struct Report<'a> {
     /// What was recorded.
     pub recording: &'a Recording,
-    /// Where sensels lie; points of the skin have no grid.
+    /// Positions of the sensels; points of the skin have no grid.
     pub grid: Option<&'a Grid>,
     /// Thresholds.
     pub thresholds: Thresholds,
-    /// Friction of skin on the cover.
+    /// Friction coefficient of skin on the cover.
     pub friction: f64,
 }
 
 impl Report<'_> {
-    /// All rows, the bed's first; maps are those of the last frame, what has a history is of the whole recording.
+    /// All rows, those of the whole bed first. Metrics of a single map use the last frame, those over time the whole
+    /// recording.
     #[must_use]
     pub fn rows(&self) -> Vec<Row> {
         let mut rows = self.of("bed", |_| true);
@@ -78,7 +79,7 @@ impl Report<'_> {
         rows
     }
 
-    /// Share (%) of all pressures in the last map that lies on sacrum and seat bones; `None` where no site is of a region.
+    /// Share (%) of the pressure in the last map that is on sacrum and ischia; `None` if no site belongs to a region.
     fn dispersion(&self) -> Option<f64> {
         let pressure = &self.recording.frames().last()?.pressure;
         let sites = self.recording.sites();
@@ -89,7 +90,7 @@ impl Report<'_> {
         (all > 0.0).then(|| 100.0 * there / all)
     }
 
-    /// Rows of the sites of one place.
+    /// The rows for the sites of one place.
     fn of(&self, place: &'static str, is_there: impl Fn(&Site) -> bool) -> Vec<Row> {
         let part = self.part(&is_there);
         let mut rows = self.at_the_end(place, &part);
@@ -97,14 +98,14 @@ impl Report<'_> {
         rows
     }
 
-    /// The recording of some of the sites.
+    /// The recording restricted to some of the sites.
     fn part(&self, is_there: &impl Fn(&Site) -> bool) -> Recording {
         let sites = self.recording.sites();
         let kept: Vec<usize> = (0..sites.len()).filter(|i| is_there(&sites[*i])).collect();
         self.recording.select(&kept)
     }
 
-    /// What the last map says.
+    /// Metrics of the last map.
     fn at_the_end(&self, place: &'static str, part: &Recording) -> Vec<Row> {
         let Some(last) = part.frames().last() else { return Vec::new() };
         let (sites, p, t) = (part.sites(), &last.pressure, &self.thresholds);
@@ -138,7 +139,7 @@ impl Report<'_> {
         rows
     }
 
-    /// What the history says.
+    /// Metrics over time.
     fn over_time(&self, place: &'static str, part: &Recording) -> Vec<Row> {
         let t = &self.thresholds;
         let hours = |x: Option<f64>| x.map(|x| x / MMHG / 3600.0);
@@ -173,7 +174,7 @@ impl Report<'_> {
             rows.push(row(place, "shear time integral", kilopascal_hours, "kPa h", None));
             rows.push(row(place, "turning of the shear", turned, "deg", None));
         }
-        // One moment has no history.
+        // A single frame without duration has no history.
         if part.seconds() <= 0.0 {
             rows.iter_mut().for_each(|row| row.value = None);
         }

@@ -1,6 +1,6 @@
-//! Metrics of shear: peak, resultant, slip, its time integral and how it turns.
+//! Metrics of shear: peak, resultant, slip, integral over time, and rotation of its direction.
 //!
-//! In: shear in two directions of the surface (Pa) beside the pressure. Out: numbers in SI units.
+//! In: shear in two directions along the surface (Pa), and pressure. Out: numbers in SI units.
 
 use crate::map::{Frame, Recording, Site};
 
@@ -22,15 +22,16 @@ pub fn resultant(sites: &[Site], shear: &[[f64; 2]]) -> [f64; 2] {
     [along(0), along(1)]
 }
 
-/// Slip index: largest |tau|/(mu p) of the sites in contact; 1 and more slips. `None` if nothing touches.
+/// Slip index: the largest |tau|/(mu p) of the sites in contact; from 1 on a site slips. `None` if nothing is in
+/// contact.
 #[must_use]
 pub fn slip(frame: &Frame, contact: f64, friction: f64) -> Option<f64> {
     let sites = frame.pressure.iter().zip(&frame.shear).filter(|(p, _)| **p > contact);
     sites.map(|(p, t)| size(t) / (friction * p)).reduce(f64::max)
 }
 
-/// Largest pressure (Pa) of the same risk without shear, p (1 + c |tau|/tau_0). In swine shear lowers the pressure that
-/// ulcerates from 290 to 45 mmHg (Dinsdale 1974); c and tau_0 are parameters, not measurements.
+/// Largest pressure (Pa) with the same risk without shear, p (1 + c |tau|/tau_0). In swine shear lowers the pressure
+/// that causes ulcers from 290 to 45 mmHg (Dinsdale 1974); c and tau_0 are parameters, not measurements.
 #[must_use]
 pub fn equivalent_pressure(frame: &Frame, factor: f64, reference: f64) -> Option<f64> {
     let sites = frame.pressure.iter().zip(&frame.shear);
@@ -49,8 +50,7 @@ pub fn shear_time(recording: &Recording) -> Vec<f64> {
     sums
 }
 
-/// How far the direction of shear turns at each site in all (rad); frames with less than `least` shear (Pa) have no
-/// direction and are passed over.
+/// Total rotation of the direction of shear at each site (rad); frames with less shear than `least` (Pa) are skipped.
 #[must_use]
 pub fn turning(recording: &Recording, least: f64) -> Vec<f64> {
     let count = recording.sites().len();
@@ -69,7 +69,7 @@ pub fn turning(recording: &Recording, least: f64) -> Vec<f64> {
     turned
 }
 
-/// Stretch of the skin between two neighbouring tiles: |d_a - d_b|/gap, d how far each surface has moved (m).
+/// Stretch of the skin between two neighbouring tiles: |d_a - d_b|/gap, with d the displacement of each surface (m).
 #[must_use]
 pub fn differential_drag(one: [f64; 2], other: [f64; 2], gap: f64) -> f64 {
     (one[0] - other[0]).hypot(one[1] - other[1]) / gap

@@ -1,6 +1,6 @@
-//! Metrics of one map: peak, mean, spread, areas, gradient, centre of pressure, and what the map carries.
+//! Metrics of one map: peak, mean, spread, areas, gradient, centre of pressure, and load balance.
 //!
-//! In: pressures (Pa) with areas or a grid. Out: numbers in SI units, `None` where there is nothing to measure.
+//! In: pressures (Pa) with areas or a grid. Out: numbers in SI units; `None` if there is nothing to measure.
 
 use crate::map::{Grid, Site};
 
@@ -10,18 +10,18 @@ pub fn peak(pressure: &[f64]) -> f64 {
     pressure.iter().fold(0.0, |most: f64, p| most.max(*p))
 }
 
-/// Mean and spread of the pressure where it is above that of contact.
+/// Mean and spread of the pressure over the sites in contact.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Spread {
     /// Mean, weighted by area (Pa).
     pub mean: f64,
     /// Standard deviation, weighted by area (Pa).
     pub deviation: f64,
-    /// Standard deviation over mean.
+    /// Standard deviation divided by mean.
     pub variation: f64,
 }
 
-/// Mean and spread over the sites in contact; `None` if nothing touches.
+/// Mean and spread over the sites in contact; `None` if there are none.
 #[must_use]
 pub fn spread(sites: &[Site], pressure: &[f64], contact: f64) -> Option<Spread> {
     let touching = || sites.iter().zip(pressure).filter(|(_, p)| **p > contact);
@@ -38,11 +38,11 @@ pub fn spread(sites: &[Site], pressure: &[f64], contact: f64) -> Option<Spread> 
 /// Area (m^2) with more than this pressure (Pa).
 #[must_use]
 pub fn area_above(sites: &[Site], pressure: &[f64], limit: f64) -> f64 {
-    // An empty sum of floats is -0.
+    // `sum` of no floats would be -0.
     sites.iter().zip(pressure).filter(|(_, p)| **p > limit).fold(0.0, |sum, (s, _)| sum + s.area)
 }
 
-/// Dispersion index (%): pressure on the sites of a region over that on all, 100 sum_R p/sum p; `None` without load.
+/// Dispersion index (%): share of the pressure on the sites of a region, 100 sum_R p/sum p; `None` without load.
 #[must_use]
 pub fn dispersion(sites: &[Site], pressure: &[f64], of_region: impl Fn(&Site) -> bool) -> Option<f64> {
     let all: f64 = pressure.iter().sum();
@@ -50,10 +50,11 @@ pub fn dispersion(sites: &[Site], pressure: &[f64], of_region: impl Fn(&Site) ->
     (all > 0.0).then(|| 100.0 * part / all)
 }
 
-/// Peak pressure index (Pa): largest mean over a square window of this area (m^2), wherever it lies in the map.
+/// Peak pressure index (Pa): largest mean over a square window of this area (m^2), at any position within the map.
 ///
-/// The mean is bilinear in the window's place between the edges of sensels, so that it is largest where edges of the
-/// window lie on edges of sensels: those places are all that are tried. `None` if the map is smaller than the window.
+/// Between the edges of sensels the mean is bilinear in the window's position, so that its maximum occurs where edges
+/// of the window coincide with edges of sensels: only these positions are tried. `None` if the map is smaller than the
+/// window.
 #[must_use]
 pub fn peak_pressure_index(grid: &Grid, pressure: &[f64], area: f64) -> Option<f64> {
     let side = area.sqrt();
@@ -74,16 +75,16 @@ pub fn peak_pressure_index(grid: &Grid, pressure: &[f64], area: f64) -> Option<f
     Some(most)
 }
 
-/// Where a window of this side may begin or end on an edge of sensels, in sensels.
+/// Positions (in sensels) at which a window of this side begins or ends on an edge of sensels.
 fn starts(count: usize, pitch: f64, side: f64) -> Vec<f64> {
     let (length, width) = (count as f64, side / pitch);
-    // A window as wide as the map must not be lost to rounding.
+    // Tolerance so that a window as wide as the map is not lost to rounding.
     let fits = |x: f64| x > -1e-9 && x + width < length + 1e-9;
     let edges = (0..=count).map(|edge| edge as f64);
     edges.flat_map(|edge| [edge, edge - width]).filter(|x| fits(*x)).map(|x| x.max(0.0)).collect()
 }
 
-/// Sum of the pressures over all that lies below and left of a place.
+/// Summed-area table: sum of the pressures at lower rows and columns.
 struct Integral {
     columns: usize,
     rows: usize,
@@ -105,7 +106,7 @@ impl Integral {
         Integral { columns, rows, sums }
     }
 
-    /// At a place in sensels, between the edges bilinear.
+    /// The sum at a position in sensels; bilinear between the edges.
     fn at(&self, x: f64, y: f64) -> f64 {
         let split = |at: f64, count: usize| {
             let whole = (at.floor().max(0.0) as usize).min(count.saturating_sub(1));
@@ -119,16 +120,16 @@ impl Integral {
     }
 }
 
-/// How steep a map is; grids of other pitch give other numbers, so the grid is always told beside it.
+/// Gradients of a map. They depend on the pitch of the grid, which is therefore always reported with them.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Gradient {
-    /// Largest difference of two neighbours over their distance (Pa/m).
+    /// Largest difference between two neighbours, divided by their distance (Pa/m).
     pub largest: f64,
-    /// Root of the mean square of the gradient: central differences inside, one-sided at edges (Pa/m).
+    /// Root mean square of the gradient (Pa/m): central differences inside, one-sided ones at edges.
     pub root_mean_square: f64,
 }
 
-/// Gradient of a map; a single row or column has none across.
+/// Gradients of a map; a single row or column has none in the other direction.
 #[must_use]
 pub fn gradient(grid: &Grid, pressure: &[f64]) -> Gradient {
     let at = |row: usize, column: usize| pressure[row * grid.columns + column];
@@ -150,13 +151,13 @@ pub fn gradient(grid: &Grid, pressure: &[f64]) -> Gradient {
     Gradient { largest, root_mean_square: (squares / count).sqrt() }
 }
 
-/// Difference quotient at one of several values in a line.
+/// Difference quotient at one of several values along a line.
 fn slope(count: usize, index: usize, pitch: f64, value: impl Fn(usize) -> f64) -> f64 {
     let (low, high) = (index.saturating_sub(1), (index + 1).min(count - 1));
     if high > low { (value(high) - value(low)) / ((high - low) as f64 * pitch) } else { 0.0 }
 }
 
-/// Root mean square of what two maps of the same sites differ by.
+/// Root mean square of the difference between two maps of the same sites.
 #[must_use]
 pub fn apart(one: &[f64], other: &[f64]) -> f64 {
     let squares = one.iter().zip(other).map(|(p, q)| (p - q).powi(2));
@@ -179,8 +180,8 @@ pub fn centre(grid: &Grid, pressure: &[f64]) -> Option<[f64; 2]> {
     Some([moment[0] / load, moment[1] / load])
 }
 
-/// What a map carries against what lies on it: |sum p A n_z + sum tau_z A - W|/W, n_z and tau_z upwards. A map is
-/// valid at rest below 1 %.
+/// Relative error of the load of a map: |sum p A n_z + sum tau_z A - W|/W, with n_z and tau_z upwards. At rest a map is
+/// valid below 1 %.
 #[must_use]
 pub fn load_error(sites: &[Site], pressure: &[f64], up: &[f64], shear_up: &[f64], weight: f64) -> f64 {
     let normal: f64 = sites.iter().zip(pressure).zip(up).map(|((s, p), n)| p * s.area * n).sum();

@@ -1,7 +1,7 @@
-//! Metrics over time, site by site: of skin they follow the skin, of sensels they stay in place.
+//! Metrics over time, site by site: points of the skin move with the skin, sensels stay in place.
 //!
-//! In: a recording. Out: one number a site, areas, and what the centre of pressure did. A frame stands for its own
-//! duration, so that sums over frames are integrals; the last may be an end, which stands for none.
+//! In: a recording. Out: one number per site, areas, and the motion of the centre of pressure. A frame represents its
+//! duration, so that sums over frames are integrals; the last frame may have duration 0.
 
 use super::spatial;
 use crate::map::{Frame, Grid, Recording};
@@ -12,26 +12,26 @@ fn last_cycle(recording: &Recording, cycle: f64) -> Option<&[Frame]> {
     let mut seconds = 0.0;
     let start = frames.iter().rposition(|frame| {
         seconds += frame.seconds;
-        // Ten frames of 0.1 s are a second, whatever their sum rounds to.
+        // Tolerance: ten frames of 0.1 s make a second, whatever their sum rounds to.
         seconds >= cycle * (1.0 - 1e-12)
     })?;
     Some(&frames[start..])
 }
 
-/// A number for each site, from its frames.
+/// A number for each site, computed from all frames.
 fn by_site(recording: &Recording, of: impl Fn(usize) -> f64) -> Vec<f64> {
     (0..recording.sites().len()).map(of).collect()
 }
 
-/// Area of sites whose numbers satisfy something.
+/// Area of the sites whose numbers satisfy a condition.
 fn area_where(recording: &Recording, numbers: &[f64], holds: impl Fn(f64) -> bool) -> f64 {
     let sites = recording.sites().iter().zip(numbers);
-    // An empty sum of floats is -0.
+    // `sum` of no floats would be -0.
     sites.filter(|(_, x)| holds(**x)).fold(0.0, |sum, (s, _)| sum + s.area)
 }
 
-/// Persistent occlusion (m^2): area whose least pressure over the last cycle is above that of occlusion; `None` if
-/// less than a cycle was recorded. Yang et al., Science Robotics 10(103), 2025.
+/// Persistent occlusion (m^2): area whose minimum pressure over the last cycle exceeds the occlusion pressure; `None`
+/// if less than a cycle was recorded. Yang et al., Science Robotics 10(103), 2025.
 #[must_use]
 pub fn persistent_occlusion(recording: &Recording, cycle: f64, occlusion: f64) -> Option<f64> {
     let frames = last_cycle(recording, cycle)?;
@@ -39,14 +39,15 @@ pub fn persistent_occlusion(recording: &Recording, cycle: f64, occlusion: f64) -
     Some(area_where(recording, &least, |p| p > occlusion))
 }
 
-/// Always at risk (m^2): area above the limit for 95 % of the time and more. Peterson et al., JRRD 50(4), 2013.
+/// Always at risk (m^2): area above the limit for at least 95 % of the time. Peterson et al., JRRD 50(4), 2013.
 #[must_use]
 pub fn always_at_risk(recording: &Recording, limit: f64) -> f64 {
     let share = share_of_time(recording, |p| p > limit);
     area_where(recording, &share, |s| s >= 0.95 - 1e-12)
 }
 
-/// Load and off-load contrast of each site over the last cycle: max p - min p (Pa); `None` if less was recorded.
+/// Contrast between load and off-load at each site over the last cycle: max p - min p (Pa); `None` if less was
+/// recorded.
 #[must_use]
 pub fn contrast(recording: &Recording, cycle: f64) -> Option<Vec<f64>> {
     let frames = last_cycle(recording, cycle)?;
@@ -58,7 +59,8 @@ pub fn contrast(recording: &Recording, cycle: f64) -> Option<Vec<f64>> {
     }))
 }
 
-/// Pressure over time of each site above a limit: sum max(0, p - limit) dt (Pa s); limit 0 is the whole integral.
+/// Pressure-time integral above a limit at each site: sum max(0, p - limit) dt (Pa s); limit 0 gives the whole
+/// integral.
 #[must_use]
 pub fn pressure_time(recording: &Recording, limit: f64) -> Vec<f64> {
     by_site(recording, |i| {
@@ -80,17 +82,17 @@ fn share_of_time(recording: &Recording, holds: impl Fn(f64) -> bool) -> Vec<f64>
     })
 }
 
-/// What the centre of pressure did.
+/// Motion of the centre of pressure.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Mobility {
     /// Length of its path (m).
     pub path: f64,
-    /// How often it has gone further than the limit from where it was last counted.
+    /// How often it has moved farther than the limit from where the last shift was counted.
     pub shifts: usize,
 }
 
-/// Way of the centre of pressure; frames without load are passed over. A shift is counted once it is longer than
-/// `limit` (m), usually 20 mm.
+/// Path of the centre of pressure; frames without load are skipped. A shift is counted once it exceeds `limit` (m),
+/// usually 20 mm.
 #[must_use]
 pub fn mobility(grid: &Grid, recording: &Recording, limit: f64) -> Mobility {
     let mut mobility = Mobility { path: 0.0, shifts: 0 };

@@ -1,14 +1,15 @@
-//! What load does to tissue over time, by published models: history, not verdicts.
+//! Published models of tissue tolerance over time; they describe a load history and are no diagnosis.
 //!
 //! In: pressures (Pa) and times (s). Out: critical pressures and times, shares of them, doses. Interface pressure is
-//! not the stress in tissue; what stands between is a factor that the caller chooses.
+//! not the stress in tissue; the caller chooses the factor between them.
 
 use crate::map::{MMHG, Recording};
 
-/// Reswick and Rogers 1976: what P t was allowed, some 300 mmHg h. Known to be wrong at short and very long times.
+/// Reswick and Rogers 1976: allowed product of pressure and time, about 300 mmHg h. Known to be wrong for short and
+/// very long times.
 pub const RESWICK_ROGERS: f64 = 300.0 * MMHG * 3600.0;
 
-/// Margin to that hyperbola, 1 - PTI/K, of an integral of pressure over time (Pa s).
+/// Margin to that hyperbola, 1 - PTI/K, for a pressure-time integral (Pa s).
 #[must_use]
 pub fn reswick_rogers_margin(pressure_time: f64) -> f64 {
     1.0 - pressure_time / RESWICK_ROGERS
@@ -19,9 +20,9 @@ pub fn reswick_rogers_margin(pressure_time: f64) -> f64 {
 /// Linder-Ganz et al., J Biomech 39 (2006) 2725-2732, of rats: K = 23 kPa, C = 9 kPa, t0 = 90 min, alpha = 0.15/min.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sigmoid {
-    /// K (Pa): how far the pressure falls.
+    /// K (Pa): total decrease of the critical pressure.
     pub fall: f64,
-    /// C (Pa): what is borne for any time.
+    /// C (Pa): pressure that is tolerated for any time.
     pub floor: f64,
     /// t0 (s).
     pub middle: f64,
@@ -42,8 +43,8 @@ impl Sigmoid {
         self.fall / (1.0 + (self.rate * (time - self.middle)).exp()) + self.floor
     }
 
-    /// Time (s) until a pressure (Pa) in muscle is critical: t0 + ln(K/(P - C) - 1)/alpha; infinite below C, 0 above
-    /// what is critical at once.
+    /// Time (s) after which a pressure (Pa) in muscle is critical: t0 + ln(K/(P - C) - 1)/alpha; infinite below C, 0
+    /// above the pressure that is critical at once.
     #[must_use]
     pub fn time(&self, pressure: f64) -> f64 {
         let over = pressure - self.floor;
@@ -56,8 +57,8 @@ impl Sigmoid {
         (self.middle + (self.fall / over - 1.0).ln() / self.rate).max(0.0)
     }
 
-    /// Share of the critical time that each site has been loaded at worst: sum dt/t_crit(factor p), begun anew where
-    /// the site is free of contact. Under constant load that is t/t_crit; 1 and more is critical.
+    /// Largest share of the critical time that each site has been loaded: sum dt/t_crit(factor p), restarted whenever
+    /// the site is free of contact. Under constant load it is t/t_crit; from 1 on it is critical.
     #[must_use]
     pub fn shares(&self, recording: &Recording, contact: f64, factor: f64) -> Vec<f64> {
         let site = |i: usize| {
@@ -81,18 +82,18 @@ impl Sigmoid {
 /// measured.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Dose {
-    /// p0 (Pa): what does no harm.
+    /// p0 (Pa): harmless pressure.
     pub harmless: f64,
     /// a.
     pub exponent: f64,
-    /// K (Pa^a s): the dose 1 in one second.
+    /// K (Pa^a s): gives dose 1 in one second.
     pub scale: f64,
-    /// tau (s): time of recovery.
+    /// tau (s): recovery time.
     pub recovery: f64,
 }
 
 impl Default for Dose {
-    /// Unity after an hour of 60 mmHg above 32 mmHg, recovery in an hour.
+    /// Dose 1 after an hour at 60 mmHg with 32 mmHg harmless; recovery time one hour.
     fn default() -> Self {
         Dose { harmless: 32.0 * MMHG, exponent: 1.0, scale: 28.0 * MMHG * 3600.0, recovery: 3600.0 }
     }

@@ -1,16 +1,17 @@
-//! What a plan must keep to: stroke and speed of the screws, steps and gaps between neighbours, pressures, capacity.
+//! Checks a plan against its limits: stroke and speed of the screws, steps and gaps between neighbours, pressures,
+//! support.
 //!
-//! In: a plan. Out: the first limit that it exceeds, with the tile and the time. Orders change along straight lines, so
-//! their ends and the times of all equilibria are tried.
+//! In: a plan. Out: the first limit that it exceeds, with tile and time. Orders change linearly in time, so that their
+//! ends and the times of all equilibria are checked.
 
 use super::{Layout, Order, Plan};
 use crate::equilibrium::GRAVITY;
 use crate::tile;
 use std::fmt;
 
-/// Support that bladders must be able to give, over the weight.
+/// Support that the bladders must be able to give, relative to the weight.
 const SUPPORT: f64 = 1.2;
-/// More tiles than a bed has.
+/// Largest number of tiles of a bed.
 pub const MOST_TILES: usize = 28;
 
 /// A limit that a plan exceeds.
@@ -18,7 +19,7 @@ pub const MOST_TILES: usize = 28;
 pub struct Refusal {
     /// When (s).
     pub time: f64,
-    /// The tile, from 1; none for the bed as a whole.
+    /// The tile, counted from 1; `None` for the bed as a whole.
     pub tile: Option<usize>,
     /// What is wrong.
     pub what: String,
@@ -43,7 +44,7 @@ pub fn check(plan: &Plan) -> Result<(), Refusal> {
     check_from(plan, 0.0)
 }
 
-/// Checks what a plan tells from a time (s) on, to the end of its last move: nothing changes behind that.
+/// Checks a plan's orders from a time (s) to the end of its last move, after which nothing changes.
 ///
 /// # Errors
 /// [`Refusal`], the first.
@@ -56,7 +57,7 @@ pub fn check_from(plan: &Plan, from: f64) -> Result<(), Refusal> {
     times.push(from);
     times.sort_by(f64::total_cmp);
     times.dedup();
-    // What jumps at `from` jumps from where it was; a plan may begin anywhere.
+    // A jump at `from` is measured from the order before it; a plan may begin with any order.
     let mut before: Option<(f64, Vec<Order>)> =
         (from > 0.0).then(|| (from, (0..layout.count()).map(|tile| plan.order_before(tile, from)).collect()));
     for time in times {
@@ -107,12 +108,12 @@ fn of_speed(layout: &Layout, old: &Order, new: &Order, seconds: f64) -> Result<(
     Ok(())
 }
 
-/// Step and gap along the edges that two neighbours share.
+/// Checks step and gap along the edges between two neighbours.
 fn between(layout: &Layout, tiles: [(usize, &Order); 2], is_beside: bool) -> Result<(), String> {
     let [a, b] = layout.size().map(|s| 0.5 * s);
     let [one, other] = tiles.map(|(tile, order)| layout.rim(tile, &order.command));
     for end in [-1.0, 1.0] {
-        // The first lies to the left, or nearer to the head, which is +y.
+        // The first tile is to the left of the other, or nearer to the head, which is at +y.
         let (p, q) = if is_beside {
             (one.outwards([a, end * b, 0.0]), other.outwards([-a, end * b, 0.0]))
         } else {

@@ -1,7 +1,8 @@
-//! What a run of a plan leaves: recordings of sensels and of the skin, what tiles did, and how well each moment carries
-//! the weight.
+//! The results of a run: recordings of sensels and of the skin, what tiles did, and how well each moment balances the
+//! weight.
 //!
-//! In: the bed and a solution at each moment, whatever found it. Out: a [`History`], or why the run is not valid.
+//! In: the bed and a solution at each moment, whether static or dynamic. Out: a [`History`], or why the run is not
+//! valid.
 
 use super::check::Refusal;
 use super::maps::{self, Map, SkinPoint};
@@ -14,57 +15,58 @@ use crate::pose::Pose;
 use crate::sheet::LatticeError;
 use std::fmt;
 
-/// Contact forces must carry the weight to this, or the run is not valid.
+/// Largest relative error of the contact forces against the weight; beyond it the run is not valid.
 pub const GATE: f64 = 1e-6;
-/// What tiles and loads did at a time.
+/// The state of tiles and load at a time.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Moment {
     /// s.
     pub time: f64,
-    /// What tiles were told.
+    /// Orders of the tiles.
     pub orders: Vec<Order>,
-    /// Pressures that they had (Pa).
+    /// Actual gauge pressures (Pa).
     pub gauges: Vec<f64>,
-    /// Nodes on plates.
+    /// Number of nodes on the plate, by tile.
     pub bottomed: Vec<usize>,
     /// Upward force of each tile on the load (N).
     pub borne: Vec<f64>,
-    /// Contact forces against the weight.
+    /// Relative error of the contact forces against the weight.
     pub imbalance: f64,
-    /// Sensed load against the weight.
+    /// Relative error of the sensed load against the weight.
     pub sensed: f64,
     /// Newton steps.
     pub steps: usize,
-    /// Middles of the segments (m).
+    /// Poses of the segments.
     pub segments: Vec<Pose>,
-    /// Heights of the nodes that are shown (m), by tile: [`Layout::shown`](super::Layout::shown).
+    /// Heights of the nodes that pictures show (m), by tile: [`Layout::shown`](super::Layout::shown).
     pub heights: Vec<Vec<f32>>,
 }
 
-/// A run.
+/// The results of a run.
 #[derive(Clone, Debug)]
 pub struct History {
     /// Where sensels lie.
     pub grid: Grid,
-    /// What they felt; their areas are those of the last map. Every frame stands for the time until the next, the last for none.
+    /// True readings of the sensels, with the areas of the last map. Each frame lasts until the next one; the last has
+    /// duration 0.
     pub sensels: Recording,
     /// Their areas (m^2), frame by frame.
     pub areas: Vec<Vec<f64>>,
-    /// What the skin felt.
+    /// True readings of the points of the skin.
     pub skin: Recording,
-    /// What tiles did.
+    /// The state of tiles and load, frame by frame.
     pub moments: Vec<Moment>,
-    /// What they were told: the plan's moves, and those that were decided on the way.
+    /// All moves: those of the plan, and those decided during the run.
     pub moves: Vec<Move>,
-    /// From when (s) on somebody was asked what to tell: the load lay. None while it never did.
+    /// Time (s) from which on decisions were asked for, because the load had come to rest; `None` if it never did.
     pub lay: Option<f64>,
-    /// What happened between moments, in motion.
+    /// Extremes between moments, in motion.
     pub watched: Option<Watched>,
 }
 
 impl History {
-    /// What sensels read, by forces over the sensels' nominal cells: what a sensor maker's file has, in which all areas are
-    /// alike, so that its pressures add up to the same force.
+    /// Readings of the sensels related to their nominal cells, as in a sensor maker's file, in which all areas are
+    /// equal: the pressures then add up to the same force.
     ///
     /// # Errors
     /// [`MapError`].
@@ -79,33 +81,33 @@ impl History {
     }
 }
 
-/// What there is to decide by at a time.
+/// What a decision may be based on at a time.
 #[derive(Clone, Copy, Debug)]
 pub struct Seen<'a> {
-    /// The plan with all that was told so far.
+    /// The plan with all moves so far.
     pub plan: &'a Plan,
-    /// Where sensels lie.
+    /// Positions of the sensels.
     pub grid: &'a Grid,
     /// Their areas.
     pub sites: &'a [Site],
-    /// What they truly feel.
+    /// Their true readings.
     pub frame: &'a Frame,
 }
 
-/// Why a run ended.
+/// The reason why a run has ended early.
 #[derive(Clone, Debug, PartialEq)]
 pub enum RunError {
-    /// There are no such sheets.
+    /// The sheets cannot be modelled.
     Sheet(LatticeError),
     /// No equilibrium at a time (s).
     Fault(f64, Fault),
-    /// Contact forces do not carry the weight at a time (s): by this share.
+    /// At a time (s) the contact forces miss the weight by this share.
     Invalid(f64, f64),
-    /// What was recorded is unsound.
+    /// The recording is not valid.
     Map(MapError),
-    /// What was decided on the way exceeds a limit.
+    /// A decision during the run exceeds a limit.
     Refused(Refusal),
-    /// It was asked to stop.
+    /// The caller asked it to stop.
     Stopped,
 }
 
@@ -129,37 +131,37 @@ impl fmt::Display for RunError {
 
 impl std::error::Error for RunError {}
 
-/// What happened in motion.
+/// Extremes and totals of a motion.
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
 pub struct Watched {
     /// Largest mean over 10 ms of the upward force of all contacts (N).
     pub peak: f64,
-    /// When it ended (s).
+    /// End of the interval of that mean (s).
     pub peak_time: f64,
-    /// When everything was slower than 1 mm/s for good (s); none if it never was.
+    /// Time (s) since which everything has been slower than 1 mm/s; `None` if it never was.
     pub still: Option<f64>,
     /// Largest kinetic energy (J).
     pub kinetic: f64,
-    /// Energy (J) lost by the end.
+    /// Energy (J) dissipated by the end.
     pub lost: f64,
-    /// Impacts.
+    /// Effects of impacts.
     pub blows: Blow,
-    /// Energy (J) that sheets of neighbours have given by turning on each other.
+    /// Energy (J) gained because contacts between neighbouring sheets were found anew with other feet and normals.
     pub turned: f64,
-    /// Largest energy (J) that the method made or lost.
+    /// Largest energy (J) that the method itself has added or removed.
     pub left_over: f64,
-    /// Steps.
+    /// Number of steps.
     pub steps: usize,
     /// Length of a step (s).
     pub step: f64,
-    /// Newton's steps of the whole bed in all of them; sheets that nothing touches have come to rest before.
+    /// Number of Newton steps of the whole bed; sheets that nothing touches are solved before them.
     pub newton: usize,
 }
 
-/// Says what is told from a moment on.
+/// Decides which moves to make from a moment on.
 pub(super) type Decide<'a> = &'a mut dyn FnMut(&Seen<'_>) -> Result<Vec<Move>, Refusal>;
 
-/// Shuts the valves of sealed bladders at the volumes that they have.
+/// Closes the valves of sealed bladders at their present volumes.
 pub(super) fn seal(plan: &Plan, bed: &mut Bed, state: &State) {
     if !plan.layout.is_sealed {
         return;
@@ -170,7 +172,7 @@ pub(super) fn seal(plan: &Plan, bed: &mut Bed, state: &State) {
     }
 }
 
-/// Heights of the nodes that are shown (m), by tile.
+/// Heights of the nodes that pictures show (m), by tile.
 fn heights(plan: &Plan, bed: &Bed, solution: &Solution) -> Vec<Vec<f32>> {
     let [across, along] = plan.layout.shown();
     let width = plan.layout.intervals[0] + 1;
@@ -181,10 +183,10 @@ fn heights(plan: &Plan, bed: &Bed, solution: &Solution) -> Vec<Vec<f32>> {
     bed.tiles.iter().zip(&solution.state.sheets).map(of).collect()
 }
 
-/// Frames as they come.
+/// Collects frames and moments during a run.
 pub(super) struct Recorder {
     grid: Grid,
-    /// Sensels with their areas of now.
+    /// Sensels with their present areas.
     sites: Vec<Site>,
     /// Areas of all frames.
     areas: Vec<Vec<f64>>,
@@ -209,7 +211,7 @@ impl Recorder {
         if solution.imbalance.is_nan() || solution.imbalance > GATE {
             return Err(RunError::Invalid(time, solution.imbalance));
         }
-        // Pressure is force over the area that the sheet has now: a bulging one has more than one that is pressed flat.
+        // Pressure is force over the present area of the sheet, which is larger where it bulges.
         let sites = maps::sensels(&plan.layout, bed, solution);
         let felt = maps::felt(&plan.layout, solution, &sites);
         let sensed = sensed(plan, solution, &sites, &felt);
@@ -235,8 +237,8 @@ impl Recorder {
         Ok(())
     }
 
-    /// Adds what is decided by the last frame. Nobody is asked before the load `lies` for the first time: what is in flight
-    /// presses on no bladder that could be told to bear it.
+    /// Adds the moves decided on the last frame. No decision is asked for before the load `lies` for the first time:
+    /// while it falls it presses on no bladder.
     pub fn decide(&mut self, plan: &mut Plan, lies: bool, decide: Decide<'_>) -> Result<(), RunError> {
         let Some(frame) = self.frames[0].last() else { return Ok(()) };
         if lies && self.lay.is_none() {
@@ -255,7 +257,7 @@ impl Recorder {
 
     pub fn finish(self, plan: &Plan) -> Result<History, RunError> {
         let [mut sensels, mut skin] = self.frames;
-        // The last moment is an end, not a stretch of time: those before stand for all of it.
+        // The last moment has duration 0; the frames before it cover the whole time.
         for end in [sensels.last_mut(), skin.last_mut()].into_iter().flatten() {
             end.seconds = 0.0;
         }
@@ -272,10 +274,10 @@ impl Recorder {
     }
 }
 
-/// What sensels feel against what must be carried: p A n_z of their own areas and directions, and shear upwards.
+/// Relative error of the load that sensels sense: p A n_z by their own areas and directions, plus upward shear.
 fn sensed(plan: &Plan, solution: &Solution, sites: &[Site], felt: &Map) -> f64 {
     let weight = plan.load.body.mass() * GRAVITY;
-    // Where next to nothing is carried, as in flight, there is nothing to feel.
+    // When almost nothing is carried, as in free fall, there is nothing to sense.
     if solution.carried <= 0.01 * weight {
         return 0.0;
     }

@@ -1,8 +1,8 @@
-//! Maps of an equilibrium: at sensels on the sheets' nodes, and at points of the skin.
+//! Maps of an equilibrium, at sensels on the sheets' nodes and at points of the skin.
 //!
-//! In: a solution. Out: pressure and shear by site. A node is a sensel: its pressure is force over the area
-//! that the sheet has there at that time. Skin is a grid of points on each segment, seen along the axis that its normal is nearest to; what
-//! presses on a point is read off the sheet below it, between nodes.
+//! In: a solution. Out: pressure and shear by site. A node is a sensel: its pressure is force over the area that the
+//! sheet has there at that time. The skin is a grid of points on each segment, projected along the axis nearest to the
+//! normal; the load on a point is interpolated between the nodes of the sheet below it.
 
 use super::{Layout, Load};
 use crate::body::mesh::Patch;
@@ -15,19 +15,19 @@ use smartbed_runtime::vec3::{Vec3, norm};
 
 /// Distance of points of the skin (m).
 const SKIN: f64 = 0.02;
-/// A point of the skin further than this above a sheet does not touch it (m).
+/// A point of the skin farther than this (m) above a sheet is not in contact with it.
 const NEAR: f64 = 0.03;
 
-/// Pressure (Pa) and shear (Pa) at sites.
+/// Pressure and shear at all sites.
 #[derive(Clone, Debug, Default)]
 pub struct Map {
-    /// Pa.
+    /// Pressure (Pa).
     pub pressure: Vec<f64>,
-    /// Pa, along x and y.
+    /// Shear (Pa), along x and y.
     pub shear: Vec<[f64; 2]>,
 }
 
-/// Sensels of the whole bed.
+/// The grid of all sensels of the bed.
 pub fn grid(layout: &Layout) -> Grid {
     let [nx, ny] = layout.intervals;
     Grid {
@@ -38,7 +38,7 @@ pub fn grid(layout: &Layout) -> Grid {
     }
 }
 
-/// Sensel of a tile's node; rims at the far ends belong to the next tile.
+/// The sensel of a tile's node; nodes on the far rims belong to the next tile.
 #[must_use]
 pub fn sensel(layout: &Layout, tile: usize, node: usize) -> Option<usize> {
     let [nx, ny] = layout.intervals;
@@ -48,7 +48,7 @@ pub fn sensel(layout: &Layout, tile: usize, node: usize) -> Option<usize> {
     (i < nx && j < ny).then_some(line * layout.columns * nx + column * nx + i)
 }
 
-/// Sites of all sensels, with their areas on the sheets as they are stretched.
+/// The sites of all sensels, with the present areas of the stretched sheets.
 pub fn sensels(layout: &Layout, bed: &Bed, solution: &Solution) -> Vec<Site> {
     let mut sites = grid(layout).all();
     for (tile, sheet) in solution.state.sheets.iter().enumerate() {
@@ -62,7 +62,7 @@ pub fn sensels(layout: &Layout, bed: &Bed, solution: &Solution) -> Vec<Site> {
     sites
 }
 
-/// What sensels feel: forces over their own areas; shear along the bed's x and y.
+/// True readings of the sensels: forces over their own areas; shear along the bed's x and y.
 pub fn felt(layout: &Layout, solution: &Solution, sites: &[Site]) -> Map {
     let count = sites.len();
     let mut map = Map { pressure: vec![0.0; count], shear: vec![[0.0; 2]; count] };
@@ -80,15 +80,15 @@ pub fn felt(layout: &Layout, solution: &Solution, sites: &[Site]) -> Map {
 /// A point of the skin.
 #[derive(Clone, Copy, Debug)]
 pub struct SkinPoint {
-    /// Its segment.
+    /// Index of its segment.
     pub segment: usize,
-    /// In the segment's axes (m).
+    /// Position in the segment's axes (m).
     pub place: Vec3<f64>,
-    /// Outwards, in the segment's axes.
+    /// Outward normal in the segment's axes.
     pub normal: Vec3<f64>,
 }
 
-/// Points of a load's skin, but for the front of boxes, with their sites.
+/// Points of a load's skin with their sites, except on the front of boxes.
 #[must_use]
 pub fn skin(load: &Load) -> (Vec<SkinPoint>, Vec<Site>) {
     let (mut points, mut sites) = (Vec::new(), Vec::new());
@@ -106,7 +106,8 @@ pub fn skin(load: &Load) -> (Vec<SkinPoint>, Vec<Site>) {
     (points, sites)
 }
 
-/// Patches of a box with round edges, looked at along each axis from either side; what looks up belongs to no bed.
+/// Patches of a box with round edges, projected along each axis from both sides; the upward side, away from the bed, is
+/// omitted.
 fn round(shape: &Shape) -> Vec<Patch> {
     let Shape { half, radius } = *shape;
     let mut patches = Vec::new();
@@ -133,7 +134,7 @@ fn round(shape: &Shape) -> Vec<Patch> {
     patches
 }
 
-/// What the skin feels.
+/// True readings of the points of the skin.
 pub fn on_skin(bed: &Bed, solution: &Solution, points: &[SkinPoint]) -> Map {
     let fields: Vec<Vec<[f64; 3]>> = (0..bed.tiles.len()).map(|tile| field(bed, solution, tile)).collect();
     let one = |point: &SkinPoint| {
@@ -174,7 +175,7 @@ fn field(bed: &Bed, solution: &Solution, tile: usize) -> Vec<[f64; 3]> {
     field
 }
 
-/// Values of nodes, bilinear between them, at shares of the sheet's sides.
+/// Bilinear interpolation between nodes, at fractions of the sheet's sides.
 fn between(bed: &Bed, u: f64, v: f64, value: impl Fn(usize) -> [f64; 3]) -> [f64; 3] {
     let [nx, ny] = bed.lattice.intervals;
     let split = |x: f64, n: usize| {

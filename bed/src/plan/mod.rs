@@ -1,7 +1,7 @@
-//! A plan of the bed: tiles, what lies on them, and what tiles are told over time.
+//! A plan: the tiles of a bed, what lies on them, and the orders of the tiles over time.
 //!
-//! In: sizes and moves, as numbers. Out: what each tile is told at a time ([`Plan::order`]), what is wrong with that
-//! ([`check`]), and what happens ([`run`]).
+//! In: sizes and moves, as numbers. Out: the order of each tile at a time ([`Plan::order`]), violated limits
+//! ([`check`]), and the results of a run ([`run`]).
 
 pub mod check;
 pub mod history;
@@ -22,44 +22,45 @@ use crate::sheet::{Lattice, LatticeError};
 use crate::tile::{self, Command};
 use smartbed_runtime::vec3::Vec3;
 
-/// Tiles and their limits.
+/// Geometry and limits of the tiles.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Layout {
-    /// Rows of tiles, the first at the head.
+    /// Number of rows of tiles, the first at the head.
     pub rows: usize,
-    /// Columns.
+    /// Number of columns.
     pub columns: usize,
     /// Distance of tiles along x and y (m).
     pub pitch: [f64; 2],
-    /// Between the rims of neighbours (m).
+    /// Gap between the rims of neighbours (m).
     pub gap: f64,
     /// Height of a bladder below its rim (m).
     pub depth: f64,
-    /// E t of the sheets (N/m).
+    /// Membrane stiffness E t of the sheets (N/m).
     pub modulus: f64,
-    /// Intervals of a sheet along x and y.
+    /// Number of cells of a sheet along x and y.
     pub intervals: [usize; 2],
-    /// Coulomb's coefficient of skin on sheets.
+    /// Coulomb's friction coefficient of skin on sheets.
     pub friction: f64,
-    /// That of sheets on sheets of neighbours.
+    /// Friction coefficient of sheets on neighbouring sheets.
     pub rubbing: f64,
     /// Radius of the screws' circle (m).
     pub circle: f64,
-    /// Way of a screw (m), half of it up and half down.
+    /// Stroke of a screw (m), half of it up and half down.
     pub stroke: f64,
-    /// Fastest a screw goes (m/s).
+    /// Largest speed of a screw (m/s).
     pub speed: f64,
     /// Largest step between edges of neighbours (m).
     pub step: f64,
     /// Largest pressure (Pa).
     pub most_pressure: f64,
-    /// Rim above the star (m).
+    /// Height of the rim above the star (m).
     pub above: f64,
-    /// Valves are shut between changes of pressure.
+    /// Are valves closed between changes of pressure?
     pub is_sealed: bool,
     /// What is mounted on the sheets.
     pub cover: Cover,
-    /// n of p V^n in a sealed bladder: 1 where its gas keeps the temperature, 1.4 where nothing is quick enough to.
+    /// Polytropic exponent n of p V^n in a sealed bladder: 1 if the gas keeps its temperature, 1.4 if no heat is
+    /// exchanged.
     pub exponent: f64,
 }
 
@@ -89,7 +90,7 @@ impl Default for Layout {
 }
 
 impl Layout {
-    /// The air of a bladder whose valves are shut at a volume (m^3), if they are not already.
+    /// The air of a bladder with its valves closed at a volume (m^3), if they are not closed already.
     #[must_use]
     pub fn shut(&self, air: Air, volume: f64) -> Air {
         match air {
@@ -98,7 +99,7 @@ impl Layout {
         }
     }
 
-    /// Tiles.
+    /// Number of tiles.
     #[must_use]
     pub fn count(&self) -> usize {
         self.rows * self.columns
@@ -110,7 +111,7 @@ impl Layout {
         self.pitch.map(|p| p - self.gap)
     }
 
-    /// Nodes of a sheet along x and y that pictures show: nine at most, rims among them.
+    /// Indices of the nodes of a sheet along x and y that pictures show: at most nine, including the rims.
     #[must_use]
     pub fn shown(&self) -> [Vec<usize>; 2] {
         self.intervals.map(|n| {
@@ -119,7 +120,7 @@ impl Layout {
         })
     }
 
-    /// Middle of a tile (m); the bed's middle is the origin, the head lies towards +y.
+    /// Centre of a tile (m); the bed's centre is the origin, the head lies towards +y.
     #[must_use]
     pub fn middle(&self, tile: usize) -> [f64; 2] {
         let (row, column) = (tile / self.columns, tile % self.columns);
@@ -136,7 +137,8 @@ impl Layout {
         Pose { place: [place[0] + x, place[1] + y, place[2] - self.above], attitude: star.attitude }
     }
 
-    /// Neighbours: the tile to the left or nearer to the head first, and whether they lie side by side along x.
+    /// Pairs of neighbours, the tile to the left or nearer to the head first, and whether they are side by side along
+    /// x.
     pub fn neighbours(&self) -> impl Iterator<Item = (usize, usize, bool)> {
         let (columns, count) = (self.columns, self.count());
         (0..count).flat_map(move |tile| {
@@ -147,7 +149,7 @@ impl Layout {
     }
 }
 
-/// What a tile is told.
+/// The order of a tile: its commanded pressure and pose.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Order {
     /// Gauge pressure (Pa).
@@ -156,18 +158,18 @@ pub struct Order {
     pub command: Command,
 }
 
-/// A change of what some tiles are told.
+/// A change of the orders of some tiles.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Move {
-    /// When it begins (s).
+    /// Time at which it begins (s).
     pub at: f64,
-    /// How long it takes (s).
+    /// Duration (s).
     pub over: f64,
-    /// Tiles, from 0.
+    /// Indices of the tiles, from 0.
     pub tiles: Vec<usize>,
     /// Gauge pressure (Pa).
     pub pressure: Option<f64>,
-    /// m.
+    /// Heave (m).
     pub heave: Option<f64>,
     /// Slopes towards +x and +y.
     pub slope: Option<[f64; 2]>,
@@ -178,21 +180,21 @@ pub struct Move {
 pub struct Load {
     /// Segments and joints.
     pub body: Body,
-    /// Where they are before they are put down (m).
+    /// Poses before it is put down (m).
     pub poses: Vec<Pose>,
-    /// The figure, if it is one: regions of its skin.
+    /// The figure, if it is one, which knows the regions of its skin.
     pub figure: Option<Figure>,
 }
 
 impl Load {
-    /// Lifts all segments so far that none begins inside a bladder, and shifts them.
+    /// Shifts all segments and lifts them just so far that none begins inside a bladder.
     #[must_use]
     pub fn placed(mut self, [x, y]: [f64; 2]) -> Load {
         let bottom = |(segment, pose): (&crate::body::Segment, &Pose)| {
             pose.place[2] - segment.shape.extent(pose.attitude.to_body([0.0, 0.0, -1.0]))
         };
         let lowest = self.body.segments.iter().zip(&self.poses).map(bottom).fold(f64::INFINITY, f64::min);
-        // Bladders bulge by some 40 mm; tissue and sheets give way to as much.
+        // Bladders bulge by about 40 mm; tissue and sheets yield by as much.
         let up = 0.03 - lowest;
         for pose in &mut self.poses {
             let way: Vec3<f64> = [x, y, up];
@@ -202,49 +204,49 @@ impl Load {
     }
 }
 
-/// How what happens is computed.
+/// How a run is computed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Clock {
-    /// One equilibrium after the other.
+    /// As a sequence of equilibria.
     QuasiStatic,
-    /// Motion.
+    /// As a motion.
     Dynamics(Dynamics),
 }
 
-/// How motion is computed.
+/// Settings for computing a motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Dynamics {
     /// Longest step (s).
     pub step: f64,
-    /// Method of steps.
+    /// Integration method.
     pub method: Method,
-    /// Where the load begins.
+    /// Initial position of the load.
     pub start: Start,
-    /// Masses and losses.
+    /// Masses and dissipation.
     pub matter: Matter,
-    /// What happens where sheets come to touch the load.
+    /// What happens when sheets touch the load.
     pub impact: Impact,
-    /// An empty bed's sheets move in f32.
+    /// Solve the sheets of an empty bed in f32?
     pub is_f32: bool,
 }
 
-/// Where a load begins to move.
+/// Initial position of a load.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Start {
-    /// This far (m) above the sheets, let go.
+    /// At this height (m) above the sheets, then released.
     Dropped(f64),
-    /// In the equilibrium that the other clock begins with.
+    /// In the equilibrium with which a quasi-static run would begin.
     AtRest,
 }
 
-/// How a load comes to lie where equilibria begin: friction keeps what it was like.
+/// How a load is laid down before a sequence of equilibria; friction depends on it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Laying {
-    /// Straight down with all its weight, then let go.
+    /// Guided vertically with all its weight, then released.
     AtOnce,
-    /// Its weight in so many equal parts.
+    /// With its weight applied in this number of equal parts.
     InParts(usize),
-    /// It falls as motion says, and settles for so long (s).
+    /// It falls with these settings of the motion and settles for this time (s).
     Fallen(Dynamics, f64),
 }
 
@@ -261,42 +263,43 @@ impl Default for Dynamics {
     }
 }
 
-/// Height (m) that a load falls from where none is told.
+/// Height (m) of a fall if none is stated.
 pub const DROP: f64 = 0.02;
 
 /// A plan.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Plan {
-    /// What it is called.
+    /// Its title.
     pub title: String,
-    /// Tiles.
+    /// Geometry and limits of the tiles.
     pub layout: Layout,
     /// Pressure of all bladders at the start (Pa).
     pub pressure: f64,
     /// What lies on the bed.
     pub load: Load,
-    /// Changes, by when they begin.
+    /// Changes of orders, sorted by their beginning.
     pub moves: Vec<Move>,
-    /// How long (s).
+    /// Duration (s).
     pub seconds: f64,
-    /// Between two equilibria (s).
+    /// Time between two equilibria (s).
     pub every: f64,
-    /// Length of a cycle for metrics (s).
+    /// Length of a cycle, for metrics (s).
     pub cycle: f64,
-    /// How what happens is computed.
+    /// How the run is computed.
     pub clock: Clock,
-    /// How the load comes to lie before the first equilibrium.
+    /// How the load is laid down before the first equilibrium.
     pub laying: Laying,
 }
 
 impl Plan {
-    /// What a tile is told at a time: moves one after the other, each from what was told when it began.
+    /// The order of a tile at a time: moves are applied one after the other, each starting from the order at its
+    /// beginning.
     #[must_use]
     pub fn order(&self, tile: usize, time: f64) -> Order {
         self.told(tile, time, |change| change.at <= time)
     }
 
-    /// The same just before: without moves that begin at that time.
+    /// The order just before a time, without moves that begin at it.
     #[must_use]
     pub fn order_before(&self, tile: usize, time: f64) -> Order {
         self.told(tile, time, |change| change.at < time)
@@ -324,15 +327,15 @@ impl Plan {
         plan
     }
 
-    /// Times of all equilibria (s): the grid of `every`.
+    /// Times of all equilibria (s): multiples of `every`.
     #[must_use]
     pub fn times(&self) -> Vec<f64> {
         let count = (self.seconds / self.every + 1e-9).floor() as usize;
         (0..=count).map(|k| k as f64 * self.every).collect()
     }
 
-    /// Alternating pressure: two groups of tiles, as the squares of a chess board, in turn low for five twelfths of a
-    /// cycle, both high for a twelfth between (250 s, 50 s, 250 s, 50 s of 600 s).
+    /// Alternating pressure: two groups of tiles, like the squares of a chess board, are low in turn for five twelfths
+    /// of a cycle; between these times both are high for a twelfth (of 600 s: 250 s, 50 s, 250 s, 50 s).
     #[must_use]
     pub fn alternating(layout: &Layout, low: f64, high: f64, cycle: f64, seconds: f64) -> Vec<Move> {
         let group = |k: usize| -> Vec<usize> {
@@ -357,10 +360,10 @@ impl Plan {
         (0..cycles).flat_map(one).collect()
     }
 
-    /// The bed at a time, regulated.
+    /// The bed at a time, with regulated pressures.
     ///
     /// # Errors
-    /// [`LatticeError`] for sheets that cannot be.
+    /// [`LatticeError`] if the sheets cannot be modelled.
     pub fn bed(&self, time: f64) -> Result<Bed, LatticeError> {
         let layout = &self.layout;
         let lattice = Lattice::new(layout.intervals, layout.size(), layout.modulus)?;
@@ -376,7 +379,7 @@ impl Plan {
         })
     }
 
-    /// Tiles at a time, regulated.
+    /// Tiles at a time, with regulated pressures.
     #[must_use]
     pub fn tiles(&self, time: f64) -> Vec<Tile> {
         let tile = |tile: usize| {

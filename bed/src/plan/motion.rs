@@ -1,6 +1,6 @@
-//! Runs a plan in motion: the load falls on the bed, settles, and tiles move under it.
+//! Runs a plan as a motion: the load falls on the bed, settles, and tiles move under it.
 //!
-//! In: a plan and how motion is computed. Out: the same [`History`] as that of equilibria, and what happened between its
+//! In: a plan and settings of the motion. Out: the same [`History`] as for equilibria, with extremes between its
 //! moments. Steps divide the time between two moments evenly.
 
 use super::history::{Decide, History, Recorder, RunError, Watched, seal};
@@ -10,18 +10,18 @@ use crate::dynamics::{Motion, dropped};
 use crate::equilibrium::{Bed, GRAVITY};
 use std::collections::VecDeque;
 
-/// Time (s) over which a force is averaged before its peak is taken.
+/// Interval (s) over which a force is averaged before its peak is taken.
 const WINDOW: f64 = 0.01;
-/// Nothing is faster in a bed at rest (m/s).
+/// Largest speed in a bed at rest (m/s).
 const STILL: f64 = 1e-3;
-/// Nothing is faster under a load that lies, beside what screws move (m/s).
+/// Largest speed (m/s) under a load that counts as lying.
 const SLOW: f64 = 0.01;
-/// A move that begins or ends within this share of a step of its end does so there.
+/// Moves that begin or end within this share of a step from one another, or from a moment, count as simultaneous.
 const SHORTEST: f64 = 1e-3;
-/// A load lies where contacts carry its weight to this share.
+/// A load counts as lying if contacts carry its weight to this share.
 const CARRIED: f64 = 0.05;
 
-/// Runs it.
+/// Runs a plan as a motion.
 pub(super) fn run(
     plan: &Plan,
     dynamics: &Dynamics,
@@ -70,8 +70,8 @@ pub(super) fn run(
     Ok(History { watched: Some(watch.watched), ..history.finish(plan)? })
 }
 
-/// Lengths (s) of the steps from one moment to the next, and whether moves begin or end where they begin: steps of one length,
-/// and shorter ones where a move begins or ends between.
+/// Lengths (s) of the steps from one moment to the next, each with whether a move begins or ends at its start. Steps
+/// are equal unless a move begins or ends in between.
 fn steps(plan: &Plan, [from, to]: [f64; 2], longest: f64) -> Vec<(f64, bool)> {
     let near = SHORTEST * longest;
     let mut ends: Vec<f64> = plan.moves.iter().flat_map(|told| [told.at, told.at + told.over]).collect();
@@ -86,7 +86,7 @@ fn steps(plan: &Plan, [from, to]: [f64; 2], longest: f64) -> Vec<(f64, bool)> {
     stops.push(to);
     let part = |pair: &[f64]| {
         let count = ((pair[1] - pair[0]) / longest - 1e-9).ceil().max(1.0);
-        // Between two moments without such an end all steps are as long as any other.
+        // Without a move that begins or ends in between, steps have the common length.
         let step = if stops.len() == 2 { longest } else { (pair[1] - pair[0]) / count };
         let jumps = jumps_at(pair[0]);
         (0..count as usize).map(move |k| (step, jumps && k == 0)).collect::<Vec<_>>()
@@ -94,13 +94,13 @@ fn steps(plan: &Plan, [from, to]: [f64; 2], longest: f64) -> Vec<(f64, bool)> {
     stops.windows(2).flat_map(part).collect()
 }
 
-/// Has the load come to lie: is its weight carried and everything slow?
+/// Is the load lying: is its weight carried, and everything slow?
 fn lies(motion: &Motion) -> bool {
     let weight = motion.body.mass() * GRAVITY;
     (motion.now.carried - weight).abs() <= CARRIED * weight && motion.fastest() < SLOW
 }
 
-/// The bed as it is told to stand at a time. Bladders whose pressure nobody changes are shut, if the plan says so.
+/// The bed as commanded at a time. Bladders with constant pressure orders are sealed if the plan says so.
 fn ordered(plan: &Plan, before: &Bed, volumes: &[f64], from: f64, to: f64) -> Bed {
     let mut bed = Bed { tiles: plan.tiles(to), ..before.clone() };
     for (index, (tile, old)) in bed.tiles.iter_mut().zip(&before.tiles).enumerate() {
@@ -111,9 +111,9 @@ fn ordered(plan: &Plan, before: &Bed, volumes: &[f64], from: f64, to: f64) -> Be
     bed
 }
 
-/// Looks at every step.
+/// Observes every step.
 struct Watch {
-    /// Forces (N) of the last steps, and how long they were (s).
+    /// Forces (N) of the last steps, with their lengths (s).
     forces: VecDeque<[f64; 2]>,
     watched: Watched,
 }

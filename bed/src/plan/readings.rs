@@ -1,8 +1,8 @@
-//! What the instruments of all tiles read while a plan runs.
+//! Readings of the instruments of all tiles during a run.
 //!
-//! In: a run, the instruments of a tile, a seed. Out: readings at each moment, as late, held and noisy as they are. Screws
-//! stand where they were told to; pressures go straight from moment to moment. Instruments are watched for the last
-//! quarter of a second before each moment: what a pressure sensor has seen before that is forgotten.
+//! In: a run, the instruments of a tile, a seed. Out: readings at each moment, with delay, hold and noise. Screws are
+//! assumed to stand at their orders; pressures are interpolated linearly between moments. Instruments are simulated for
+//! the last quarter of a second before each moment; a pressure sensor has no memory from before that.
 
 use super::Plan;
 use super::history::History;
@@ -10,25 +10,25 @@ use crate::sensor::drive::{Instruments, Readings, TICKS, TileSensors};
 use crate::tile;
 use smartbed_runtime::sensor::ChannelFault;
 
-/// Ticks before a moment for which instruments are watched.
+/// Number of ticks before a moment for which instruments are simulated.
 const WATCHED: u64 = 250;
 
-/// What was read, and what was so.
+/// A reading and the true values.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Reading {
-    /// s.
+    /// Time (s).
     pub time: f64,
-    /// From 0.
+    /// Index of the tile, from 0.
     pub tile: usize,
-    /// By the instruments.
+    /// Readings of the instruments.
     pub read: Readings,
-    /// Heights of the screws (m).
+    /// True heights of the screws (m).
     pub heights: [f64; 3],
-    /// Gauge pressure (Pa).
+    /// True gauge pressure (Pa).
     pub gauge: f64,
 }
 
-/// Largest errors of all readings.
+/// Largest errors over all readings.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Errors {
     /// Of encoders (m).
@@ -37,7 +37,7 @@ pub struct Errors {
     pub lvdt: f64,
     /// Of pressures (Pa).
     pub pressure: f64,
-    /// Readings whose encoder and LVDT disagree.
+    /// Number of readings in which encoder and LVDT disagree.
     pub disagree: usize,
 }
 
@@ -80,7 +80,7 @@ pub fn readings(
 }
 
 impl Errors {
-    /// Those of readings.
+    /// The largest errors of these readings.
     #[must_use]
     pub fn of(readings: &[Reading]) -> Errors {
         let apart = |a: &[f64; 3], b: &[f64; 3]| (0..3).map(|k| (a[k] - b[k]).abs()).fold(0.0, f64::max);

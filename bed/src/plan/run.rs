@@ -1,6 +1,6 @@
-//! Runs a plan: one equilibrium after the other, each from the one before, or in motion.
+//! Runs a plan, as a sequence of equilibria, each starting from the one before, or as a motion.
 //!
-//! In: a plan that [`super::check`] lets pass. Out: a [`History`].
+//! In: a plan that [`super::check`] accepts. Out: a [`History`].
 
 use super::check::Refusal;
 use super::history::{Decide, History, Recorder, RunError, Seen, seal};
@@ -9,10 +9,10 @@ use super::start::laid;
 use super::{Clock, Move, Plan};
 use crate::equilibrium::{Bed, Solution, solve};
 
-/// Shortest part of a move that is taken at once, as a share of the time between two equilibria.
+/// Shortest increment of time, as a share of the time between two equilibria, before a run is given up.
 const SHORTEST: f64 = 1.0 / 64.0;
 
-/// Runs a plan; `at` hears the share that is done and says whether to go on.
+/// Runs a plan; `at` is given the share that is done and returns whether to go on.
 ///
 /// # Errors
 /// [`RunError`].
@@ -35,7 +35,7 @@ pub fn run_by(
     }
 }
 
-/// One equilibrium after the other.
+/// Runs a plan as a sequence of equilibria.
 fn equilibria(plan: &Plan, decide: Decide<'_>, mut at: impl FnMut(f64) -> bool) -> Result<History, RunError> {
     let times = plan.times();
     let mut told = plan.clone();
@@ -57,7 +57,7 @@ fn equilibria(plan: &Plan, decide: Decide<'_>, mut at: impl FnMut(f64) -> bool) 
     history.finish(plan)
 }
 
-/// The equilibrium at a later time: at once, or where that is too far, half way first.
+/// The equilibrium at a later time: in one increment or, if that does not converge, in smaller ones.
 fn onwards(
     plan: &Plan,
     bed: Bed,
@@ -83,7 +83,7 @@ fn onwards(
     Ok((bed, solution))
 }
 
-/// Bladders whose pressure nobody changes keep their gas.
+/// Keeps the sealed gas of bladders with constant pressure orders.
 fn keep_sealed(plan: &Plan, before: &Bed, bed: &mut Bed, from: f64, to: f64) {
     if !plan.layout.is_sealed {
         return;

@@ -1,11 +1,11 @@
-//! The equilibrium that a plan begins with: its load laid on its bladders, or fallen on them.
+//! The equilibrium with which a plan begins: its load laid on its bladders, or fallen on them.
 
 use super::history::RunError;
 use super::{DROP, Dynamics, Laying, Plan, Start};
 use crate::dynamics::{Motion, dropped};
 use crate::equilibrium::{Bed, Solution, lay_on, put_down, solve};
 
-/// Lays the load down as the plan says; `at` hears that it goes on and says whether to.
+/// Lays the load down as the plan says; `at` is called in between and returns whether to go on.
 pub(super) fn laid(plan: &Plan, bed: &Bed, at: impl FnMut(f64) -> bool) -> Result<Solution, RunError> {
     let (body, start) = (&plan.load.body, || bed.start(plan.load.poses.clone()));
     let fault = |fault| RunError::Fault(0.0, fault);
@@ -16,7 +16,7 @@ pub(super) fn laid(plan: &Plan, bed: &Bed, at: impl FnMut(f64) -> bool) -> Resul
     }
 }
 
-/// Lets the load fall and settle, with all tiles and pressures as they are at the start; what it rests in is an equilibrium.
+/// Lets the load fall and settle, with tiles and pressures as at the start; then finds the equilibrium.
 fn fallen(
     plan: &Plan,
     bed: &Bed,

@@ -1,6 +1,6 @@
-//! Rows of what is no map: is the run valid, what did neighbours do to each other, where does each tile stand.
+//! Rows of a report that are no maps: validity of the run, interaction between neighbours, final state of each tile.
 //!
-//! In: a plan and its history. Out: [`Row`]s like those of maps, of the whole run and of each tile.
+//! In: a plan and its history. Out: [`Row`]s like those of maps, for the whole run and for each tile.
 
 use super::check::MOST_TILES;
 use super::history::{GATE, History, Moment};
@@ -8,11 +8,12 @@ use super::{Move, Plan};
 use crate::metrics::report::Row;
 use crate::metrics::shear::differential_drag;
 
-/// Maps must be felt and read to this (%).
+/// Largest error of sensed maps (%).
 pub const FELT: f64 = 1.0;
-/// More of the energy that moved or was lost than this is left over: steps are too long.
+/// Largest share of the kinetic or dissipated energy that the method may add or remove; beyond it the steps are too
+/// long.
 pub const OPEN: f64 = 0.05;
-/// Energy (J) that no run is blamed for.
+/// Energy (J) below which the energy balance is not judged.
 const LITTLE: f64 = 1e-3;
 
 const NAMES: [&str; MOST_TILES] = [
@@ -25,8 +26,8 @@ fn row(place: &'static str, metric: &'static str, value: f64, unit: &'static str
     Row { place, metric, value: Some(value), unit, threshold: most }
 }
 
-/// The gate: contact forces against the weight, the load that is felt, the map that sensors `read` (share that it is off),
-/// the energy that motion leaves over.
+/// Validity checks: contact forces against the weight, sensed load, the map that sensors `read` (its relative error),
+/// and the energy that the method has added or removed.
 #[must_use]
 pub fn gate(history: &History, read: Option<f64>) -> Vec<Row> {
     let worst = |of: fn(&Moment) -> f64| history.moments.iter().map(of).fold(0.0, f64::max);
@@ -42,13 +43,14 @@ pub fn gate(history: &History, read: Option<f64>) -> Vec<Row> {
     rows
 }
 
-/// Does every row of the gate keep its limit?
+/// Does every row of the validity checks keep its limit?
 #[must_use]
 pub fn is_valid(gate: &[Row]) -> bool {
     gate.iter().all(|row| row.value <= row.threshold)
 }
 
-/// The largest stretch of skin between two neighbours at any moment: how far their rims have shifted apart over the gap.
+/// Largest stretch of skin between two neighbours at any moment: relative displacement of their rims divided by the
+/// gap.
 #[must_use]
 pub fn drag(plan: &Plan, history: &History) -> Row {
     let layout = &plan.layout;
@@ -66,7 +68,7 @@ pub fn drag(plan: &Plan, history: &History) -> Row {
     row("bed", "differential drag of neighbours", most, "1", None)
 }
 
-/// Where each tile stands in the end, how long its screws have turned and what they have lifted.
+/// For each tile its final state, the running time of its screws, and the work of lifting.
 #[must_use]
 pub fn tiles(plan: &Plan, history: &History) -> Vec<Row> {
     let Some(last) = history.moments.last() else { return Vec::new() };
@@ -84,7 +86,7 @@ pub fn tiles(plan: &Plan, history: &History) -> Vec<Row> {
     (0..plan.layout.count().min(MOST_TILES)).flat_map(of).collect()
 }
 
-/// Share of the run in which a tile's screws turn.
+/// Share of the run during which a tile's screws turn.
 fn duty(plan: &Plan, moves: &[Move], tile: usize) -> f64 {
     let turns = |m: &&Move| m.tiles.contains(&tile) && (m.heave.is_some() || m.slope.is_some());
     let mut spans: Vec<[f64; 2]> =
@@ -98,7 +100,7 @@ fn duty(plan: &Plan, moves: &[Move], tile: usize) -> f64 {
     if plan.seconds > 0.0 { turned / plan.seconds } else { 0.0 }
 }
 
-/// Work (J) against what a tile bears on its way up: the mean force of two moments times the way between them.
+/// Work (J) of lifting what a tile carries: mean force of two moments times the height between them.
 fn lifted(history: &History, tile: usize) -> f64 {
     let of = |pair: &[Moment]| {
         let way = pair[1].orders[tile].command.heave - pair[0].orders[tile].command.heave;

@@ -1,7 +1,7 @@
-//! What a policy must keep to beyond a plan's limits: how many bladders are low at once, and what the others can carry.
+//! Bounds of a policy beyond a plan's limits: how many bladders may be low at once, and the support of the others.
 //!
-//! In: a plan with what a policy has told, where a body reaches. Out: the first bound that it exceeds. Pressures change along
-//! straight lines, so their ends are all that is tried, and the end of the run.
+//! In: a plan with the moves of a policy, and the area that a body reaches. Out: the first bound that is exceeded.
+//! Pressures change linearly in time, so that only the ends of moves and the end of the run are checked.
 
 use crate::map::{Grid, MMHG};
 use crate::plan::check::Refusal;
@@ -10,11 +10,11 @@ use crate::plan::{Layout, Plan};
 /// Bounds of a policy.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bounds {
-    /// Most bladders that are low at once.
+    /// Largest number of bladders that are low at once.
     pub most_low: usize,
-    /// A bladder is low below this (Pa).
+    /// Below this pressure (Pa) a bladder counts as low.
     pub low: f64,
-    /// sum p A over the area that the body reaches, over its weight, at least.
+    /// Smallest value of sum p A, over the area that the body reaches, relative to its weight.
     pub support: f64,
 }
 
@@ -25,7 +25,7 @@ impl Default for Bounds {
 }
 
 impl Bounds {
-    /// Holds all that is told from a time on against the bounds.
+    /// Checks all orders from a time on.
     ///
     /// # Errors
     /// [`Refusal`], the first.
@@ -43,10 +43,10 @@ impl Bounds {
         Ok(())
     }
 
-    /// The same of pressures (Pa) of all tiles.
+    /// Checks the pressures (Pa) of all tiles at one time.
     ///
     /// # Errors
-    /// Which bound they exceed.
+    /// The bound that they exceed.
     pub fn of(&self, pressures: &[f64], reach: &[f64], weight: f64) -> Result<(), String> {
         let low = pressures.iter().filter(|p| **p < self.low).count();
         if low > self.most_low {
@@ -64,14 +64,14 @@ impl Bounds {
     }
 }
 
-/// Where a body reaches: sensels that it ever touched, and those beside them.
+/// The area that a body reaches: sensels that were ever in contact, and their neighbours.
 #[derive(Clone, Debug, Default)]
 pub struct Reach {
     touched: Vec<bool>,
 }
 
 impl Reach {
-    /// Adds what a map touches.
+    /// Adds the sensels in contact in a map.
     pub fn widen(&mut self, layout: &Layout, grid: &Grid, pressure: &[f64]) {
         debug_assert_eq!(grid.columns, layout.columns * layout.intervals[0]);
         self.touched.resize(grid.sites(), false);
@@ -85,8 +85,8 @@ impl Reach {
         }
     }
 
-    /// Area of each tile (m^2) that is reached, seen from above: a sheet that bulges bears no more for that, and what was
-    /// enough stays enough while it moves.
+    /// Projected area of each tile (m^2) that is reached. Bulging does not increase it, and it only grows while the
+    /// body moves, so that sufficient support stays sufficient.
     #[must_use]
     pub fn areas(&self, layout: &Layout, grid: &Grid) -> Vec<f64> {
         let mut areas = vec![0.0; layout.count()];

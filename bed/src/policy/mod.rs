@@ -1,8 +1,9 @@
-//! What sensors decide: a policy sees a map now and then and tells tiles what to do.
+//! Closed-loop control: a policy sees a map at intervals and orders moves of the tiles.
 //!
-//! In: a plan, a [`Policy`], its [`bounds`], the surface that it sees through. Out: the run, and every move that was told. What a
-//! policy tells is held against the plan's limits, the bounds and the tiles' [`Supervisor`] before any tile hears of it; what
-//! exceeds them ends the run by name. [`scheduled`] plays moves known beforehand, alternating pressure among them, [`planner`] looks for relief.
+//! In: a plan, a [`Policy`], its [`bounds`], the sensing surface. Out: the run, and every move that was ordered. Orders
+//! of a policy are checked against the plan's limits, the bounds and the tiles' [`Supervisor`] before any tile receives
+//! them; a violation ends the run by name. [`scheduled`] plays moves known beforehand, such as alternating pressure;
+//! [`planner`] seeks relief.
 
 pub mod bounds;
 pub mod planner;
@@ -16,35 +17,35 @@ use crate::plan::{Layout, Move, Order, Plan};
 /// What a policy sees at a time.
 #[derive(Clone, Copy)]
 pub struct View<'a> {
-    /// s.
+    /// Time (s).
     pub time: f64,
-    /// Tiles.
+    /// Geometry and limits of the tiles.
     pub layout: &'a Layout,
-    /// Where sensels lie.
+    /// Positions of the sensels.
     pub grid: &'a Grid,
     /// Their areas.
     pub sites: &'a [Site],
-    /// What they read.
+    /// Readings of the sensels.
     pub frame: &'a Frame,
-    /// What tiles are told at this time.
+    /// Present orders of the tiles.
     pub orders: &'a [Order],
-    /// Area of each tile that a body reaches (m^2), and its weight (N).
+    /// Area of each tile that the body reaches (m^2).
     pub reach: &'a [f64],
-    /// N.
+    /// Weight of the body (N).
     pub weight: f64,
-    /// Would these moves keep to the plan's limits and the bounds, beside all that is told already?
+    /// Would these moves, added to all orders so far, keep the plan's limits and the bounds?
     pub allows: &'a dyn Fn(&[Move]) -> bool,
 }
 
-/// Who decides.
+/// A policy.
 pub trait Policy {
-    /// Moves that begin now or later.
+    /// Decides on moves that begin now or later.
     fn decide(&mut self, view: &View<'_>) -> Vec<Move>;
 }
 
-/// Who lets orders through to the tiles, beyond the plan's own limits.
+/// A check of orders beyond the plan's own limits, before they reach the tiles.
 pub trait Supervisor {
-    /// Holds all that is told from a time (s) on against what it lets through.
+    /// Checks all orders from a time (s) on.
     ///
     /// # Errors
     /// [`Refusal`], the first.

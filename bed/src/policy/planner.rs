@@ -1,35 +1,36 @@
-//! A planner: relieves, a few at a time, those tiles on which skin has been pressed shut all cycle, and no others.
+//! A planner that relieves, a few at a time, the tiles on which skin has been occluded during the whole cycle, and no
+//! others.
 //!
-//! In: what sensors read, step by step. Out: moves. A sensel is shut while it has read more than capillaries bear in every
-//! frame of the cycle so far. In each slot of a cycle those tiles with most shut area are relieved, as many as limits and
-//! bounds allow, held, and brought back. The least motion comes first: a bladder is let down; where that was in vain its
-//! tile goes down as well, and at last it tilts as well, its shut side down, as far as limits let it. What is tried in vain
-//! counts half the next time.
+//! In: sensor readings, step by step. Out: moves. A sensel is occluded as long as every frame of the cycle so far
+//! exceeds the pressure that capillaries withstand. In each slot of a cycle the tiles with the most occluded area are
+//! relieved, as many as limits and bounds allow, held, and brought back. The smallest motion is tried first: the
+//! bladder is deflated; if that was in vain the tile is lowered too, and finally also tilted, with the occluded side
+//! down, as far as limits allow. The area of a tile that was relieved in vain counts half the next time.
 
 use super::bounds::tile_of;
 use super::{Policy, View};
 use crate::map::MMHG;
 use crate::plan::Move;
 
-/// Most motion: let down, lowered and tilted.
+/// Largest number of additional motions: lowering, and tilting too.
 const MOST: u32 = 2;
 
-/// What a planner goes by.
+/// Parameters of a planner.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Goal {
     /// Length of a cycle (s).
     pub cycle: f64,
-    /// Slots of a cycle.
+    /// Number of slots in a cycle.
     pub slots: usize,
-    /// Time to let down, and to fill (s).
+    /// Time to deflate, and to inflate (s).
     pub ramp: f64,
     /// Time held low (s).
     pub hold: f64,
     /// Low pressure (Pa).
     pub low: f64,
-    /// A tile with less shut area (m^2) than this is left alone.
+    /// Occluded area (m^2) below which a tile is left alone.
     pub least: f64,
-    /// How far a tile goes down (m); 0 for none.
+    /// Distance by which a tile is lowered (m); 0 for none.
     pub lower: f64,
     /// Slope of a tile that tilts; 0 for none.
     pub tilt: f64,
@@ -50,25 +51,25 @@ impl Default for Goal {
     }
 }
 
-/// A planner at work.
+/// The state of a planner.
 #[derive(Clone, Debug)]
 pub struct Planner {
     goal: Goal,
-    /// Least that each sensel has read in this cycle (Pa).
+    /// Smallest reading of each sensel in this cycle (Pa).
     lowest: Vec<f64>,
     /// How often each tile was relieved in this cycle.
     tried: Vec<u32>,
-    /// When the next slot and the next cycle begin (s); counted from when they were looked at, so that what was told in one
-    /// slot is over in the next.
+    /// Times at which the next slot and the next cycle begin (s), counted from when the planner last acted, so that the
+    /// moves of one slot are finished in the next.
     next: [f64; 2],
 }
 
-/// What is shut on a tile.
+/// The occluded area of a tile.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 struct Shut {
-    /// m^2.
+    /// Area (m^2).
     area: f64,
-    /// Its first moments about the tile's middle, in halves of the tile's sides.
+    /// Its first moments about the tile's centre, in halves of the tile's sides.
     moments: [f64; 2],
 }
 
@@ -79,7 +80,7 @@ impl Planner {
         Planner { goal, lowest: Vec::new(), tried: Vec::new(), next: [0.0; 2] }
     }
 
-    /// What is shut on each tile.
+    /// The occluded area of each tile.
     fn shut(&self, view: &View<'_>) -> Vec<Shut> {
         let mut found = vec![Shut::default(); view.layout.count()];
         for (site, _) in self.lowest.iter().enumerate().filter(|(_, p)| **p > 32.0 * MMHG) {
@@ -94,7 +95,7 @@ impl Planner {
         found
     }
 
-    /// What relieves a tile now, by this much motion, and brings it back after it was held.
+    /// The moves that relieve a tile now, with `much` additional motions, and bring it back after the hold.
     fn relief(&self, view: &View<'_>, tile: usize, shut: &Shut, much: u32) -> [Move; 2] {
         let Goal { ramp, hold, low, lower, tilt, .. } = self.goal;
         let order = &view.orders[tile];
@@ -106,7 +107,7 @@ impl Planner {
             (down.heave, back.heave) = (Some(order.command.heave - lower), Some(order.command.heave));
         }
         if tilt > 0.0 && much >= 2 {
-            // A slope raises what lies ahead: shut skin is to lie behind.
+            // The slope raises the side towards which it points, so it points away from the occluded skin.
             let size = shut.moments[0].hypot(shut.moments[1]).max(f64::MIN_POSITIVE);
             let slope = order.command.slope;
             down.slope = Some([0, 1].map(|k| slope[k] - tilt * shut.moments[k] / size));
@@ -115,7 +116,7 @@ impl Planner {
         [down, back]
     }
 
-    /// Moves of a slot: by shut area, each only if limits and bounds still hold with it.
+    /// Moves of a slot: tiles by occluded area, each only if limits and bounds still hold with it.
     fn chosen(&self, view: &View<'_>) -> Vec<Move> {
         let shut = self.shut(view);
         let hope = |tile: &usize| shut[*tile].area * 0.5_f64.powi(self.tried[*tile] as i32);
@@ -123,7 +124,7 @@ impl Planner {
         order.sort_by(|a, b| hope(b).total_cmp(&hope(a)).then(a.cmp(b)));
         let mut chosen: Vec<Move> = Vec::new();
         for tile in order {
-            // What a tile no longer bears its neighbours must: they stay.
+            // Neighbours must take over what a relieved tile no longer carries: they are not relieved themselves.
             let is_chosen = |other: usize| chosen.iter().any(|told| told.tiles.contains(&other));
             if view
                 .layout
@@ -132,7 +133,7 @@ impl Planner {
             {
                 continue;
             }
-            // As much motion as the tile needs by now; less where a limit does not let it.
+            // Tries the amount of motion that the tile needs by now, then less if a limit forbids it.
             for much in (0..=self.tried[tile].min(MOST)).rev() {
                 let before = chosen.len();
                 chosen.extend(self.relief(view, tile, &shut[tile], much));
@@ -148,7 +149,7 @@ impl Planner {
 
 impl Policy for Planner {
     fn decide(&mut self, view: &View<'_>) -> Vec<Move> {
-        // Times are sums of steps: a step is not missed by rounding.
+        // Tolerance, because times are sums of steps.
         let is_due = |at: f64| view.time >= at - 1e-6;
         if is_due(self.next[1]) {
             self.lowest = vec![f64::INFINITY; view.frame.pressure.len()];
@@ -163,7 +164,7 @@ impl Policy for Planner {
         }
         self.next[0] = view.time + self.goal.cycle / self.goal.slots as f64;
         let moves = self.chosen(view);
-        // Each tile is told twice: there and back.
+        // Each tile has two moves: there and back.
         for tile in moves.iter().step_by(2).flat_map(|told| &told.tiles) {
             self.tried[*tile] += 1;
         }

@@ -1,7 +1,7 @@
 //! Runs a plan under a policy.
 //!
-//! In: a plan, a policy with its bounds, who lets its orders through, the surface that it sees through. Out: the run, or the
-//! first limit that it exceeds.
+//! In: a plan, a policy with its bounds, a supervisor for its orders, and the sensing surface. Out: the run, or the
+//! first limit that is exceeded.
 
 use super::bounds::{Bounds, Reach};
 use super::{Policy, Supervisor, View};
@@ -10,8 +10,8 @@ use crate::plan::history::{History, RunError, Seen};
 use crate::plan::{Move, Order, Plan, run as plan_run};
 use crate::sensor::reader::Reader;
 
-/// Runs a plan under a policy; `supervisor` lets orders through, `reader` is what it sees through, nothing for the truth. `at`
-/// hears the share that is done and says whether to go on.
+/// Runs a plan under a policy. `supervisor` checks its orders; `reader` is the surface through which it sees (without
+/// one it sees the truth); `at` is given the share that is done and returns whether to go on.
 ///
 /// # Errors
 /// [`RunError`]; [`RunError::Refused`] for a policy that exceeds a limit.

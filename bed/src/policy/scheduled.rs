@@ -1,19 +1,19 @@
-//! Moves known beforehand, counted from when somebody first asks: alternating pressure, or others.
+//! Moves known beforehand, such as alternating pressure, with times counted from the first decision.
 
 use super::{Policy, View};
 use crate::plan::{Layout, Move, Plan};
 
-/// Moves by how long after the first question they begin.
+/// Moves, with their beginnings counted from the first decision.
 #[derive(Clone, Debug)]
 pub struct Scheduled {
     moves: Vec<Move>,
 }
 
 impl Scheduled {
-    /// These moves.
+    /// A policy that makes these moves.
     #[must_use]
     pub fn new(mut moves: Vec<Move>) -> Scheduled {
-        // The next one to be told stands last.
+        // Sorted in reverse, so that the next move is last.
         moves.sort_by(|a, b| b.at.total_cmp(&a.at));
         Scheduled { moves }
     }
@@ -27,7 +27,8 @@ impl Scheduled {
 
 impl Policy for Scheduled {
     fn decide(&mut self, view: &View<'_>) -> Vec<Move> {
-        // What begins before one looks again must be told now; all is known, so all is told.
+        // All moves are known, so all are ordered at once: one that begins before the next decision would come too
+        // late.
         let told = std::mem::take(&mut self.moves).into_iter().rev();
         told.map(|change| Move { at: view.time + change.at, ..change }).collect()
     }

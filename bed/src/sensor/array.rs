@@ -1,7 +1,7 @@
-//! Four sites on one line of a reader, told apart by frequency.
+//! Four sites on one line of a reader, distinguished by frequency.
 //!
-//! In: a site. Out: four of them, tuned so that no resonance of any, at whatever load and skin, comes near that of another:
-//! a sweep finds one resonance in each [`Band`].
+//! In: a site. Out: four of them, tuned so that their resonances stay apart at any load and skin: a sweep finds exactly
+//! one resonance in each [`Band`].
 
 use super::antenna::Mode;
 use super::site::{Load, RANGE, SKIN, SPACER, Site};
@@ -10,17 +10,17 @@ use super::site::{Load, RANGE, SKIN, SPACER, Site};
 pub const SITES: usize = 4;
 /// Lowest frequency of a patch and of a loop (Hz).
 const LOWEST: [f64; 2] = [11e9, 0.8e9];
-/// From band to band: more than what loads and skin change (2.6 % at most), with the width of a resonance between.
+/// Ratio of neighbouring bands: more than the change by loads and skin (2.6 % at most) plus the width of a resonance.
 const RATIO: [f64; 2] = [1.045, 1.4];
 
-/// Between which frequencies (Hz) a resonance lies.
+/// The range of frequencies of one resonance.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Band {
-    /// Which of the sites.
+    /// Index of the site.
     pub site: usize,
-    /// What it feels.
+    /// The quantity that it senses.
     pub of: &'static str,
-    /// Lowest and highest (Hz).
+    /// Lowest and highest frequency (Hz).
     pub range: [f64; 2],
 }
 
@@ -42,7 +42,7 @@ impl Array {
             let found = own.ring.resonance(own.gap);
             own.ring.capacitance *= (found / frequency) * (found / frequency);
             own.shear = own.shear.tuned([patch(4 * k), patch(4 * k + 1)], SPACER, own.overlap);
-            // Only the mode along x is read; the other is kept between the bands of the next two.
+            // Only the mode along x is read; the other one is placed between the bands of the next two.
             let aside = |n: usize| [patch(n), patch(n) * RATIO[0].powf(0.5)];
             own.moisture = own.moisture.tuned(aside(4 * k + 2), SPACER, 0.0);
             own.acid = own.acid.tuned(aside(4 * k + 3), SPACER, 0.0);
@@ -51,7 +51,7 @@ impl Array {
         Array { sites: std::array::from_fn(one) }
     }
 
-    /// Bands of all resonances that are read, from the lowest.
+    /// Bands of all resonances that are read, in ascending order.
     #[must_use]
     pub fn bands(&self) -> Vec<Band> {
         let ends = |values: &[f64]| {
@@ -79,13 +79,13 @@ impl Array {
         bands
     }
 
-    /// Whose resonance this is.
+    /// The band to which a frequency belongs.
     #[must_use]
     pub fn heard(&self, frequency: f64) -> Option<Band> {
         self.bands().into_iter().find(|band| (band.range[0]..=band.range[1]).contains(&frequency))
     }
 
-    /// Resonances (Hz) of the modes that are not read.
+    /// Resonances (Hz) of the modes that are not used.
     #[must_use]
     pub fn unread(&self) -> Vec<f64> {
         let of =

@@ -1,32 +1,32 @@
-//! A tile's instruments: an encoder, an LVDT and two switches a screw, the pressure of its bladder.
+//! A tile's instruments: for each screw an encoder, an LVDT and two switches; the pressure of its bladder.
 //!
 //! In: heights of the screws and the gauge pressure, tick by tick. Out: readings, and whether encoder and LVDT agree.
-//! Transducers, noise and sampling are the runtime's; defaults are 1024 lines on the motor, a worm of 30 : 1 and a lead of
-//! 4 mm; an LVDT of 0.25 % over 30 mm up and down; pressure within 20 Pa.
+//! Transducers, noise and sampling are the runtime's. Defaults: 1024 lines on the motor, a worm of 30 : 1 and a lead of
+//! 4 mm; an LVDT with 0.25 % over 30 mm up and down; pressure within 20 Pa.
 
 use smartbed_runtime::sensor::kinds::{Lvdt, Membrane, Switch, encoder_resolution};
 use smartbed_runtime::sensor::noise::Noise;
 use smartbed_runtime::sensor::{Channel, Sensor, quantised};
 
-/// Encoder and LVDT further apart than this (m) is a fault.
+/// Difference between encoder and LVDT (m) above which there is a fault.
 pub const APART: f64 = 0.5e-3;
-/// Ticks in a second.
+/// Ticks per second.
 pub const TICKS: f64 = 1000.0;
 
-/// What a tile's instruments are.
+/// Parameters of a tile's instruments.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Instruments {
-    /// Step of an encoder (m).
+    /// Resolution of an encoder (m).
     pub encoder: f64,
-    /// Deviation of an LVDT from the straight line.
+    /// Nonlinearity of an LVDT.
     pub lvdt: Lvdt<f64>,
-    /// Standard deviation of an LVDT's reading (m), and its step (m).
+    /// Standard deviation of an LVDT's reading (m), and its resolution (m).
     pub lvdt_noise: [f64; 2],
-    /// Switches close this far (m) above and below the middle.
+    /// Distance of the switches above and below the middle (m).
     pub switches: f64,
-    /// Time constant (s) of the pressure sensor.
+    /// Time constant of the pressure sensor (s).
     pub lag: f64,
-    /// Noise, bias, drift, step and range of the pressure (Pa), in ticks.
+    /// Noise, bias, drift, resolution and range of the pressure (Pa), per tick.
     pub pressure: Channel<f64>,
 }
 
@@ -51,7 +51,7 @@ impl Default for Instruments {
     }
 }
 
-/// What is read of a tile.
+/// The readings of a tile.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Readings {
     /// Heights by the encoders (m).
@@ -65,14 +65,14 @@ pub struct Readings {
 }
 
 impl Readings {
-    /// The first screw, from 1, whose encoder and LVDT do not agree.
+    /// The first screw, counted from 1, whose encoder and LVDT disagree.
     #[must_use]
     pub fn disagree(&self) -> Option<usize> {
         (0..3).find(|k| (self.encoders[*k] - self.lvdts[*k]).abs() > APART).map(|k| k + 1)
     }
 }
 
-/// A tile's instruments at work.
+/// The state of a tile's instruments.
 #[derive(Clone, Debug)]
 pub struct TileSensors {
     instruments: Instruments,
@@ -83,10 +83,10 @@ pub struct TileSensors {
 }
 
 impl TileSensors {
-    /// Instruments of the tile with this seed; `gauge` (Pa) is shown until the first sample.
+    /// Instruments of the tile with this seed; the pressure reads `gauge` (Pa) until the first sample.
     ///
     /// # Errors
-    /// A pressure channel that cannot be.
+    /// A pressure channel with invalid parameters.
     pub fn new(
         instruments: Instruments,
         seed: u64,
@@ -103,7 +103,7 @@ impl TileSensors {
         })
     }
 
-    /// Shows them a tile at a tick.
+    /// Readings at a tick, for these true values.
     pub fn observe(&mut self, tick: u64, heights: [f64; 3], gauge: f64) -> Readings {
         let felt = self.membrane.observe(tick, gauge);
         self.pressure.observe(tick, felt);

@@ -1,11 +1,11 @@
-//! A finer grid of sites than the sheets' nodes: 1 mm, say.
+//! Resamples a map on a finer grid of sites than the sheets' nodes, for example 1 mm.
 //!
-//! In: a map on nodes. Out: the map on a grid whose cells part each node's cell evenly; pressure is bilinear between nodes,
-//! so that the load is kept.
+//! In: a map on nodes. Out: the map on a grid that divides each node's cell evenly; pressure is bilinear between nodes,
+//! which conserves the load.
 
 use crate::map::{Frame, Grid, Site};
 
-/// How many cells each cell of a grid is parted into, along x and y, so that none is wider than `pitch` (m).
+/// Number of parts of each cell along x and y such that none is wider than `pitch` (m).
 #[must_use]
 pub fn parts(grid: &Grid, pitch: f64) -> [usize; 2] {
     [grid.column_pitch, grid.row_pitch].map(|side| ((side / pitch - 1e-9).ceil() as usize).max(1))
@@ -22,8 +22,9 @@ pub fn grid(grid: &Grid, [across, along]: [usize; 2]) -> Grid {
     }
 }
 
-/// A frame on the finer grid. A node lies on the lower left corner of its cell; forces p A of nodes, over the area of a cell,
-/// are what is bilinear. The sum of a load is kept to rounding where the outer rims carry nothing.
+/// A frame on the finer grid. A node is at the lower left corner of its cell. The forces p A of the nodes, divided by
+/// the area of a cell, are interpolated bilinearly; the total is conserved up to rounding if the outer rims carry
+/// nothing.
 #[must_use]
 pub fn frame(coarse: &Grid, sites: &[Site], truth: &Frame, parts: [usize; 2]) -> Frame {
     let cell = coarse.cell();

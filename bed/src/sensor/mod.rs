@@ -1,8 +1,9 @@
-//! What the bed measures: places of screws and pressures of bladders, and a surface of antennas that feels the patient.
+//! Measurement: positions of screws, pressures of bladders, and a surface of antennas under the patient.
 //!
-//! In: what is true (heights, gauges, maps of pressure and shear). Out: what is read, late, coarse and noisy, the same again
-//! from the same seed. `drive` is a tile's instruments; a [`site`] of the surface turns loads into resonances of its
-//! [`antenna`]s and back by a calibration; [`mod@array`] tells four sites apart by frequency; [`reader`] reads whole maps.
+//! In: true values (heights, gauge pressures, maps of pressure and shear). Out: readings with delay, resolution and
+//! noise, reproducible from a seed. `drive` is a tile's instruments; a [`site`] of the surface converts loads to
+//! resonances of its [`antenna`]s and back by a calibration; [`mod@array`] distinguishes four sites by frequency;
+//! [`reader`] reads whole maps.
 
 pub mod antenna;
 pub mod array;

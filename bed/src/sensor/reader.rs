@@ -1,7 +1,7 @@
-//! Reads maps through the surface's antennas: noise, steps of the frequency, drift, calibration back to kPa.
+//! Reads maps through the surface's antennas: noise, frequency steps, drift, and calibration back to kPa.
 //!
-//! In: a recording of what is true. Out: what is read of it, and how far it is from the truth. Each resonance has noise of
-//! its own, by seed, site and number of the frame: the same seed gives the same bytes in any order.
+//! In: a recording of true values. Out: the readings, and their error. Each resonance has its own noise, determined by
+//! seed, site and frame number, so that a seed gives the same bytes in any order of evaluation.
 
 use super::array::{Array, SITES};
 use super::site::{Calibration, Load, Site, usual_skin};
@@ -10,16 +10,16 @@ use crate::map::{self, Frame, Recording};
 use smartbed_runtime::sensor::noise::Noise;
 use smartbed_runtime::sensor::quantised;
 
-/// How well frequencies are read, as shares of them.
+/// Accuracy of frequencies, relative to them.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Quality {
     /// Standard deviation of one reading.
     pub noise: f64,
     /// Step of the sweep.
     pub step: f64,
-    /// Standard deviation of what a site has drifted by after an hour.
+    /// Standard deviation of a site's drift after an hour.
     pub drift: f64,
-    /// Of all noise.
+    /// Seed of all noise.
     pub seed: u64,
 }
 
@@ -29,28 +29,28 @@ impl Default for Quality {
     }
 }
 
-/// A surface at work.
+/// The state of a sensing surface.
 #[derive(Clone, Debug)]
 pub struct Reader {
     quality: Quality,
     sites: Vec<(Site, Calibration)>,
 }
 
-/// Resonances of a site that are read for loads.
+/// Number of resonances of a site that are read for loads.
 const CHANNELS: u64 = 3;
 
 impl Reader {
-    /// A surface of sites like this one, four on a line.
+    /// A surface of sites like this one, four per line.
     ///
     /// # Errors
-    /// [`NotMonotone`] for a site that does not tell loads apart.
+    /// [`NotMonotone`] for a site whose frequencies do not determine the load.
     pub fn new(site: &Site, quality: Quality) -> Result<Reader, NotMonotone> {
         let sites = Array::new(site).sites;
         let calibrated = |site: &Site| Ok((*site, Calibration::new(site)?));
         Ok(Reader { quality, sites: sites.iter().map(calibrated).collect::<Result<_, _>>()? })
     }
 
-    /// What a site reads at a time (s) in the frame of this number.
+    /// The load that a site reads at a time (s) in the frame with this number.
     #[must_use]
     pub fn site(&self, number: usize, frame: u64, time: f64, load: &Load) -> Load {
         let (site, calibration) = &self.sites[number % SITES];
@@ -62,7 +62,7 @@ impl Reader {
         calibration.load(read)
     }
 
-    /// Moisture (%) and pH of skin on the first site, as read at a time (s) in the frame of this number.
+    /// Moisture (%) and pH of the skin, as read by the first site at a time (s) in the frame with this number.
     #[must_use]
     pub fn skin(&self, frame: u64, time: f64, skin: [f64; 2]) -> [f64; 2] {
         let (site, calibration) = &self.sites[0];
@@ -72,17 +72,17 @@ impl Reader {
         calibration.skin(read, &tables)
     }
 
-    /// A resonance (Hz) with noise and drift of its channel, on the steps of the sweep.
+    /// A resonance (Hz) with the noise and drift of its channel, rounded to the steps of the sweep.
     fn heard(&self, channel: u64, frame: u64, time: f64, frequency: f64) -> f64 {
         let Quality { noise, step, drift, seed } = self.quality;
         let source = Noise::new(seed.wrapping_add(channel.wrapping_mul(0x9e37_79b9)));
         let wrong =
             noise * source.normal::<f64>(frame) + drift * time / 3600.0 * source.normal::<f64>(u64::MAX);
-        // Steps are equal shares of the frequency.
+        // Steps are equal on a logarithmic scale.
         quantised((frequency * (1.0 + wrong)).ln(), step).exp()
     }
 
-    /// A whole frame, the `number`-th.
+    /// The reading of a whole frame with this number.
     #[must_use]
     pub fn frame(&self, number: u64, truth: &Frame) -> Frame {
         let load = |site: usize| Load {
@@ -96,10 +96,10 @@ impl Reader {
         Frame { time: truth.time, seconds: truth.seconds, pressure, shear }
     }
 
-    /// A whole recording.
+    /// The reading of a whole recording.
     ///
     /// # Errors
-    /// [`map::MapError`] if what is read is no recording.
+    /// [`map::MapError`] if the readings are not a valid recording.
     pub fn recording(&self, truth: &Recording) -> Result<Recording, map::MapError> {
         let frames =
             truth.frames().iter().zip(0..).map(|(frame, number)| self.frame(number, frame)).collect();
@@ -107,7 +107,7 @@ impl Reader {
     }
 }
 
-/// How far a map is from the true one: sum |p - p_true| A over sum p_true A; 0 where nothing presses.
+/// Relative error of a map: sum |p - p_true| A over sum p_true A; 0 if nothing presses.
 #[must_use]
 pub fn error(sites: &[map::Site], truth: &[f64], read: &[f64]) -> f64 {
     let all: f64 = sites.iter().zip(truth).map(|(s, p)| s.area * p).sum();

@@ -1,26 +1,27 @@
-//! One site of the surface: loads and skin become resonances of its antennas, and a calibration turns them back.
+//! One site of the sensing surface: converts loads and skin to resonances of its antennas, and back by a calibration.
 //!
-//! In: pressure, two shears, moisture and pH at a site. Out: five frequencies, and from frequencies the loads. A soft spacer
-//! of thickness g is pressed to g (1 - p/E), which changes the loop's gap, and sheared by tau g/G, which moves the slots
-//! under the patch. Moisture and pH are permittivities of what covers two further patches, behind a film.
+//! In: pressure, two shears, moisture and pH at a site. Out: five frequencies, and from frequencies the loads. A soft
+//! spacer of thickness g is compressed to g (1 - p/E), which changes the loop's gap, and sheared by tau g/G, which
+//! moves the slots under the patch. Moisture and pH change the permittivity of what covers two further patches, behind
+//! a film.
 
 use super::antenna::{Loop, Mode, Patch};
 use super::table::{NotMonotone, Table};
 
-/// A site of the surface. Dimensions are the thesis' where it has some (5 mm square, 10 mm high), others are ours.
+/// The design of a site. Dimensions are the thesis' where it states them (5 mm square, 10 mm high), others are ours.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Site {
     /// Side of its square (m).
     pub side: f64,
     /// Height (m).
     pub thickness: f64,
-    /// kg.
+    /// Mass (kg).
     pub mass: f64,
     /// Gap of the loop without load (m).
     pub gap: f64,
-    /// Moduli of the spacer, pressed and sheared (Pa).
+    /// Young's and shear modulus of the spacer (Pa).
     pub moduli: [f64; 2],
-    /// How much of a slot lies under the patch without shear (m).
+    /// Length of a slot under the patch without shear (m).
     pub overlap: f64,
     /// Senses pressure.
     pub ring: Loop,
@@ -32,24 +33,24 @@ pub struct Site {
     pub acid: Patch,
 }
 
-/// What a site is exposed to.
+/// The load on a site.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Load {
-    /// Pa.
+    /// Pressure (Pa).
     pub pressure: f64,
-    /// Pa, along x and y.
+    /// Shear (Pa), along x and y.
     pub shear: [f64; 2],
 }
 
-/// Permittivity that covers a patch without skin: that of the spacer.
+/// Permittivity of the cover of a patch without skin, that of the spacer.
 pub const SPACER: f64 = 3.0;
 /// Share of the cover's depth that is skin or gel behind the film.
 const BEHIND: f64 = 0.3;
-/// Largest pressure (Pa) and shear (Pa) that a site is calibrated for.
+/// Largest pressure (Pa) and shear (Pa) within the calibration.
 pub const RANGE: [f64; 2] = [30e3, 10e3];
-/// Permittivities of skin and gel that a site is calibrated for.
+/// Range of the permittivities of skin and gel within the calibration.
 pub const SKIN: [f64; 2] = [3.0, 50.0];
-/// Points of a calibration on the bench.
+/// Number of points of a calibration.
 const POINTS: usize = 64;
 
 impl Default for Site {
@@ -71,8 +72,8 @@ impl Default for Site {
     }
 }
 
-/// Permittivity of the outer skin by its moisture (%), and of a gel that swells by pH: estimates of ours in the order of what
-/// is published for skin (Gabriel 1996) and pH gels; a maker's tables take their place.
+/// Permittivity of the outer skin by its moisture (%), and of a gel that swells with pH: estimates of ours, of the
+/// order of published values for skin (Gabriel 1996) and pH gels, to be replaced by a maker's tables.
 ///
 /// # Panics
 /// Never: both are monotone.
@@ -83,7 +84,7 @@ pub fn usual_skin() -> [Table; 2] {
     [moisture, acid].map(|pairs| Table::new(pairs).expect("monotone"))
 }
 
-/// Permittivity of a cover of film and something behind it, in series.
+/// Effective permittivity of a film with something behind it, in series.
 fn behind_film(permittivity: f64) -> f64 {
     1.0 / ((1.0 - BEHIND) / SPACER + BEHIND / permittivity)
 }
@@ -94,8 +95,8 @@ impl Site {
         self.gap * (1.0 - (pressure / self.moduli[0]).min(0.9))
     }
 
-    /// Frequencies (Hz): loop, patch along x, along y. The slot that the current along x crosses is covered by what moves
-    /// along y, and the other way round.
+    /// Frequencies (Hz): loop, patch along x, along y. The slot across the current along x is covered by displacement
+    /// along y, and vice versa.
     #[must_use]
     pub fn loaded(&self, load: &Load) -> [f64; 3] {
         let gap = self.gap(load.pressure);
@@ -104,21 +105,21 @@ impl Site {
         [self.ring.resonance(gap), patch(Mode::Along, moved[1]), patch(Mode::Across, moved[0])]
     }
 
-    /// Frequencies (Hz) of the patches that feel moisture and pH, by the permittivities of skin and gel.
+    /// Frequencies (Hz) of the patches for moisture and pH, from the permittivities of skin and gel.
     #[must_use]
     pub fn covered(&self, permittivities: [f64; 2]) -> [f64; 2] {
         let [skin, gel] = permittivities.map(behind_film);
         [self.moisture.resonance(Mode::Along, skin, 0.0), self.acid.resonance(Mode::Along, gel, 0.0)]
     }
 
-    /// Mass of a sheet's node that bears sensors at a pitch (m), where it has `own` (kg) itself and an area (m^2).
+    /// Mass of a sheet's node with area (m^2) that carries sensors at a pitch (m), given its `own` mass (kg).
     #[must_use]
     pub fn borne(&self, own: f64, area: f64, pitch: Option<f64>) -> f64 {
         own + self.mass * pitch.map_or(1.0, |pitch| area / (pitch * pitch))
     }
 }
 
-/// What frequencies mean, measured at some points once.
+/// The calibration: tables of measured points that convert frequencies back.
 #[derive(Clone, Debug)]
 pub struct Calibration {
     site: Site,
@@ -131,7 +132,7 @@ impl Calibration {
     /// Calibrates a site.
     ///
     /// # Errors
-    /// [`NotMonotone`] for a site whose resonances do not tell loads apart.
+    /// [`NotMonotone`] for a site whose resonances do not determine the load.
     pub fn new(site: &Site) -> Result<Calibration, NotMonotone> {
         let pressed = |p: f64| site.ring.resonance(site.gap(p));
         let way = RANGE[1] / site.moduli[1] * site.gap;
@@ -151,7 +152,7 @@ impl Calibration {
         })
     }
 
-    /// The load at these frequencies: the pressure first, which says how far the spacer is pressed.
+    /// The load at these frequencies. Pressure comes first, because it determines the thickness of the spacer.
     #[must_use]
     pub fn load(&self, [ring, along, across]: [f64; 3]) -> Load {
         let pressure = self.pressure.back(ring);

@@ -1,6 +1,7 @@
-//! A table of pairs, straight between them: what a quantity reads as, and back.
+//! A monotone table with linear interpolation, in both directions.
 //!
-//! In: pairs whose both columns rise or fall throughout. Out: either column from the other; beyond the ends the last value.
+//! In: pairs whose two columns both rise or fall throughout. Out: either column from the other; beyond the ends the
+//! last value.
 
 /// A monotone table.
 #[derive(Clone, Debug, PartialEq)]
@@ -8,7 +9,8 @@ pub struct Table {
     pairs: Vec<[f64; 2]>,
 }
 
-/// Why pairs are no table: fewer than two, or this one (from 0) does not go on in the direction of those before.
+/// The reason why pairs are not a table: fewer than two, or the pair with this index breaks the direction of those
+/// before it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct NotMonotone(pub usize);
 

@@ -1,13 +1,13 @@
-//! The air under a sheet: kept at a pressure, or sealed by a gas law.
+//! The air under a sheet: at a regulated pressure, or sealed, with a gas law.
 //!
-//! In: a volume. Out: energy, gauge pressure and stiffness n p/V, all from the runtime's gas.
+//! In: a volume. Out: energy, gauge pressure and stiffness n p/V, all by the runtime's gas.
 
 use smartbed_runtime::gas::{Chamber, Gas, GasState, Source};
 
-/// Pressure outside (Pa).
+/// Ambient pressure (Pa).
 pub const AMBIENT: f64 = 101_325.0;
 
-/// Air in a chamber.
+/// The state of the air in a chamber.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Air {
     /// A regulator keeps this gauge pressure (Pa).
@@ -16,12 +16,13 @@ pub enum Air {
     Sealed(Chamber<f64>, GasState<f64>),
 }
 
-/// A volume at which there is no air left.
+/// A volume (m^3) at which there is no air left.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Collapsed(pub f64);
 
 impl Air {
-    /// Shuts the valves at a gauge pressure (Pa) and a volume (m^3); n is 1 for slow changes, 1.4 for fast ones.
+    /// Seals air at a gauge pressure (Pa) and a volume (m^3); the polytropic exponent is 1 for slow changes, 1.4 for
+    /// fast ones.
     #[must_use]
     pub fn sealed(gauge: f64, volume: f64, exponent: f64) -> Air {
         let chamber = Chamber { gas: Gas::air(), exponent, reference_volume: volume, ambient: AMBIENT };
@@ -53,7 +54,7 @@ impl Air {
         }
     }
 
-    /// Energy (J) whose derivative by the volume is minus the gauge pressure.
+    /// Energy (J), whose derivative with respect to the volume is minus the gauge pressure.
     ///
     /// # Errors
     /// [`Collapsed`].

@@ -1,9 +1,9 @@
-//! The grid of springs that is a plane sheet of modulus E, thickness t and Poisson's ratio 1/3.
+//! A grid of springs that represents a plane sheet of modulus E, thickness t and Poisson's ratio 1/3.
 //!
-//! A cell of sides a (along x) and b (along y) has springs along its sides and both diagonals, l^2 = a^2 + b^2. Uniform
-//! strain stores, per area, that of an isotropic sheet (C11 = 9/8 E t, C12 = C66 = 3/8 E t) exactly where
-//! k_d = 3/8 E t l^2/(2 a b), k_x = (b/a) (9/8 - 3/8 (a/b)^2) E t, and k_y with a and b exchanged. A square cell has
-//! k = 3/4 E t, k_d = 3/8 E t; sides beyond 1 : sqrt 3 would need springs that push.
+//! A cell with sides a (along x) and b (along y) has springs along its sides and both diagonals, l^2 = a^2 + b^2. Under
+//! uniform strain the energy per area is that of an isotropic sheet (C11 = 9/8 E t, C12 = C66 = 3/8 E t) exactly if k_d
+//! = 3/8 E t l^2/(2 a b), k_x = (b/a) (9/8 - 3/8 (a/b)^2) E t, and k_y with a and b exchanged. A square cell has k =
+//! 3/4 E t, k_d = 3/8 E t; sides beyond 1 : sqrt 3 would need springs of negative stiffness.
 
 use smartbed_runtime::real::Scalar;
 use smartbed_runtime::vec3::Vec3;
@@ -14,16 +14,16 @@ use std::fmt;
 pub struct Spring<T = f64> {
     /// Its ends.
     pub ends: [usize; 2],
-    /// N/m.
+    /// Stiffness (N/m).
     pub stiffness: T,
-    /// m.
+    /// Rest length (m).
     pub rest_length: T,
 }
 
-/// Nodes, springs and facets of a sheet at rest.
+/// The nodes, springs and facets of an unstretched sheet.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Lattice<T = f64> {
-    /// Intervals along x and y.
+    /// Number of cells along x and y.
     pub intervals: [usize; 2],
     /// Lengths along x and y (m).
     pub size: [f64; 2],
@@ -31,14 +31,14 @@ pub struct Lattice<T = f64> {
     pub springs: Vec<Spring<T>>,
 }
 
-/// Why there is no such sheet.
+/// The reason why there is no such sheet.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum LatticeError {
-    /// Fewer than two intervals, or more than 500, along x or y.
+    /// Fewer than two cells, or more than 500, along x or y.
     Intervals(usize),
     /// A size or E t is not a positive number.
     Size(f64),
-    /// Sides of a cell differ more than 1 : sqrt 3: a/b.
+    /// The ratio a/b of a cell's sides is beyond 1 : sqrt 3.
     Aspect(f64),
 }
 
@@ -60,7 +60,7 @@ impl fmt::Display for LatticeError {
 impl std::error::Error for LatticeError {}
 
 impl Lattice {
-    /// A sheet with E t (N/m).
+    /// A sheet with the membrane stiffness E t (N/m).
     ///
     /// # Errors
     /// [`LatticeError`].
@@ -83,7 +83,8 @@ impl Lattice {
         Ok(lattice)
     }
 
-    /// Springs along x, along y and both diagonals; on the rim half of a spring belongs to no cell.
+    /// Adds springs along x, along y and both diagonals; a spring on the rim belongs to one cell and has half the
+    /// stiffness.
     fn fill(&mut self, [k_x, k_y, k_d]: [f64; 3], [a, b]: [f64; 2]) {
         let [nx, ny] = self.intervals;
         let mut add = |from: usize, to: usize, stiffness: f64, rest_length: f64| {
@@ -119,13 +120,13 @@ impl Lattice {
         Lattice { intervals: self.intervals, size: self.size, springs }
     }
 
-    /// The flat sheet.
+    /// Positions of the nodes of the flat sheet.
     #[must_use]
     pub fn flat(&self) -> Vec<Vec3<f64>> {
         self.bulged(0.0)
     }
 
-    /// A sheet that bulges by this height (m) in the middle, as a product of two parabolas.
+    /// Positions of the nodes of a sheet with a bulge of this height (m), a product of two parabolas.
     #[must_use]
     pub fn bulged(&self, height: f64) -> Vec<Vec3<f64>> {
         let [nx, ny] = self.intervals;
@@ -139,19 +140,19 @@ impl Lattice {
 }
 
 impl<T> Lattice<T> {
-    /// Nodes, the rim's included.
+    /// Number of nodes, including those on the rim.
     #[must_use]
     pub fn nodes(&self) -> usize {
         (self.intervals[0] + 1) * (self.intervals[1] + 1)
     }
 
-    /// Nodes that move.
+    /// Number of free nodes.
     #[must_use]
     pub fn free_nodes(&self) -> usize {
         (self.intervals[0] - 1) * (self.intervals[1] - 1)
     }
 
-    /// Place of a node among those that move, row by row; `None` on the rim.
+    /// Index of a node among the free ones, row by row; `None` on the rim.
     #[must_use]
     pub fn free(&self, node: usize) -> Option<usize> {
         let [nx, ny] = self.intervals;
@@ -159,19 +160,19 @@ impl<T> Lattice<T> {
         (i > 0 && i < nx && j > 0 && j < ny).then(|| (j - 1) * (nx - 1) + i - 1)
     }
 
-    /// How many columns from the diagonal a Hessian reaches.
+    /// Half bandwidth of a Hessian.
     #[must_use]
     pub fn width(&self) -> usize {
         3 * self.intervals[0] + 2
     }
 
-    /// Area of a cell, and of what belongs to a node (m^2).
+    /// Area of a cell, which is also that of a node (m^2).
     #[must_use]
     pub fn cell(&self) -> f64 {
         self.size[0] * self.size[1] / (self.intervals[0] * self.intervals[1]) as f64
     }
 
-    /// Corners of the cells, against the clock seen from above.
+    /// Corners of the cells, counterclockwise seen from above.
     pub fn facets(&self) -> impl Iterator<Item = [usize; 4]> {
         let [nx, ny] = self.intervals;
         let node = move |i: usize, j: usize| j * (nx + 1) + i;

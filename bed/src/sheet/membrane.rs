@@ -1,9 +1,9 @@
-//! Energy of springs and the volume under a sheet, with their derivatives.
+//! Energy of the springs of a sheet, and the volume under it, with their derivatives.
 //!
-//! In: places of the nodes in the tile's frame. Out: sums added to a gradient and to a band. A spring of tension
-//! T = k (l - L) along d has the Hessian k d d' + T/l (I - d d'); where it is pushed a search leaves the second term out, so
-//! that the matrix stays positive (the gradient is exact). The volume of a facet is the mean over its two triangulations, as the
-//! runtime's; triangle a b c under the origin holds a . (b x c)/6.
+//! In: positions of the nodes in the tile's frame. Out: terms added to a gradient and to a band. A spring with tension
+//! T = k (l - L) along d has the Hessian k d d' + T/l (I - d d'); a search omits the second term under compression, so
+//! that the matrix stays positive (the gradient is exact). The volume below a facet is the mean over its two
+//! triangulations, as in the runtime; the tetrahedron of triangle a b c and the origin has a . (b x c)/6.
 
 use super::Lattice;
 use crate::band::Band;
@@ -32,7 +32,7 @@ pub fn add_gradient<T: Scalar>(lattice: &Lattice<T>, places: &[Vec3<T>], gradien
     }
 }
 
-/// Adds the springs' Hessian: all of it, or where pushed its positive part.
+/// Adds the springs' Hessian: exact, or under compression only its positive part.
 pub fn add_hessian<T: Scalar>(lattice: &Lattice<T>, places: &[Vec3<T>], is_exact: bool, band: &mut Band<T>) {
     for spring in &lattice.springs {
         let [tail, head] = spring.ends.map(|end| lattice.free(end));
@@ -56,7 +56,7 @@ pub fn add_hessian<T: Scalar>(lattice: &Lattice<T>, places: &[Vec3<T>], is_exact
     }
 }
 
-/// The four triangles of both triangulations of a facet.
+/// The four triangles of the two triangulations of a facet.
 fn triangles([a, b, c, d]: [usize; 4]) -> [[usize; 3]; 4] {
     [[a, b, c], [a, c, d], [a, b, d], [b, c, d]]
 }
@@ -71,7 +71,7 @@ pub fn volume<T: Scalar>(lattice: &Lattice<T>, places: &[Vec3<T>]) -> T {
     lattice.facets().flat_map(triangles).map(one).fold(T::ZERO, |sum, x| sum + x)
 }
 
-/// Adds a factor times the gradient of the volume.
+/// Adds `factor` times the gradient of the volume.
 pub fn add_volume_gradient<T: Scalar>(
     lattice: &Lattice<T>,
     places: &[Vec3<T>],
@@ -87,7 +87,7 @@ pub fn add_volume_gradient<T: Scalar>(
     }
 }
 
-/// The area that belongs to each node, towards the outside (m^2): the volume's derivative by its place.
+/// The area vector of each node, pointing outwards (m^2): the derivative of the volume with respect to its position.
 #[must_use]
 pub fn areas<T: Scalar>(lattice: &Lattice<T>, places: &[Vec3<T>]) -> Vec<Vec3<T>> {
     let mut areas = vec![[T::ZERO; 3]; places.len()];
@@ -95,7 +95,7 @@ pub fn areas<T: Scalar>(lattice: &Lattice<T>, places: &[Vec3<T>]) -> Vec<Vec3<T>
     areas
 }
 
-/// Adds a factor times the Hessian of the volume: the derivative of b x c by b is v -> v x c.
+/// Adds `factor` times the Hessian of the volume: the derivative of b x c with respect to b is v -> v x c.
 pub fn add_volume_hessian<T: Scalar>(
     lattice: &Lattice<T>,
     places: &[Vec3<T>],

@@ -1,7 +1,7 @@
-//! A bladder's sheet: a grid of springs over a rectangle, its rim held, with air below.
+//! A bladder's sheet: a grid of springs over a rectangle, fixed at its rim, with air below.
 //!
-//! In: sizes, modulus and air. Out: energy, its gradient and its Hessian at places of the nodes. The frame is the
-//! tile's: origin in the middle of the rim, z away from the base.
+//! In: sizes, modulus and air. Out: energy, gradient and Hessian at given positions of the nodes. The frame is the
+//! tile's: origin at the centre of the rim, z pointing away from the base.
 
 pub mod air;
 mod lattice;

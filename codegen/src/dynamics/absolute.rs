@@ -1,8 +1,9 @@
-//! M u' = forcing in absolute rates: w = u_a + u_b in the place of u_b wherever M_bb is a term of M_ab.
+//! M u' = forcing in absolute rates: w = u_a + u_b replaces u_b wherever M_bb is a term of M_ab.
 //!
-//! In relative rates a turn of a turns all that hangs on b: M_aa, M_ab and M_bb are large and nearly equal, and the
-//! elimination takes their differences. With D the differences of a row and a later one, (D M D') y' = D forcing and
-//! u_b' = y_b' - y_a'; terms that two entries share are left out of their difference, not subtracted.
+//! In relative rates the rate u_a turns everything that hangs on b too, so that M_aa, M_ab and M_bb are large and
+//! nearly equal, and the elimination takes their differences. With D the differences of a row and a later one, solve (D
+//! M D') y' = D forcing, then u_b' = y_b' - y_a'. Terms that two entries share are omitted from their difference
+//! instead of being subtracted, so that nothing cancels.
 
 use crate::expr::{Binary, Dag, Dependence, ExprId, Node};
 
@@ -10,9 +11,9 @@ use crate::expr::{Binary, Dag, Dependence, ExprId, Node};
 pub(super) struct Absolute {
     pub mass: Vec<Vec<ExprId>>,
     pub forcing: Vec<ExprId>,
-    /// Which speed stands at each place of the elimination.
+    /// By step of the elimination: the index of the speed.
     pub order: Vec<usize>,
-    /// (a, b): y_b is the sum of u_b and y_a.
+    /// Pairs (a, b) with y_b = u_b + y_a.
     pairs: Vec<(usize, usize)>,
 }
 
@@ -46,7 +47,7 @@ impl Absolute {
         this
     }
 
-    /// Rates whose entry on the diagonal depends on parameters alone come first: what they are divided by is prepared.
+    /// Puts rates first whose diagonal entry depends on parameters alone: their pivots are computed in `prepare()`.
     fn prepared_first(&mut self, dag: &Dag) {
         let varies = |&i: &usize| dag.dependence(self.mass[i][i]) == Dependence::State;
         self.order.sort_by_key(varies);
@@ -55,7 +56,7 @@ impl Absolute {
         self.forcing = order.iter().map(|&i| self.forcing[i]).collect();
     }
 
-    /// From the derivatives of the rates, in the order of the elimination, to those of the speeds.
+    /// Converts the derivatives of the rates, in the order of the elimination, to those of the speeds.
     pub fn relative(&self, dag: &mut Dag, derivatives: &[ExprId]) -> Vec<ExprId> {
         let mut rates = derivatives.to_vec();
         for (&i, &derivative) in self.order.iter().zip(derivatives) {
@@ -69,7 +70,7 @@ impl Absolute {
     }
 }
 
-/// a - b without the terms that both have.
+/// a - b with the terms that both have omitted.
 fn difference(dag: &mut Dag, a: ExprId, b: ExprId) -> ExprId {
     if let Some(rest) = without(dag, a, false, b) {
         return rest;
@@ -90,7 +91,7 @@ fn difference(dag: &mut Dag, a: ExprId, b: ExprId) -> ExprId {
     dag.sub(a, b)
 }
 
-/// a without its term `term` (with -`term`, if `negative`); `None` if that is no term of the sum a.
+/// The sum a without its term `term` (without -`term`, if `negative`); `None` if a has no such term.
 fn without(dag: &mut Dag, a: ExprId, negative: bool, term: ExprId) -> Option<ExprId> {
     if a == term && !negative {
         return Some(dag.zero());

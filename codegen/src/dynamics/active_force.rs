@@ -1,6 +1,7 @@
-//! Generalised active forces F_r: forces, torques, spring-dampers (weight stands with the inertia).
+//! Generalised active forces F_r of forces, torques and spring-dampers (weight is treated with the inertia).
 //!
-//! F_k = sum v_k . F + w_k . tau. Sign of a spring: tension > 0 pulls its ends together.
+//! F_k = sum v_k . F + w_k . tau, with v_k and w_k the partial velocities. A spring with tension > 0 pulls its ends
+//! together.
 
 use super::mass_and_force::MassAndForce;
 use crate::expr::ExprId;
@@ -8,14 +9,14 @@ use crate::kinematics::{Kinematics, Motion, flatten, lower_scalar, lower_vector}
 use crate::model::{CoordinateId, Expr, LoadKind, Model, PointId};
 use crate::vector::{Algebra, Vector};
 
-/// Adds every load.
+/// Adds the generalised forces of every load.
 pub(super) fn accumulate(alg: &mut Algebra, model: &Model, k: &Kinematics, parts: &mut MassAndForce) {
     for load in &model.loads {
         add(alg, k, parts, &load.kind);
     }
 }
 
-/// Adds one load.
+/// Adds the generalised forces of one load.
 pub(super) fn add(alg: &mut Algebra, k: &Kinematics, parts: &mut MassAndForce, kind: &LoadKind) {
     match kind {
         LoadKind::Force { point, force, reaction } => {
@@ -57,7 +58,7 @@ fn apply(alg: &mut Algebra, parts: &mut MassAndForce, motion: &Motion, force: &V
     }
 }
 
-/// The line from the first to the second end and its length.
+/// The vector from the first end to the second, and its length.
 pub(super) fn spring_line(alg: &mut Algebra, k: &Kinematics, ends: [PointId; 2]) -> (Vector, ExprId) {
     let [a, b] = ends.map(|p| &k.positions[p]);
     let line = b.minus(&mut alg.dag, a);
@@ -96,7 +97,7 @@ fn spring(
     apply(alg, parts, second, &push);
 }
 
-/// Generalised force -stiffness (q - rest) - damping q' on the rate of a coordinate.
+/// Generalised force -stiffness (q - rest) - damping q', conjugate to the rate of a coordinate.
 fn coordinate_spring(
     alg: &mut Algebra,
     k: &Kinematics,

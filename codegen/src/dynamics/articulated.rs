@@ -1,13 +1,13 @@
-//! u' hinge by hinge: articulated bodies.
+//! Articulated-body algorithm: u' of a tree, hinge by hinge, without a mass matrix (Featherstone 2008, chapter 7).
 //!
-//! In: the bodies as a tree, every joint with speeds of its own, and the active forces. Out: u' and its pivots, by
-//! operations that grow linearly with the length of the tree.
+//! In: the bodies as a tree in which every joint has speeds of its own, and the active forces. Out: u' and its pivots,
+//! by a number of operations that grows linearly with the length of the tree.
 //!
-//! Accelerations are counted from those at u' = 0 (`composite`, outwards). Inwards every hinge, in the order from the
-//! leaves, is set free: with s its twist, U = I s and D = s . U, its u' = (F - s . wrench) / D - (U / D) . A, where A is
-//! what the body inside accelerates beyond u' = 0; that body then bears I - U U' / D. Outwards A follows.
-//! A ball joint's three speeds are set free one after the other; what remains opposes no turn, exactly.
-//! Featherstone 2008, chapter 7; D are the pivots of M = L' D L.
+//! Accelerations are counted relative to those at u' = 0 (`tree_motion`). Inwards, from the leaves, every hinge is
+//! released: with s its twist, U = I s and D = s . U, its u' = (F - s . wrench) / D - (U / D) . A, where A is the
+//! acceleration of the body inside relative to that at u' = 0; that body then carries the articulated inertia I - U U'
+//! / D. Outwards, A follows. The three speeds of a ball joint are released one after the other; what remains has
+//! exactly no resistance to rotation. The D are the pivots of M = L' D L.
 
 use super::articulated_inertia::Articulated;
 use super::given::Given;
@@ -26,19 +26,19 @@ use crate::section::Section;
 use crate::vector::{Algebra, Components, cross_components, dot_components};
 use std::collections::BTreeMap;
 
-/// With fewer speeds little is gained: six point masses on hinges take 623 operations, 638 by the mass matrix.
+/// With fewer speeds little is gained: six point masses on hinges take 623 operations, through the mass matrix 638.
 const FEWEST_SPEEDS: usize = 7;
 
-/// u' without a mass matrix.
+/// u' by the articulated-body algorithm.
 #[derive(Clone, Debug)]
 pub(super) struct HingeByHinge {
     /// The independent accelerations.
     pub u_dot: Vec<ExprId>,
-    /// What is divided by.
+    /// The divisors D.
     pub pivots: Vec<Pivot>,
 }
 
-/// A speed's own twist where it moves the tree, set free.
+/// A released speed with its twist (v, w).
 struct Free {
     unknown: UnknownId,
     v: Components,
@@ -50,30 +50,31 @@ struct Free {
     pivot: ExprId,
 }
 
-/// A place in a node's triad where others hang, and the speeds by which it slides there.
+/// A place in a node's triad where other nodes hang, and the speeds by which it slides there.
 struct Place {
     parent: usize,
     offset: Components,
     slides: BTreeMap<UnknownId, Components>,
 }
 
-/// The speeds that are set free: of every node by turning, in its triad; of every place by sliding, in its node's.
+/// The released speeds: by node those of its rotation, in its triad; by place those of its translation, in the
+/// parent's.
 struct Freed {
     turning: Vec<Vec<Free>>,
     sliding: Vec<Vec<Free>>,
 }
 
-/// A speed with its acceleration and what that was divided by.
+/// A speed with its acceleration and the pivot.
 struct Solved {
     unknown: UnknownId,
     acceleration: ExprId,
     pivot: ExprId,
 }
 
-/// What an acceleration beyond that at u' = 0 is: of the origin, and angular.
+/// An acceleration relative to that at u' = 0: of the origin, and angular.
 type Beyond = (Components, Components);
 
-/// u' of a tree whose joints share no speeds; none for other mechanisms, nor where a pivot vanishes.
+/// u' of a tree whose joints share no speeds; `None` for other mechanisms, or if a pivot vanishes.
 pub(super) fn derive(
     alg: &mut Algebra,
     model: &Model,
@@ -85,7 +86,7 @@ pub(super) fn derive(
     if k.unknowns.len() < FEWEST_SPEEDS {
         return None;
     }
-    // Dependent speeds that stand still, as those along Euler parameters themselves, take no part.
+    // Dependent speeds that are constantly zero, such as the one along the Euler parameters, do not matter.
     let still = |step: &Step| step.coefficients.is_empty() && alg.dag.is_zero(step.bias);
     let independent = k.unknowns.clock().is_none() && solution.steps.iter().all(still);
     let bodies = shared_axis::bodies(alg, model, k);
@@ -126,7 +127,7 @@ pub(super) fn derive(
     Some(HingeByHinge { u_dot: unknowns.iter().map(|u| found[u].acceleration).collect(), pivots })
 }
 
-/// The nodes that hang on a root, with what moves them.
+/// The nodes that hang on a root, with their motions.
 struct Tree {
     nodes: Vec<Node>,
     root: usize,
@@ -134,12 +135,12 @@ struct Tree {
     states: Vec<Option<State>>,
     moves: Vec<Option<Moves>>,
     places: Vec<Place>,
-    /// Where every node hangs, if it does.
+    /// By node: the place where it hangs, if it does.
     place_of: Vec<Option<usize>>,
 }
 
 impl Tree {
-    /// None where two places of the tree move with one speed.
+    /// `None` if one speed moves several places of the tree.
     fn new(alg: &mut Algebra, model: &Model, k: &Kinematics, nodes: &[Node], root: usize) -> Option<Self> {
         let mut nodes = nodes.to_vec();
         tree::move_inwards(alg, &mut nodes, root, tree::Wheels::Whole);
@@ -171,12 +172,12 @@ impl Tree {
         (speeds.len() == n).then_some(Self { nodes, root, base, states, moves, places, place_of })
     }
 
-    /// Every speed.
+    /// Solves for the derivatives of all speeds.
     fn solve(&self, dag: &mut Dag, active: &MassAndForce) -> Vec<Solved> {
         let mut freed = Freed { turning: Vec::new(), sliding: Vec::new() };
         freed.turning.resize_with(self.nodes.len(), Vec::new);
         freed.sliding.resize_with(self.places.len(), Vec::new);
-        // What hangs at every place, in the triad of the node that has it.
+        // By place: the articulated body that hangs there, in the triad of the node that has the place.
         let mut hanging: Vec<Option<Articulated>> = self.places.iter().map(|_| None).collect();
         let zero = [dag.zero(); 3];
         for i in (self.root..self.nodes.len()).rev() {
@@ -225,7 +226,7 @@ impl Tree {
         self.outwards(dag, &freed)
     }
 
-    /// u' from the root to the leaves.
+    /// Computes u' from the root to the leaves.
     fn outwards(&self, dag: &mut Dag, freed: &Freed) -> Vec<Solved> {
         let mut found = Vec::new();
         let zero = [dag.zero(); 3];
@@ -248,7 +249,7 @@ impl Tree {
     }
 }
 
-/// The unknowns by which a joint slides, with the direction in the parent's triad.
+/// The unknowns by which a joint slides, each with its direction in the parent's triad.
 fn slides(dag: &mut Dag, motion: &Moves) -> BTreeMap<UnknownId, Components> {
     let zero = dag.zero();
     let mut found: BTreeMap<UnknownId, Components> = BTreeMap::new();
@@ -260,7 +261,7 @@ fn slides(dag: &mut Dag, motion: &Moves) -> BTreeMap<UnknownId, Components> {
     found
 }
 
-/// Sets a speed free; the body is what remains to those inside.
+/// Releases a speed; `body` becomes the articulated body without that motion.
 fn set_free(
     dag: &mut Dag,
     body: &mut Articulated,
@@ -280,7 +281,7 @@ fn set_free(
     Free { unknown, v, w, share, alone, pivot }
 }
 
-/// Adds the accelerations of the speeds that are set free at one place, the innermost first.
+/// Adds the accelerations of the speeds released at one place, the innermost first.
 fn accelerate(dag: &mut Dag, (mut a, mut alpha): Beyond, freed: &[Free], found: &mut Vec<Solved>) -> Beyond {
     for free in freed.iter().rev() {
         let [straight, turning] = [(&free.share.force, &a), (&free.share.moment, &alpha)]

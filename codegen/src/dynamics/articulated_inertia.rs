@@ -1,26 +1,28 @@
-//! What a tree of bodies opposes to an acceleration of its innermost one, its hinges being free to give way.
+//! Articulated-body inertia: the resistance of a tree to an acceleration of its innermost body, with its hinges
+//! released.
 //!
-//! To an acceleration a of the origin and an angular one alpha it opposes the force M a + H alpha + f and the moment
-//! H' a + J alpha + n. A rigid body has M = m 1, H = -[h] and J = tr(S) 1 - S; a free hinge takes away what it gives
-//! way to, a matrix of rank one. Featherstone 2008, chapter 7.
+//! An acceleration a of the origin and an angular acceleration alpha take the force M a + H alpha + f and the moment H'
+//! a + J alpha + n. A rigid body has M = m 1, H = -[h] and J = tr(S) 1 - S; releasing a hinge subtracts a matrix of
+//! rank one. Featherstone 2008, chapter 7.
 
 use super::spatial::{Inertia, Symmetric, Wrench, entry, turned_matrix, turned_symmetric};
 use crate::expr::{Dag, ExprId};
 use crate::model::Axis;
 use crate::vector::{Components, cross_components, dot_components};
 
-/// M, H, J and the wrench (f, n) at the accelerations from which others are counted; about an origin, in one triad.
+/// M, H, J, and the wrench (f, n) at the accelerations relative to which others are counted; about an origin, in one
+/// triad.
 #[derive(Clone, Debug)]
 pub(super) struct Articulated {
     mass: Symmetric,
-    /// `coupling[i][j]`: component i of the force that component j of the angular acceleration takes.
+    /// H: `coupling[i][j]` is component i of the force that component j of the angular acceleration takes.
     coupling: [Components; 3],
     inertia: Symmetric,
     pub wrench: Wrench,
 }
 
 impl Articulated {
-    /// A body that gives way to nothing.
+    /// The inertia of a rigid body, with no hinge released.
     pub(super) fn rigid(dag: &mut Dag, own: &Inertia, wrench: Wrench) -> Self {
         let (zero, m, h, s) = (dag.zero(), own.mass, own.first, own.second);
         let mut coupling = [[zero; 3]; 3];
@@ -44,7 +46,7 @@ impl Articulated {
         Self { mass, coupling, inertia, wrench: self.wrench.plus(dag, &other.wrench) }
     }
 
-    /// What an acceleration (a, alpha) takes beside the wrench.
+    /// The wrench that an acceleration (a, alpha) takes in addition to (f, n).
     pub(super) fn resistance(&self, dag: &mut Dag, a: &Components, alpha: &Components) -> Wrench {
         let row = |matrix: &Symmetric, i: usize| [0, 1, 2].map(|j| matrix[entry(i, j)]);
         let column = |i: usize| [0, 1, 2].map(|j| self.coupling[j][i]);
@@ -59,9 +61,7 @@ impl Articulated {
         }
     }
 
-    /// Without what a motion gives way to that takes `column` and by a unit of which it moves `share`.
-    ///
-    /// With U = I s and D = s . U the rest is I - U (U / D)': `share` is U / D.
+    /// Releases a motion s: subtracts U (U / D)', with `column` = U = I s, D = s . U, and `share` = U / D.
     pub(super) fn give_way(&mut self, dag: &mut Dag, column: &Wrench, share: &Wrench) {
         let mut less = |entry: &mut ExprId, a: ExprId, b: ExprId| {
             let term = dag.mul(a, b);
@@ -78,7 +78,7 @@ impl Articulated {
         }
     }
 
-    /// In the parent's axes, the triad being turned against them by `angle` about `axis`.
+    /// In the parent's axes, against which the triad is turned by `angle` about `axis`.
     pub(super) fn turned(&self, dag: &mut Dag, axis: Axis, angle: ExprId) -> Self {
         let mass = turned_symmetric(dag, axis, angle, &self.mass);
         let inertia = turned_symmetric(dag, axis, angle, &self.inertia);
@@ -90,8 +90,8 @@ impl Articulated {
         }
     }
 
-    /// What a ball joint leaves of a body that gives way to every turn: it opposes no angular acceleration and transmits no
-    /// moment but the `moment` of the forces on the joint's speeds. In the parent's axes, `rows` being the body's in them.
+    /// What remains of a body behind a released ball joint: no resistance to rotation, and no moment transmitted except
+    /// `moment`, that of the forces on the joint's speeds. In the parent's axes; `rows` are the body's axes in them.
     pub(super) fn held_by_force(&self, dag: &mut Dag, rows: &[Components; 3], moment: Components) -> Self {
         let zero = dag.zero();
         let turned = |dag: &mut Dag, v: &Components| -> Components {
@@ -111,10 +111,10 @@ impl Articulated {
         Self { mass, coupling: [[zero; 3]; 3], inertia: [zero; 6], wrench }
     }
 
-    /// About an origin at -`offset`, which moves the old one by alpha x offset: with C alpha = alpha x offset,
-    /// H + M C and J + H' C + C' (H + M C).
+    /// About an origin at -`offset`, relative to which the old origin moves by alpha x offset = C alpha: the new
+    /// matrices are H + M C and J + H' C + C' (H + M C).
     pub(super) fn shifted(&self, dag: &mut Dag, offset: &Components) -> Self {
-        // Column j of C, e_j x offset, has entries where the other two axes are.
+        // Column j of C, e_j x offset, is non-zero in the other two axes.
         let (zero, one) = (dag.zero(), dag.one());
         let columns: [Components; 3] = std::array::from_fn(|j| {
             let mut unit = [zero; 3];

@@ -1,10 +1,9 @@
-//! The augmented form, before anything is eliminated (thesis Eq. 2.5 with its multipliers):
+//! The augmented form: all equations before any elimination (thesis Eq. 2.5 with its multipliers).
 //!
 //! `[ M_y  -J' ] [ y'     ]   [ forcing ]`
 //! `[ J     0  ] [ lambda ] = [ -bias   ]`
 //!
-//! y: all speeds and lifted twists. The multipliers depend on how the rows are written: they are
-//! not joint reactions.
+//! y: all speeds and lifted twists. The multipliers depend on how the rows are written and are not joint reactions.
 
 use super::mass_and_force::MassAndForce;
 use crate::expr::{ExprId, SymbolId};
@@ -28,7 +27,7 @@ pub struct Augmented {
     pub bias: Vec<ExprId>,
 }
 
-/// Collects the system; speeds inside forces and biases become functions of the independent ones.
+/// Collects the matrices; speeds inside forces and biases are expressed by the independent ones.
 pub(super) fn derive(
     alg: &mut Algebra,
     k: &Kinematics,

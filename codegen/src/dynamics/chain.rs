@@ -1,20 +1,20 @@
-//! Chains and trees: the forces transmitted between mass centres as further unknowns.
+//! Chains and trees: u' with the forces transmitted between mass centres as additional unknowns.
 //!
-//! The mass centres form a tree of segments (see `segment`). R_s = sum m (a - g), over the centres at and
-//! beyond the outer end of segment s, is the force that it transmits. With A = a - g, and A = 0, g = 0 at O:
+//! The mass centres form a tree of segments (see `segment`). R_s = sum m (a - g), over the centres at and beyond the
+//! outer end of segment s, is the force that the segment transmits. With A = a - g, and A = 0, g = 0 at O:
 //!
-//! - Newton at the outer end: m_s A_s = R_s - sum of the R of the segments that begin there. It is divided by
-//!   the mass and used up as a vector equation, whatever the triads.
+//! - Newton at the outer end: m_s A_s = R_s - sum of the R of the segments that begin there. It is solved for A_s as a
+//!   vector equation, whatever the triads, by dividing by the mass.
 //! - Segment: A_s - A_inner - sum_k v_k y_k' = bias + g_inner - g_s; v_k and bias are those of the segment alone.
 //! - Kane, for every speed: sum_s v_k . R_s + (rotational inertia) y' = the other generalised forces.
 //!
-//! A segment's equations are resolved in the triad that turns with it. In the inertial one pivots would be sines
-//! and cosines that vanish somewhere (measured on ten links: 3e-11 instead of 2e-15), and the form is longer.
-//! Neighbours are turned against each other by the difference of their angles: two thirds of the operations of
-//! products of their sines and cosines, and the smaller error (1.7e-15 instead of 2.4e-15).
+//! A segment's equations are resolved in the triad that turns with it. In the inertial triad pivots would be sines and
+//! cosines that vanish somewhere (measured on ten links: error 3e-11 instead of 2e-15), and the form is longer.
+//! Neighbouring segments are related by the difference of their angles, which takes two thirds of the operations of
+//! products of their sines and cosines and has the smaller error (1.7e-15 instead of 2.4e-15).
 //!
-//! Every equation holds the unknowns of a few neighbours, so that the sparse elimination grows linearly with the
-//! length of a chain; no recursion is written anywhere. Where speeds depend on others the form is not offered.
+//! Every equation contains the unknowns of a few neighbours, so that the sparse elimination grows linearly with the
+//! length of a chain without any explicit recursion. If some speeds depend on others, this form is not offered.
 
 use super::mass_and_force::MassAndForce;
 use super::segment::Segment;
@@ -30,16 +30,16 @@ use crate::section::Section;
 use crate::vector::{Algebra, Components, TriadId, Vector};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// u' without a mass matrix.
+/// u' by elimination of the transmitted forces.
 #[derive(Clone, Debug)]
 pub(super) struct Chain {
     /// The independent accelerations.
     pub u_dot: Vec<ExprId>,
-    /// What is divided by.
+    /// The divisors that are not constants.
     pub pivots: Vec<Pivot>,
 }
 
-/// u' with the transmitted forces eliminated; none where no pivot is safe. All speeds are independent.
+/// u' with the transmitted forces eliminated; `None` if no safe pivot is left. All speeds must be independent.
 pub(super) fn derive(
     alg: &mut Algebra,
     model: &Model,
@@ -62,7 +62,7 @@ pub(super) fn derive(
     let u_dot = speeds.iter().map(|u| values.get(u).map(|v| v[0])).collect::<Option<Vec<_>>>()?;
     let masses = segments.iter().map(|s| s.mass);
     let divisors: BTreeSet<ExprId> = masses.chain(divisors).map(|d| alg.dag.unsigned(d)).collect();
-    // To divide by 1 / m is to multiply by m.
+    // Dividing by 1 / m multiplies by m.
     let divides = |&d: &ExprId| !alg.dag.is_constant(d) && !is_reciprocal(&alg.dag, d);
     let varying: Vec<ExprId> = divisors.into_iter().filter(divides).collect();
     let pivots = varying.into_iter().map(|d| pivot_of(&alg.dag, table, d)).collect();
@@ -73,7 +73,7 @@ fn is_reciprocal(dag: &Dag, expr: ExprId) -> bool {
     matches!(dag.node(expr), Node::Binary(Binary::Div, one, _) if dag.is_one(one))
 }
 
-/// Names for the forces.
+/// Labels the transmitted forces.
 fn name(alg: &mut Algebra, k: &Kinematics, segments: &[Segment], values: &Values) {
     for (s, segment) in segments.iter().enumerate() {
         for (axis, letter) in ["x", "y", "z"].into_iter().enumerate() {
@@ -85,12 +85,12 @@ fn name(alg: &mut Algebra, k: &Kinematics, segments: &[Segment], values: &Values
     }
 }
 
-/// The unknown that is a component of the force of segment `s`.
+/// The unknown for one component of the force of segment `s`.
 fn force(k: &Kinematics, s: usize, axis: usize) -> UnknownId {
     UnknownId::from_index(k.unknowns.len() + 3 * s + axis)
 }
 
-/// Typical sizes of the unknowns: what makes the largest entry 1 in every column of the segments' equations.
+/// Typical sizes of the unknowns: such that the largest entry in every column of the segments' equations is 1.
 fn sizes(dag: &Dag, table: &mut SampleTable, equations: &[Equation]) -> BTreeMap<UnknownId, f64> {
     let mut largest: BTreeMap<UnknownId, f64> = BTreeMap::new();
     for (&unknown, &entry) in equations.iter().flat_map(|e| &e.coefficients) {
@@ -101,8 +101,8 @@ fn sizes(dag: &Dag, table: &mut SampleTable, equations: &[Equation]) -> BTreeMap
     largest.into_iter().filter(|(_, m)| *m > 0.0).map(|(unknown, m)| (unknown, 1.0 / m)).collect()
 }
 
-/// The equations that a speed's derivative has to do with, directly or through others: motion out of
-/// the plane of a plane chain, for one, drops out.
+/// Keeps the equations coupled to the derivative of a speed, directly or through others. In a planar chain, for
+/// example, the equations of motion out of the plane are dropped.
 fn seen_by(speeds: &[UnknownId], equations: Vec<Equation>) -> Vec<Equation> {
     let mut seen: BTreeSet<UnknownId> = speeds.iter().copied().collect();
     loop {
@@ -120,7 +120,7 @@ fn seen_by(speeds: &[UnknownId], equations: Vec<Equation>) -> Vec<Equation> {
     equations.into_iter().filter(keep).collect()
 }
 
-/// What the equations are written with.
+/// The data from which the equations are written.
 struct System<'a> {
     alg: &'a mut Algebra,
     k: &'a Kinematics,
@@ -129,7 +129,7 @@ struct System<'a> {
     triad: Vec<TriadId>,
     /// Reciprocal of every segment's mass.
     lightness: Vec<ExprId>,
-    /// Segments that begin at the outer end of every segment.
+    /// By segment: the segments that begin at its outer end.
     outer: Vec<Vec<usize>>,
 }
 
@@ -177,7 +177,7 @@ impl<'a> System<'a> {
         equations
     }
 
-    /// A_s - A_inner in terms of the forces, = bias + g_inner - g_s.
+    /// The segment's equations with A_s - A_inner in terms of the forces: ... = bias + g_inner - g_s.
     fn segment_rows(&mut self, s: usize) -> [Equation; 3] {
         let Segment { inner, gravity, motion, .. } = &self.segments[s];
         let mut right = motion.bias.minus(&mut self.alg.dag, gravity);
@@ -194,7 +194,7 @@ impl<'a> System<'a> {
         rows
     }
 
-    /// Adds A of the outer end of segment `end`, or subtracts it, resolved in the triad of segment `s`.
+    /// Adds or subtracts A of the outer end of segment `end`, resolved in the triad of segment `s`.
     fn add_acceleration(&mut self, rows: &mut [Equation; 3], s: usize, end: usize, subtract: bool) {
         let weight = self.lightness[end];
         let outer = self.outer[end].clone();

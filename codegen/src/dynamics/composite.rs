@@ -1,10 +1,10 @@
-//! Generalised inertia forces of a tree by composite bodies.
+//! Generalised inertia forces of a tree by composite rigid bodies (Walker, Orin 1982; Featherstone 2008, chapters 5 and
+//! 6).
 //!
-//! With tw the twist of a node, s what its joint adds to its parent's twist, and C the inertia of all
-//! that hangs on the node, 2 T = sum over nodes of s' C s + 2 s' C (twist of the parent, moved): each
-//! column C s is formed once and carried inwards. The bias is Newton and Euler's recursion: outwards
-//! the accelerations at y' = 0, inwards the wrenches that they take. Walker, Orin 1982; Featherstone
-//! 2008, chapters 5 and 6. Everything in the triad of the node at hand.
+//! With s the twist that a node's joint adds to its parent's twist, and C the inertia of everything that hangs on the
+//! node, 2 T = sum over nodes of s' C s + 2 s' C (twist of the parent, shifted): each column C s is formed once and
+//! carried inwards. The bias is the Newton-Euler recursion: outwards the accelerations at y' = 0, inwards the wrenches
+//! that they take. Everything is in the triad of the node at hand.
 
 use super::given::Given;
 use super::mass_and_force::Terms;
@@ -18,18 +18,18 @@ use crate::model::{Axis, Model};
 use crate::vector::{Algebra, Components};
 use std::collections::BTreeMap;
 
-/// What hangs on a node, in its triad about its origin.
+/// The composite body on a node: its inertia, bias wrench and columns C s, in the node's triad about its origin.
 #[derive(Clone, Debug)]
 struct Load {
     inertia: Inertia,
     bias: Wrench,
     columns: BTreeMap<UnknownId, Wrench>,
-    /// By rate of a hinge whose column leaves out a parallel hinge farther out (`parallel`): that hinge's rate. The
-    /// column of the first rate alone is the sum of both columns.
+    /// Keys are rates of hinges whose column leaves out a parallel hinge farther out (`parallel`); values are the rates
+    /// of those hinges. The complete column of the key is the sum of both columns.
     completed_by: BTreeMap<UnknownId, UnknownId>,
 }
 
-/// Terms of the nodes that hang on `cut`, itself included, its whole twist being its own.
+/// Terms of `cut` and all nodes that hang on it; all components of the twist of `cut` are its own.
 pub(super) fn contributions(
     alg: &mut Algebra,
     model: &Model,
@@ -96,7 +96,7 @@ impl Load {
     }
 }
 
-/// Columns and contributions of a joint; the load as its parent feels it.
+/// Adds the columns and contributions of a joint; returns the load in the parent's triad, about its origin.
 fn inwards(
     alg: &mut Algebra,
     node: &Node,
@@ -133,8 +133,8 @@ fn inwards(
 }
 
 impl Load {
-    /// Projects on the twists `own` (unknown, v, w) of a joint: their entries of M_y and of the forces, v . f + w . n of
-    /// columns and bias, and their own columns for the joints inside.
+    /// Projects the load on the twists `own` (unknown, v, w) of a joint: adds v . f + w . n of columns and bias to M_y
+    /// and to the forces, and adds the twists' own columns for the joints inside.
     fn project(&mut self, dag: &mut Dag, own: &[(UnknownId, Components, Components)], found: &mut Terms) {
         let new: Vec<Wrench> = own.iter().map(|(_, v, w)| self.inertia.momentum(dag, v, w)).collect();
         for (n, (unknown, v, w)) in own.iter().enumerate() {
@@ -153,11 +153,11 @@ impl Load {
         }
     }
 
-    /// What a twist contributes against every column: products with the rates' own columns.
+    /// Products of a twist with the complete columns of all rates, by rate.
     fn powers(&self, dag: &mut Dag, v: &Components, w: &Components) -> LinearForm {
         let mut products: LinearForm =
             self.columns.iter().map(|(&unknown, column)| (unknown, power(dag, v, w, column))).collect();
-        // The outermost hinge of several first: its column is its own.
+        // The outermost of several parallel hinges first: its column is complete.
         let mut waiting = self.completed_by.clone();
         while let Some((&inner, &outer)) = waiting.iter().find(|(_, outer)| !waiting.contains_key(outer)) {
             let sum = dag.add(products[&inner], products[&outer]);
@@ -167,8 +167,8 @@ impl Load {
         products
     }
 
-    /// [`Load::project()`] of a hinge that leaves a parallel one farther out unturned: with M'_aa its own part, and
-    /// d = M_ab - M_bb what the translation of the other takes, M_aa = M'_aa + d + M_ab.
+    /// [`Load::project()`] for a hinge that carries a parallel hinge farther out along without turning it. With M'_aa
+    /// its own part and d = M_ab - M_bb the part due to the translation of the outer hinge, M_aa = M'_aa + d + M_ab.
     fn project_parallel(
         &mut self,
         dag: &mut Dag,
@@ -213,7 +213,7 @@ impl Load {
         }
     }
 
-    /// A wheel's spin: its moment of momentum J angle' e, beside what moves with the carrier.
+    /// Adds the spin of a wheel: angular momentum J angle' e, in addition to what moves with the carrier.
     fn spin(
         &mut self,
         dag: &mut Dag,

@@ -18,14 +18,14 @@ pub(super) fn kinetic(alg: &mut Algebra, k: &Kinematics, parts: &MassAndForce) -
         let (y, z) = (k.unknowns[a].value, k.unknowns[b].value);
         let product = alg.dag.mul(y, z);
         let term = alg.dag.mul(mass, product);
-        // Off-diagonal entries stand for two.
+        // Each off-diagonal entry stands for two.
         let term = if a == b { alg.dag.mul(half, term) } else { term };
         total = alg.dag.add(total, term);
     }
     total
 }
 
-/// Energy of gravity and of springs; zero height is the origin's.
+/// Potential energy of gravity and springs; the height of O is zero.
 pub(super) fn potential(alg: &mut Algebra, model: &Model, k: &Kinematics) -> ExprId {
     let mut total = alg.dag.zero();
     if let Some(gravity) = &model.gravity {

@@ -1,20 +1,20 @@
-//! Given accelerations: y' = T u' + beta with u' known, so that every body's acceleration is a number, not a linear form.
+//! Given accelerations: y' = T u' + beta with u' known, so that every acceleration is a value instead of a linear form.
 //!
-//! In: motions and rates with biases at y' = 0, and u'. Out: the same with the bias at the y' that u' means. What is derived
-//! from such motions as bias forces is then all of the inertia force: Newton and Euler's recursion (Luh, Walker, Paul
-//! 1980) instead of M u' with a matrix that nobody asked for.
+//! In: motions and rates with biases at y' = 0, and u'. Out: the same with the bias at that y'. The bias forces derived
+//! from such motions are then the whole inertia force: the Newton-Euler recursion (Luh, Walker, Paul 1980) instead of M
+//! u', which would need a mass matrix.
 
 use crate::expr::ExprId;
 use crate::kinematics::eliminate::Solution;
 use crate::kinematics::{Kinematics, LinearForm, Motion, Rate, UnknownId};
 use crate::vector::Algebra;
 
-/// y' of every unknown; of none, where accelerations are left open.
+/// y' of every unknown; empty if accelerations are not given.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Given(LinearForm);
 
 impl Given {
-    /// What the derivatives of the independent speeds mean for all unknowns.
+    /// Derivatives of all unknowns that follow from those of the independent speeds.
     pub fn new(alg: &mut Algebra, k: &Kinematics, solution: &Solution, u_dot: &[ExprId]) -> Self {
         let y_dot = k.unknowns.independent().into_iter().zip(u_dot.iter().copied()).collect();
         Self(solution.derivatives(alg, y_dot))
@@ -35,7 +35,7 @@ impl Given {
         self.0.get(&unknown).copied()
     }
 
-    /// The motion with its acceleration as bias.
+    /// The motion with its whole acceleration as bias.
     pub fn motion(&self, alg: &mut Algebra, mut motion: Motion) -> Motion {
         for (unknown, partial) in &motion.partials {
             if let Some(y_dot) = self.of(*unknown) {
@@ -46,7 +46,7 @@ impl Given {
         motion
     }
 
-    /// The rate with its derivative as bias.
+    /// The rate with its whole derivative as bias.
     pub fn rate(&self, alg: &mut Algebra, mut rate: Rate) -> Rate {
         for (unknown, &partial) in &rate.partials {
             if let Some(y_dot) = self.of(*unknown) {

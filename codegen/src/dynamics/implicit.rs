@@ -1,9 +1,9 @@
-//! M u' - forcing as a function whose derivatives are those of the mechanism, with the eliminations held.
+//! The residual M u' - forcing in a form that is cheap to differentiate: the eliminations are held as symbols.
 //!
 //! In: rows J y = 0 and J y' + b = 0, forces f missing on the unknowns y at given y'. Out: r = T' (f - J' lambda) as a
 //! function of coordinates, independent speeds and inputs, in which T, lambda of J_d' lambda = f_d and the factors of
-//! J_d are symbols. y and y' are corrected once by Newton's method, y <- y - J_d^-1 (J y), whose derivative is that of
-//! the implicit function theorem: no coefficient of the eliminations is differentiated.
+//! J_d are symbols. y and y' are corrected once by Newton's method, y <- y - J_d^-1 (J y); the derivative of this step
+//! is that of the implicit function theorem, so that no coefficient of the eliminations is differentiated.
 
 use super::given::Given;
 use super::inverse::{missing_at, on_independent};
@@ -18,19 +18,20 @@ use rustc_hash::FxHashMap as HashMap;
 
 type ByUnknown = LinearForm;
 
-/// r, and what its symbols stand for.
+/// r, and the values of its symbols.
 pub(crate) struct Implicit {
-    /// r, one an independent speed.
+    /// r, one entry per independent speed.
     pub residual: Vec<ExprId>,
-    /// Other expressions of q and y, with y as corrected.
+    /// Other expressions of q and y, with the corrected y.
     pub others: Vec<ExprId>,
-    /// What stands for its symbols, to be put in one after the other: each list reads symbols of later ones.
+    /// The expressions that replace its symbols, to be substituted list by list: each list depends on symbols of later
+    /// lists.
     values: [HashMap<SymbolId, ExprId>; 3],
 }
 
 impl Implicit {
-    /// At given u'; none where nothing was eliminated, or the rows were not solved one by one. The table learns the
-    /// values of the symbols.
+    /// The residual at given u'. `None` if nothing was eliminated, or if there are more rows than eliminated unknowns.
+    /// Adds the values of the symbols to the table.
     pub fn new(
         alg: &mut Algebra,
         model: &Model,
@@ -74,13 +75,13 @@ impl Implicit {
         })
     }
 
-    /// Expressions with what the symbols stand for.
+    /// Replaces the symbols in these expressions by their values.
     pub fn put_in(&self, dag: &mut Dag, list: &[ExprId]) -> Vec<ExprId> {
         self.values.iter().fold(list.to_vec(), |list, values| dag.substitute(&list, values))
     }
 }
 
-/// f - J' lambda, with lambda of J_d' lambda = f_d held.
+/// f - J' lambda, with lambda of J_d' lambda = f_d as symbols.
 fn take_multipliers(
     alg: &mut Algebra,
     k: &Kinematics,
@@ -102,7 +103,7 @@ fn take_multipliers(
     }
 }
 
-/// What stands for the symbols of the dependent y and y': each less its correction.
+/// The expressions for the symbols of the dependent y and y': each less its Newton correction.
 fn corrected(
     alg: &mut Algebra,
     k: &Kinematics,
@@ -140,7 +141,7 @@ fn corrected(
     corrected
 }
 
-/// Symbols in the place of expressions that are not to be differentiated.
+/// Symbols in place of expressions that shall not be differentiated.
 #[derive(Default)]
 struct Held {
     symbols: HashMap<ExprId, ExprId>,
@@ -148,7 +149,7 @@ struct Held {
 }
 
 impl Held {
-    /// The symbol of an expression; what depends on parameters alone stands for itself.
+    /// The symbol for an expression; an expression of parameters alone is returned as it is.
     fn hold(&mut self, dag: &mut Dag, value: ExprId) -> ExprId {
         if dag.dependence(value) < Dependence::State {
             return value;
@@ -166,7 +167,7 @@ impl Held {
         symbol
     }
 
-    /// A symbol of its own for an expression.
+    /// A new symbol for an expression.
     fn fresh(&mut self, dag: &mut Dag, value: ExprId) -> ExprId {
         let symbol = dag.symbol("held");
         self.values.extend(dag.as_symbol(symbol).map(|id| (id, value)));

@@ -1,9 +1,8 @@
-//! Generalised inertia forces F*_r.
+//! Generalised inertia forces F*_r = -(M y' + h) over all unknowns.
 //!
-//! M_kl = sum m v_k . v_l + w_k . I . w_l over all bodies; the bias is
-//! h_k = sum m v_k . a_bias + w_k . (I alpha_bias + w x I w). Sign: h stands beside M y', as in Kane.
-//! Bodies that hang on one another may instead be taken as a tree of composite bodies: whichever
-//! takes fewer operations.
+//! M_kl = sum m v_k . v_l + w_k . I . w_l over all bodies; the bias is h_k = sum m v_k . a_bias + w_k . (I alpha_bias +
+//! w x I w). Bodies that hang on one another may instead be treated as a tree of composite bodies; the form with fewer
+//! operations is kept.
 
 use super::composite;
 use super::given::Given;
@@ -15,11 +14,12 @@ use crate::kinematics::{Kinematics, Motion, UnknownId, lower_scalar, lower_vecto
 use crate::model::{Body, Model};
 use crate::vector::{Algebra, TriadId, Vector};
 
-/// A tree whose bodies, each for itself, take more scalar products than this is taken as composite bodies at once:
-/// that of a chain of fifteen hinges.
+/// Above this number of scalar products the body-by-body form of a tree is not tried: that of a chain of fifteen
+/// hinges.
 const LONG: usize = 680;
 
-/// Adds every body's inertia; with given accelerations the forces are all of it, and masses have no meaning.
+/// Adds every body's inertia. With given accelerations the forces are the whole inertia force, and the masses are not
+/// used.
 pub(super) fn accumulate(
     alg: &mut Algebra,
     model: &Model,
@@ -27,7 +27,7 @@ pub(super) fn accumulate(
     given: &Given,
     parts: &mut MassAndForce,
 ) {
-    // A tree weighs all that it carries: a body without weight stands alone.
+    // A composite body has the weight of all its parts: a body without weight is treated by itself.
     let bodies = shared_axis::bodies(alg, model, k);
     let (hanging, alone): (Vec<RigidInertia>, Vec<RigidInertia>) =
         bodies.into_iter().partition(|m| m.body.weight);
@@ -35,7 +35,8 @@ pub(super) fn accumulate(
     let forest = tree::build(alg, model, k, &hanging, tree::Balls::Roots);
     for (root, bodies) in forest.roots() {
         let bodies: Vec<RigidInertia> = bodies.into_iter().map(|i| hanging[i].clone()).collect();
-        // Of a long tree every body for itself takes products of all pairs of joints below it: never the cheaper way.
+        // For a long tree the body-by-body form takes products of all pairs of joints below each body and is never
+        // shorter.
         let is_long = forest.has_joints(root) && n_products(k, &bodies) > LONG;
         let mut best = (!is_long).then(|| body_by_body(alg, model, k, given, &bodies));
         if forest.has_joints(root) {
@@ -54,13 +55,13 @@ pub(super) fn accumulate(
     parts.add(&mut alg.dag, all);
 }
 
-/// How many scalar products the translations of the bodies, each for itself, take.
+/// Number of scalar products for the translations in the body-by-body form.
 fn n_products(k: &Kinematics, bodies: &[RigidInertia]) -> usize {
     let moving = bodies.iter().map(|rigid| k.velocities[rigid.body.centre].partials.len());
     moving.map(|n| n * (n + 1) / 2).sum()
 }
 
-/// Adds every body's moment of inertia only.
+/// Adds the rotational inertia of every body.
 pub(super) fn rotations(alg: &mut Algebra, model: &Model, k: &Kinematics, parts: &mut MassAndForce) {
     let mut found = Terms::default();
     for rigid in shared_axis::bodies(alg, model, k) {
@@ -69,7 +70,7 @@ pub(super) fn rotations(alg: &mut Algebra, model: &Model, k: &Kinematics, parts:
     parts.add(&mut alg.dag, found);
 }
 
-/// Every body for itself.
+/// The body-by-body form.
 fn body_by_body(
     alg: &mut Algebra,
     model: &Model,
@@ -85,7 +86,7 @@ fn body_by_body(
     found
 }
 
-/// Weight enters as an acceleration of the inertial frame: m v_k . (a_bias - g).
+/// Translation of a body. Weight enters as an acceleration of the inertial frame: m v_k . (a_bias - g).
 fn translation(
     alg: &mut Algebra,
     model: &Model,
@@ -114,8 +115,8 @@ fn translation(
     }
 }
 
-/// The products of a motion with every vector kept in the triads where it is short, or all of them
-/// resolved in the body's triad, or in the inertial one: whichever takes fewest operations.
+/// The products of a motion with every vector kept in the triads where it is short, or with all vectors resolved in the
+/// body's triad or in the inertial one; the form with the fewest operations is returned.
 fn cheapest_products(
     alg: &mut Algebra,
     k: &Kinematics,

@@ -1,7 +1,7 @@
-//! Inverse problems: forces of given accelerations, inputs of given forces, and the inertia felt at a place.
+//! Inverse dynamics: forces for given accelerations, inputs for given forces, and the effective inertia at a place.
 //!
-//! In: M u' = forcing, or bodies with given accelerations. Out: expressions. Featherstone 2008, chapters 5 (inverse
-//! dynamics) and 6.
+//! In: M u' = forcing, or bodies with given accelerations. Out: expressions. Featherstone 2008, chapter 5 (inverse
+//! dynamics) and chapter 6.
 
 use super::absolute::Absolute;
 use super::given::Given;
@@ -17,7 +17,7 @@ use crate::kinematics::{Kinematics, LinearForm, UnknownId, linear};
 use crate::model::Model;
 use crate::vector::Algebra;
 
-/// Inertia forces at given accelerations less active forces, by unknown: what is missing for them to happen.
+/// By unknown: the generalised force that is missing for the given accelerations, inertia forces less active forces.
 pub(crate) fn missing_forces(
     alg: &mut Algebra,
     model: &Model,
@@ -37,7 +37,7 @@ pub(super) fn missing_at(alg: &mut Algebra, model: &Model, k: &Kinematics, given
     parts.force.into_iter().map(|(unknown, force)| (unknown, alg.dag.negate(force))).collect()
 }
 
-/// The missing forces on the independent speeds, those of the others carried over by their partial velocities: T' f.
+/// The missing forces on the independent speeds, T' f: those on the other unknowns enter by their partial velocities.
 pub(crate) fn on_independent(
     alg: &mut Algebra,
     k: &Kinematics,
@@ -52,8 +52,8 @@ pub(crate) fn on_independent(
     independent.into_iter().map(|unknown| forces.get(&unknown).copied().unwrap_or(zero)).collect()
 }
 
-/// Multipliers lambda of the rows in `J' lambda = M y' - f`, from the equations of the dependent unknowns; none where
-/// there are more rows than those, so that they are not determined one by one.
+/// Multipliers lambda of the rows in `J' lambda = M y' - f`, from the equations of the dependent unknowns; `None` if
+/// there are more rows than dependent unknowns, so that single multipliers are not determined.
 pub(crate) fn multipliers(
     alg: &mut Algebra,
     k: &Kinematics,
@@ -79,8 +79,8 @@ pub(crate) fn multipliers(
     (0..solution.rows.len()).map(|r| values.get(&UnknownId::from_index(r)).map(|v| v[0])).collect()
 }
 
-/// -M^-1 columns: how u' answers to a change of M u' - forcing at held u'. The factors are those of the forward
-/// dynamics. Columns of one entry are taken from M^-1, which is symmetric: half of it is formed.
+/// -M^-1 columns: the change of u' due to a change of M u' - forcing at constant u'. Uses the factors of the forward
+/// dynamics. Columns with a single entry are taken from the symmetric M^-1, of which half is formed.
 pub(crate) fn response(dag: &mut Dag, mass: &[Vec<ExprId>], columns: &[Vec<ExprId>]) -> Vec<Vec<ExprId>> {
     let mut inverse = None;
     let mut solved = Vec::new();
@@ -122,8 +122,8 @@ pub(crate) fn forces_for(
     forces
 }
 
-/// Inputs that supply the generalised forces: B inputs = force, with B how the forcing depends on them. None where B is
-/// not square, depends on the inputs, or is singular at a sample.
+/// Inputs that supply the generalised forces: B inputs = force, with B the derivative of the forcing by the inputs.
+/// `None` if B is not square, depends on the inputs, or is singular at a sample.
 pub(crate) fn inputs_for(
     alg: &mut Algebra,
     table: &mut SampleTable,

@@ -1,7 +1,7 @@
 //! Inertia and generalised forces over all unknowns y, before the eliminations take them to the independent speeds.
 //!
-//! In: terms of M_y and of F_y - h_y, body by body and load by load. Out: their sums. [`Terms`] are not added up yet:
-//! forms of the same inertia are compared by what their terms cost before one is taken.
+//! In: terms of M_y and of F_y - h_y, body by body and load by load. Out: their sums. [`Terms`] are not summed yet,
+//! because equivalent forms of the same inertia are compared by the operations of their terms before one is taken.
 
 use super::given::Given;
 use crate::expr::number::Number;
@@ -53,36 +53,37 @@ pub(super) struct Terms {
 }
 
 impl Terms {
-    /// Those that count: of the forces alone where accelerations are given.
+    /// The terms whose operations count: if accelerations are given, those of the forces alone.
     fn counted(&self, given: &Given) -> Vec<ExprId> {
         let mass = self.mass.iter().filter(|_| !given.is_given()).map(|(_, _, e)| *e);
         mass.chain(self.force.iter().map(|(_, e)| *e)).collect()
     }
 
-    /// Operations at every evaluation.
+    /// Operations of one evaluation; those of parameters alone are left out.
     pub(super) fn state_cost(&self, dag: &Dag, given: &Given) -> usize {
         dag.state_cost(&self.counted(given))
     }
 
-    /// Operations, those of parameters included.
+    /// Operations, including those of parameters.
     pub(super) fn cone_cost(&self, dag: &Dag, given: &Given) -> usize {
         dag.cone_cost(&self.counted(given))
     }
 
-    /// The entry M_aa of a hinge whose own column has been formed.
+    /// The entry M_aa of a hinge whose column has been formed already.
     pub(super) fn mass_of(&self, unknown: UnknownId) -> ExprId {
         let entry = self.mass.iter().find(|(a, b, _)| *a == unknown && *b == unknown);
         entry.expect("a hinge farther out has its column before").2
     }
 
-    /// v_a . (column of b): counts twice where an unknown has a column of its own from a joint farther out.
+    /// Adds v_a . (column of b) to M_ab; twice if a = b, where the unknown already has a column from a joint farther
+    /// out.
     pub(super) fn add_product(&mut self, dag: &mut Dag, a: UnknownId, b: UnknownId, product: ExprId) {
         let two = dag.number(Number::integer(2));
         let entry = if a == b { dag.mul(two, product) } else { product };
         self.mass.push((a.min(b), a.max(b), entry));
     }
 
-    /// Takes over the terms of others.
+    /// Appends the terms of others.
     pub(super) fn extend(&mut self, others: Self) {
         self.mass.extend(others.mass);
         self.force.extend(others.force);

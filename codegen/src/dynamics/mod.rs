@@ -1,9 +1,9 @@
 //! Dynamics: Kane's equations F_r + F*_r = 0 in the independent speeds.
 //!
-//! Over all unknowns y (speeds and lifted twists) the inertia is sparse; the eliminations that solve the
-//! constraints, y = sum c z and y' = sum c z' + b, reduce it one unknown at a time (`reduce`): what comes
-//! out is M = T' M_y T and T' (F_y - h_y - M_y beta), with y = T u, but T itself is never formed.
-//! No mass matrix of the dependent speeds is ever inverted.
+//! In: kinematics, and the solution of the constraints. Out: M u' = forcing, u', energies. Over all unknowns y (speeds
+//! and lifted twists) the inertia is sparse. The eliminations that solve the constraints, y = sum c z and y' = sum c z'
+//! + b, reduce it one unknown at a time (`reduce`) to M = T' M_y T and T' (F_y - h_y - M_y beta), with y = T u, but T
+//! is never formed. No mass matrix of the dependent speeds is ever inverted.
 
 mod absolute;
 mod active_force;
@@ -67,22 +67,22 @@ pub struct Dynamics {
     pub kinetic: ExprId,
     /// Potential energy (J) of gravity and springs.
     pub potential: ExprId,
-    /// Power (W) of what makes the mechanism follow time, if it is driven.
+    /// Power (W) of the forces that enforce the prescribed motion, in a driven model.
     pub drive: Option<ExprId>,
-    /// Correction of redundant speeds, one a speed; empty where the speeds are independent.
+    /// Correction of redundant speeds, one entry per speed; empty if the speeds are independent.
     pub speed_correction: Vec<ExprId>,
-    /// Value of every unknown in terms of the independent speeds.
+    /// By symbol: the value of every eliminated unknown in terms of the independent speeds.
     pub values: HashMap<SymbolId, ExprId>,
     /// Pivots of the mass matrix.
     pub pivots: Vec<Pivot>,
-    /// The same equations before the elimination, where they are asked for.
+    /// The equations before the elimination, if they were asked for.
     pub augmented: Augmented,
 }
 
-/// Derives the equations of motion; before the elimination too, where that is asked for.
+/// Derives the equations of motion and, if `with_augmented`, the augmented form.
 ///
 /// # Errors
-/// If the mass matrix is singular: a coordinate moves without moving any mass.
+/// If the mass matrix is singular: some coordinate moves no mass.
 pub fn derive(
     alg: &mut Algebra,
     model: &Model,
@@ -140,12 +140,12 @@ pub fn derive(
     })
 }
 
-/// u' and what belongs to it.
+/// u', with the pivots and corrections that belong to it.
 #[derive(Default)]
 struct Solved {
     u_dot: Vec<ExprId>,
     speed_correction: Vec<ExprId>,
-    /// What the multipliers of redundant speeds take from the power of the drive.
+    /// The part of the drive's power that the multipliers of redundant speeds supply.
     of_ties: Option<ExprId>,
     pivots: Vec<Pivot>,
 }
@@ -167,7 +167,7 @@ fn tied(
     Ok(Solved { u_dot: found.u_dot, speed_correction: found.correction, of_ties, pivots: found.pivots })
 }
 
-/// M_t u' - f_t: the power of the forces that make the mechanism follow time.
+/// M_t u' - f_t: the power of the forces that enforce the prescribed motion.
 fn drive_power(
     dag: &mut Dag,
     mass: &[ExprId],
@@ -181,7 +181,7 @@ fn drive_power(
     dag.sub(inertia, force)
 }
 
-/// Does every motion that the ties of redundant speeds allow move mass, at every sample?
+/// Does every motion that the ties between redundant speeds allow move some mass, at every sample?
 pub(crate) fn is_inert(
     alg: &mut Algebra,
     model: &Model,
@@ -197,7 +197,7 @@ pub(crate) fn is_inert(
     redundant::solve(alg, model, k, table, (&solution.ties, &values), (&mass, &forcing)).is_some()
 }
 
-/// What is left without masses: the values of the unknowns; every force, acceleration and energy is 0.
+/// The result for a model without masses: the values of the unknowns; every force, acceleration and energy is 0.
 pub(crate) fn without_mass(
     alg: &mut Algebra,
     model: &Model,
@@ -225,7 +225,7 @@ pub(crate) fn without_mass(
     }
 }
 
-/// u' and pivots in whichever form costs less: through the mass matrix, as a chain, or hinge by hinge.
+/// u' and pivots by the cheapest form: through the mass matrix, as a chain, or hinge by hinge.
 fn accelerations(
     alg: &mut Algebra,
     (model, k, solution): (&Model, &Kinematics, &Solution),
@@ -238,7 +238,7 @@ fn accelerations(
     let hinges = articulated::derive(alg, model, k, solution, table, mass_matrix);
     let forms = chain.map(|c| (c.u_dot, c.pivots)).into_iter().chain(hinges.map(|h| (h.u_dot, h.pivots)));
     let shortest = forms.map(|form| (alg.dag.cost(&form.0, optimise), form)).min_by_key(|(cost, _)| *cost);
-    // The mass matrix alone may cost more: then it need not be solved with.
+    // If forming the mass matrix alone costs more, its factorisation need not be tried.
     let entries: Vec<ExprId> = mass_matrix.iter().flatten().chain(forcing).copied().collect();
     if let Some((cost, form)) = &shortest
         && *cost <= alg.dag.cost(&entries, optimise)
@@ -252,8 +252,8 @@ fn accelerations(
     }
 }
 
-/// Value of every unknown that is not an independent speed, each from those eliminated after it;
-/// named after the unknown, a dependent speed with the model's line.
+/// By symbol: the value of every eliminated unknown, each from those eliminated after it. Labels each with the
+/// unknown's name and a dependent speed with the model's line.
 pub(crate) fn unknown_values(
     alg: &mut Algebra,
     model: &Model,

@@ -1,11 +1,10 @@
-//! Hinges with parallel axes, one inside the other.
+//! Hinges with parallel axes, one outside the other.
 //!
-//! The turn of the inner hinge turns what hangs on the outer one, unless the outer hinge turns back. With the
-//! absolute rate w = u_a + u_b of the outer part in the place of u_b the two share little inertia: the inner
-//! rate carries the outer part along without turning it. In relative rates M_aa, M_ab and M_bb all hold the outer part's
-//! inertia; the elimination takes their difference and loses digits. So the entries are formed as
-//! M_bb, M_ab = M_bb + d, M_aa = M'_aa + d + M_ab, and solved in absolute rates (`solve`), where what they share
-//! is never formed.
+//! A rotation of the inner hinge also turns what hangs on the outer one, unless the outer hinge turns back. With the
+//! absolute rate w = u_a + u_b of the outer part instead of u_b the two rates share little inertia: the inner one
+//! carries the outer part along without turning it. In relative rates M_aa, M_ab and M_bb all contain the outer part's
+//! inertia; the elimination takes their difference and loses digits. So the entries are formed as M_bb, M_ab = M_bb +
+//! d, M_aa = M'_aa + d + M_ab, and solved in absolute rates (`absolute`), where the shared part is never formed.
 
 use super::spatial::{Inertia, Wrench};
 use super::tree::{Joint, Node};
@@ -14,18 +13,18 @@ use crate::expr::{Dag, ExprId};
 use crate::kinematics::{Kinematics, UnknownId};
 use crate::vector::{Algebra, Components, cross_components};
 
-/// What the turn of a hinge moves, if one of the parts it carries hangs on a parallel hinge.
+/// The inertia that the rotation of a hinge moves, if a part that it carries hangs on a parallel hinge.
 #[derive(Clone, Debug)]
 pub(super) struct Turning {
-    /// The node on the parallel hinge and the unknown that is its rate.
+    /// The node on the outer, parallel hinge, and the unknown that is its rate.
     outer: (usize, UnknownId),
-    /// What turns with the hinge: all but that part.
+    /// The inertia that turns with the hinge: all but the part on the outer hinge.
     inertia: Inertia,
-    /// Inertia of that part about the hinge, and where its own hinge stands.
+    /// Inertia of that part about the outer hinge, and the position of the outer hinge.
     carried: Option<(Inertia, Components)>,
 }
 
-/// By node, where all speeds are independent.
+/// By node: its parallel outer hinge, if it has one; none at all if some speeds are dependent.
 pub(super) fn turning(
     alg: &Algebra,
     k: &Kinematics,
@@ -53,7 +52,7 @@ pub(super) fn turning(
     found
 }
 
-/// The unknown that is the rate of a node's hinge and moves no other joint: M_bb is then the outer part's alone.
+/// The unknown that is the rate of a node's hinge and of no other joint: M_bb is then due to the outer part alone.
 fn rate(alg: &Algebra, moves: &[Option<Moves>], node: usize) -> Option<UnknownId> {
     let turn = &moves[node].as_ref()?.turn;
     let (&unknown, &partial) = turn.partials.iter().next()?;
@@ -64,7 +63,7 @@ fn rate(alg: &Algebra, moves: &[Option<Moves>], node: usize) -> Option<UnknownId
 }
 
 impl Turning {
-    /// A load that has come to the hinge from `node`, which hangs at `offset`.
+    /// Adds a load that hangs on `node` at `offset` from the hinge.
     pub fn add(&mut self, dag: &mut Dag, node: usize, inertia: &Inertia, offset: &Components) {
         if node == self.outer.0 {
             self.carried = Some((inertia.clone(), *offset));
@@ -73,8 +72,8 @@ impl Turning {
         }
     }
 
-    /// The outer unknown; M'_aa and the momentum for the turn `w` of the hinge alone, what hangs on the outer hinge
-    /// keeping its orientation: it moves at w x p, all of it.
+    /// The outer unknown; then M'_aa and the momentum for a rotation w of this hinge while what hangs on the outer
+    /// hinge keeps its orientation, so that all of it moves at w x p.
     pub fn column(&self, dag: &mut Dag, w: &Components) -> (UnknownId, ExprId, Wrench) {
         let zero = [dag.zero(); 3];
         let mut column = self.inertia.momentum(dag, &zero, w);

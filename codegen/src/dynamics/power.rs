@@ -1,7 +1,8 @@
 //! Power of every load and of the weight.
 //!
-//! In: loads as generalised forces over all unknowns y. Out: F . y for each, what it puts into the mechanism (W). With
-//! the drive's power they sum to the rate of the kinetic energy: constraints do no work.
+//! In: loads as generalised forces over all unknowns y. Out: F . y for each, the power that it supplies to the
+//! mechanism (W). Together with the drive's power they sum to the rate of the kinetic energy, because constraints do no
+//! work.
 
 use super::active_force;
 use super::mass_and_force::MassAndForce;
@@ -10,7 +11,7 @@ use crate::kinematics::{Kinematics, lower_scalar, lower_vector};
 use crate::model::{LoadKind, Model};
 use crate::vector::Algebra;
 
-/// What each load is called, with its power in the symbols of all unknowns; the weight last.
+/// Name and power of each load, in terms of the symbols of all unknowns; the weight last.
 pub(crate) fn powers(alg: &mut Algebra, model: &Model, k: &Kinematics) -> Vec<(String, ExprId)> {
     let mut found = Vec::new();
     for load in &model.loads {

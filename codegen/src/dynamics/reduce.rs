@@ -1,13 +1,12 @@
-//! From all unknowns to the independent speeds, one elimination after the other.
+//! Reduces the equations from all unknowns to the independent speeds, one elimination after the other.
 //!
-//! With `y = sum c_z z` and `y' = sum c_z z' + b` the virtual power
-//! `sum_a da (sum_b M_ab b' - f_a)` keeps its form in the remaining unknowns:
-//! `M_zw += c_z M_yy c_w + c_z M_yw + M_zy c_w`, `f_a -= M_ay b`, `f_z += c_z (f_y - M_yy b)`.
-//! Each step has few coefficients: the partial velocities T are never formed, and M = T' M_y T and
-//! T' (f - M_y beta) come out with what the unknowns share already in common.
+//! With `y = sum c_z z` and `y' = sum c_z z' + b` the virtual power `sum_a da (sum_b M_ab b' - f_a)` keeps its form in
+//! the remaining unknowns: `M_zw += c_z M_yy c_w + c_z M_yw + M_zy c_w`, `f_a -= M_ay b`, `f_z += c_z (f_y - M_yy b)`.
+//! Each step has few coefficients: the partial velocities T are never formed, and in M = T' M_y T and T' (f - M_y beta)
+//! the sub-expressions that several unknowns share are formed once.
 //!
-//! The clock, which no step eliminates, keeps its row too: M_t u' - f_t is the power that the drive puts in, since
-//! virtual power along v_t is that of all forces but those which make the mechanism follow time.
+//! The clock, which no step eliminates, keeps its row too: M_t u' - f_t is the power supplied by the drive, because the
+//! virtual power along v_t is that of all forces except those that enforce the prescribed motion.
 
 use super::mass_and_force::MassAndForce;
 use crate::expr::number::Number;
@@ -21,11 +20,11 @@ use crate::vector::Algebra;
 pub(super) struct Reduced {
     pub mass: Vec<Vec<ExprId>>,
     pub forcing: Vec<ExprId>,
-    /// M_t and f_t of the clock, where the model is driven.
+    /// M_t and f_t of the clock, in a driven model.
     pub drive: Option<(Vec<ExprId>, ExprId)>,
 }
 
-/// Takes inertia and forces through all eliminations.
+/// Applies all eliminations to inertia and forces.
 pub(super) fn reduce(
     alg: &mut Algebra,
     k: &Kinematics,
@@ -56,7 +55,7 @@ pub(super) fn reduce(
     Reduced { mass, forcing, drive }
 }
 
-/// Takes `y` out of the equations.
+/// Eliminates the unknown y of one step.
 fn eliminate(dag: &mut Dag, parts: &mut MassAndForce, step: &Step) {
     let y = step.unknown;
     let zero = dag.zero();
@@ -81,7 +80,7 @@ fn eliminate(dag: &mut Dag, parts: &mut MassAndForce, step: &Step) {
     }
 }
 
-/// The terms of M that begin with c_z.
+/// Adds the terms of M that have c_z as first factor.
 fn add_masses(
     dag: &mut Dag,
     parts: &mut MassAndForce,
@@ -106,7 +105,7 @@ fn add_masses(
         parts.add_mass(dag, z, w, term);
     }
     for (&w, &m) in others {
-        // A pair within the coefficients: the half not yet taken. Else all of it.
+        // If both z and w have coefficients, half of the pair was added above; otherwise add all of it.
         if w < z || !step.coefficients.contains_key(&w) {
             let term = dag.mul(c, m);
             parts.add_mass(dag, z, w, term);
@@ -114,7 +113,7 @@ fn add_masses(
     }
 }
 
-/// Labels for the generated code. A coefficient has no name: its value often serves several speeds.
+/// Labels values for the generated code. A coefficient gets no name, because its value often serves several speeds.
 fn label_step(alg: &mut Algebra, k: &Kinematics, step: &Step) {
     for &coefficient in step.coefficients.values() {
         alg.dag.label(coefficient, Label::of(Section::Constraints));

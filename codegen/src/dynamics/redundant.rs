@@ -1,11 +1,11 @@
-//! Equations of motion of redundant speeds: Lagrange's of the first kind.
+//! Equations of motion for redundant speeds: Lagrange's equations of the first kind.
 //!
 //! In: M u' = f + J' lambda and the rows J u + j = 0 that tie the speeds, with J u' = -b. Out: u', lambda, and the
-//! correction of speeds that have left the rows. M alone may be singular: it is positive on the motions that the rows
-//! allow, so A = M + J' s J is positive definite wherever J has full rank, and so is S = J A^-1 J'. By the rows A u' =
-//! f - J' s b + J' lambda, hence u' = A^-1 (f + J' mu) with S mu = -b - J A^-1 f and lambda = mu + s b.
+//! correction of speeds that violate the rows. M alone may be singular. It is positive on the motions that the rows
+//! allow, so that A = M + J' s J is positive definite wherever J has full rank, and so is S = J A^-1 J'. The rows give
+//! A u' = f - J' s b + J' lambda, hence u' = A^-1 (f + J' mu) with S mu = -b - J A^-1 f and lambda = mu + s b.
 //!
-//! Speeds are corrected in the metric of A: to first order that leaves the kinetic energy as it is.
+//! Speeds are corrected in the metric of A, which to first order leaves the kinetic energy unchanged.
 
 use super::solve::{Factors, NO_INERTIA};
 use crate::expr::tape::SampleTable;
@@ -17,13 +17,13 @@ use crate::model::Model;
 use crate::vector::Algebra;
 use rustc_hash::FxHashMap as HashMap;
 
-/// u' of redundant speeds, and what keeps them on their rows.
+/// u' of redundant speeds, with multipliers and corrections.
 #[derive(Clone, Debug)]
 pub(super) struct Redundant {
     pub u_dot: Vec<ExprId>,
-    /// lambda, one a row.
+    /// lambda, one per row.
     pub multipliers: Vec<ExprId>,
-    /// What is added to the speeds.
+    /// The correction that is added to the speeds.
     pub correction: Vec<ExprId>,
     pub pivots: Vec<Pivot>,
 }
@@ -36,7 +36,7 @@ struct Ties {
     bias: Vec<ExprId>,
 }
 
-/// Solves for u'; none where some motion that the rows allow moves no mass.
+/// Solves for u'; `None` if some motion that the rows allow moves no mass.
 pub(super) fn solve(
     alg: &mut Algebra,
     model: &Model,
@@ -92,7 +92,7 @@ pub(super) fn solve(
     Some(Redundant { u_dot, multipliers, correction, pivots })
 }
 
-/// Correction of the speeds of a model without masses: the shortest.
+/// Correction of least norm of the speeds, for a model without masses.
 pub(super) fn shortest_correction(
     alg: &mut Algebra,
     model: &Model,
@@ -108,7 +108,7 @@ pub(super) fn shortest_correction(
     solve(alg, model, k, table, (rows, &values), (&identity, &vec![zero; n])).map(|found| found.correction)
 }
 
-/// lambda' j: the power that the rows' parts without speeds take from what drives the mechanism.
+/// lambda' j: the part of the drive's power that acts through the parts of the rows without speeds.
 pub(super) fn power_of_drive(
     alg: &mut Algebra,
     k: &Kinematics,
@@ -143,9 +143,9 @@ fn ties(alg: &mut Algebra, k: &Kinematics, rows: &[Row], values: &HashMap<Symbol
     ties
 }
 
-/// s, one a row: powers of two that make J' s J about as large as M at the nominal configuration and parameters, times
-/// what M has grown more than J' J for the parameters that are set, both by the sums of their diagonals over speeds of
-/// one unit.
+/// s, one per row: powers of two that make J' s J about as large as M at the nominal configuration and parameters,
+/// times the ratio by which M has grown relative to J' J at the parameters that are set. Sizes are sums of the
+/// diagonals, with speeds scaled to a common unit.
 fn scales(
     dag: &mut Dag,
     table: &mut SampleTable,
@@ -193,7 +193,7 @@ fn stiffened(
     a
 }
 
-/// Records the pivots; none if one of them is not positive at a sample.
+/// Records the pivots; `None` if one of them is not positive at a sample.
 fn positive(
     dag: &Dag,
     table: &mut SampleTable,

@@ -1,4 +1,4 @@
-//! Generalised inertia forces of one body's turning: w_k . I . w_l and w_k . (I alpha_bias + w x I w), in its own triad.
+//! Rotational inertia forces of one body, w_k . I . w_l and w_k . (I alpha_bias + w x I w), in its own triad.
 
 use super::given::Given;
 use super::mass_and_force::Terms;
@@ -7,7 +7,7 @@ use crate::expr::Dag;
 use crate::kinematics::{Kinematics, Motion, UnknownId};
 use crate::vector::{Algebra, Components, TriadId, cross_components, dot_components};
 
-/// Adds what a body's turning contributes.
+/// Adds the contributions of a body's rotation.
 pub(super) fn rotation(
     alg: &mut Algebra,
     k: &Kinematics,

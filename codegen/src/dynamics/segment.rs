@@ -1,19 +1,19 @@
 //! The mass centres as a tree of segments: every centre is reached from O or from another centre.
 //!
-//! Any tree gives right equations; a good one has segments that few speeds move. A segment's motion is
-//! that of its outer end less that of its inner end.
+//! Any tree gives correct equations; in a good one few speeds move each segment. The motion of a segment is that of its
+//! outer end minus that of its inner end.
 
 use crate::expr::ExprId;
 use crate::kinematics::{Kinematics, Motion, lower_scalar, lower_vector};
 use crate::model::Model;
 use crate::vector::{Algebra, TriadId, Vector};
 
-/// From one centre to the next, outwards.
+/// A step from one centre to the next, outwards.
 #[derive(Clone, Debug)]
 pub(super) struct Segment {
     /// Name of the body at its outer end, for the generated code.
     pub name: String,
-    /// The segment before it, which is also the number of the centre where it begins; none: it begins at O.
+    /// Index of the segment before it, and so of the centre where it begins; `None` if it begins at O.
     pub inner: Option<usize>,
     /// Mass at its outer end (kg).
     pub mass: ExprId,
@@ -23,7 +23,7 @@ pub(super) struct Segment {
     pub motion: Motion,
 }
 
-/// A centre before it has its place in the tree.
+/// A mass centre before it is placed in the tree.
 struct Centre {
     name: String,
     position: Vector,
@@ -32,14 +32,15 @@ struct Centre {
     gravity: Vector,
 }
 
-/// Smaller trees gain nothing from their shared beginnings.
+/// With fewer segments nothing is gained by sharing.
 const FEWEST_SEGMENTS: usize = 3;
-/// A speed moves fewer segments than this, on the average. With more nothing is gained: speeds that are relative from body to
+/// Upper limit of the average number of segments that a speed moves. Above it nothing is gained: speeds relative from
+/// body to body move every segment farther out.
 /// body move every segment farther out.
 const TOO_MANY_MOVED: usize = 2;
 
-/// The segments of a tree in which every speed moves few; none for others, nor where speeds depend on others:
-/// measured on the four-bar and the tile, sharing there gains nothing and costs accuracy.
+/// The segments of a tree in which every speed moves few of them; `None` for other mechanisms. Also `None` if some
+/// speeds are dependent: measured on the four-bar and the tile, sharing there gains nothing and costs accuracy.
 pub(super) fn sparse_tree(alg: &mut Algebra, model: &Model, k: &Kinematics) -> Option<Vec<Segment>> {
     let independent = k.unknowns.are_independent();
     if !independent || model.bodies.len() < FEWEST_SEGMENTS {
@@ -50,10 +51,10 @@ pub(super) fn sparse_tree(alg: &mut Algebra, model: &Model, k: &Kinematics) -> O
     (segments.len() >= FEWEST_SEGMENTS && moved < TOO_MANY_MOVED * k.unknowns.len()).then_some(segments)
 }
 
-/// The segments, inner ones first. Bodies without mass have none; bodies with one centre share it.
+/// The segments, inner ones first. Bodies without mass have none; bodies with the same centre share one.
 fn tree(alg: &mut Algebra, model: &Model, k: &Kinematics) -> Vec<Segment> {
     let mut centres = centres(alg, model, k);
-    // What few speeds move lies inside.
+    // Centres that few speeds move are inner ones.
     centres.sort_by_key(|centre| centre.motion.partials.len());
     let mut segments = Vec::with_capacity(centres.len());
     for (s, centre) in centres.iter().enumerate() {
@@ -93,7 +94,7 @@ fn centres(alg: &mut Algebra, model: &Model, k: &Kinematics) -> Vec<Centre> {
     centres
 }
 
-/// (partial velocities, terms of them) that two motions do not share.
+/// Number of partial velocities, and of their terms, in which two motions differ.
 fn difference(a: &Motion, b: &Motion) -> (usize, usize) {
     let (mut partials, mut terms) = (0, 0);
     let none = Vector::zero();
@@ -122,7 +123,7 @@ fn minus(alg: &mut Algebra, a: &Motion, b: &Motion) -> Motion {
 }
 
 impl Segment {
-    /// The deepest triad that its partial velocities are written in: the one that turns with it.
+    /// The deepest triad in which its partial velocities have terms: the one that turns with it.
     pub fn own_triad(&self) -> TriadId {
         let triads = self.motion.partials.values().flat_map(|v| v.terms.keys());
         triads.max().copied().unwrap_or(TriadId::INERTIAL)

@@ -1,9 +1,9 @@
-//! Translational inertia of a tree of segments (see `segment`) by sums over what lies beyond a segment.
+//! Translational inertia of a tree of segments (see `segment`) by sums over everything beyond a segment.
 //!
-//! A centre's velocity is the sum over the segments that lead to it. Hence, instead of a sum over all bodies,
-//! M_kl = sum over pairs of segments of m v_k . v_l, with m the mass at and beyond the outer one of the two if
-//! the inner one leads to it, else 0; and h_k = sum_s v_k . H_s, with H_s = sum m (a_bias - g) over the centres at
-//! and beyond segment s.
+//! A centre's velocity is the sum over the segments that lead to it. Hence, instead of a sum over all bodies, M_kl =
+//! sum over pairs of segments of m v_k . v_l, where m is the mass at and beyond the outer segment of the pair if the
+//! inner one leads to it, else 0; and h_k = sum_s v_k . H_s, with H_s = sum m (a_bias - g) over the centres at and
+//! beyond segment s.
 
 use super::mass_and_force::MassAndForce;
 use super::segment::Segment;
@@ -20,11 +20,11 @@ pub(super) fn accumulate(alg: &mut Algebra, segments: &[Segment], parts: &mut Ma
         while let Some(s) = at {
             let inner = partials(&segments[s]);
             for (i, (a, v)) in inner.iter().enumerate() {
-                // Of a segment with itself each pair once, of two segments all.
+                // For a segment with itself each pair once, for two segments all pairs.
                 for (b, w) in &outer[if s == t { i } else { 0 }..] {
                     let product = alg.dot(v, w);
                     let term = alg.dag.mul(mass, product);
-                    // On the diagonal two segments count in both orders.
+                    // Two different segments contribute to the diagonal in both orders.
                     for _ in 0..if a == b && s != t { 2 } else { 1 } {
                         add_mass(alg, parts, (*a, *b), term);
                     }
@@ -63,8 +63,8 @@ fn masses_beyond(alg: &mut Algebra, segments: &[Segment]) -> Vec<ExprId> {
     masses
 }
 
-/// sum m (a_bias - g) at and beyond the outer end of every segment, resolved in the inertial triad: one set of
-/// components serves the sum outwards and the sum inwards.
+/// sum m (a_bias - g) at and beyond the outer end of every segment. Resolved in the inertial triad, where the sums
+/// outwards and inwards use the same components.
 fn bias_forces_beyond(alg: &mut Algebra, segments: &[Segment]) -> Vec<Vector> {
     let inertial = TriadId::INERTIAL;
     let mut bias: Vec<Vector> = Vec::with_capacity(segments.len());

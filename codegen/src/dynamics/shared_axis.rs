@@ -1,9 +1,9 @@
-//! Inertia that a turn about a shared axis leaves as it is.
+//! Moves inertia to another body along a shared axis, where it is constant.
 //!
-//! A body with an axis e that is fixed in another frame too turns against that frame about e alone, whatever
-//! loop it is part of. Both have the same angular velocity w across e, and so the same moment of momentum
-//! J w across e of a part J (1 - e e') that is alike all round e: this part is handed to the body of the other
-//! frame, where it is constant and adds to that body's own. What turns about e stays.
+//! A body with an axis e that is also fixed in another frame turns relative to that frame about e alone, whatever loop
+//! it is part of. Both have the same angular velocity w across e, hence a part J (1 - e e') of the inertia, symmetric
+//! about e, has the same angular momentum J w across e in either. This part is moved to the body of the other frame,
+//! where it is constant and adds to that body's own inertia. What turns about e stays.
 
 use super::given::Given;
 use super::mass_and_force::Terms;
@@ -15,7 +15,7 @@ use crate::kinematics::{Kinematics, is_lifted_triad, lower_scalar};
 use crate::model::{Axis, Model};
 use crate::vector::{Algebra, Components};
 
-/// All bodies, with inertia handed over wherever that takes fewer operations.
+/// All bodies, with inertia moved wherever that takes fewer operations.
 pub(super) fn bodies<'m>(alg: &mut Algebra, model: &'m Model, k: &Kinematics) -> Vec<RigidInertia<'m>> {
     let zero = alg.dag.zero();
     let mut list: Vec<RigidInertia> = Vec::new();
@@ -35,7 +35,8 @@ pub(super) fn bodies<'m>(alg: &mut Algebra, model: &'m Model, k: &Kinematics) ->
     list
 }
 
-/// A body whose frame is lifted and holds an axis of body `i`: its place, the axis, its components there.
+/// A body whose frame is lifted and in which an axis of body `i` is fixed: its index, the axis, the axis's components
+/// there.
 fn carrier(
     alg: &Algebra,
     model: &Model,
@@ -56,7 +57,7 @@ fn carrier(
     None
 }
 
-/// The body without `part`, which is alike all round the axis.
+/// The body without `part`, which is symmetric about the axis.
 fn without<'m>(alg: &mut Algebra, rigid: &RigidInertia<'m>, axis: usize, part: ExprId) -> RigidInertia<'m> {
     let mut rest = rigid.clone();
     for other in (0..3).filter(|&other| other != axis) {
@@ -65,9 +66,8 @@ fn without<'m>(alg: &mut Algebra, rigid: &RigidInertia<'m>, axis: usize, part: E
     rest
 }
 
-/// Entries of the mass matrix that a body's turning by itself takes, and its operations.
-///
-/// Every entry goes through all eliminations: that one is saved counts before what it takes to form it.
+/// Number of mass matrix entries due to the body's rotation, and their operations. Compared in this order, because
+/// every entry goes through all eliminations.
 fn cost(alg: &mut Algebra, k: &Kinematics, rigid: &RigidInertia) -> (usize, usize) {
     let mut found = Terms::default();
     rotation(alg, k, &Given::default(), rigid, &mut found);

@@ -1,4 +1,4 @@
-//! M u' = forcing by L D L', written out; M is symmetric and positive definite.
+//! Solves M u' = forcing by L D L', written out symbolically; M is symmetric and positive definite.
 
 use super::absolute::Absolute;
 use crate::diagnostic::{Diagnostic, Diagnostics};
@@ -11,7 +11,7 @@ use crate::section::Section;
 use crate::vector::Algebra;
 use std::convert::Infallible;
 
-/// M = L D L', for right-hand sides that are known later.
+/// The factors of M = L D L', for right-hand sides that become known later.
 pub(super) struct Factors {
     /// `lower[i][j]` = L_ij for j < i.
     lower: Vec<Vec<ExprId>>,
@@ -24,7 +24,7 @@ impl Factors {
         factors
     }
 
-    /// Factors whose entries of D are looked at, with their row, as they arise.
+    /// Factors M; `check` sees each pivot D with its row as it arises.
     fn checked<E>(
         dag: &mut Dag,
         mass: &[Vec<ExprId>],
@@ -108,7 +108,7 @@ impl Factors {
     }
 }
 
-/// A pivot of the mass matrix this small against its diagonal entry means: no inertia.
+/// A pivot below this share of its diagonal entry means that no mass is moved.
 pub(super) const NO_INERTIA: f64 = 1e-12;
 
 /// u' and the pivots that are not constants.
@@ -144,7 +144,7 @@ pub(super) fn ldl(
     Ok((absolute.relative(&mut alg.dag, &u_dot), pivots))
 }
 
-/// All speeds are state, and some motion that their ties allow moves no mass.
+/// The error for a model whose speeds are all state and in which some motion that their ties allow moves no mass.
 pub(super) fn still_masses(model: &Model) -> Diagnostics {
     let mut error = Diagnostic::error("the independent speeds have a dead point at which some motion moves no mass")
         .help("give a mass or an inertia to every body that moves there; or keep the dead point out of `range` and `nominal`");

@@ -1,8 +1,8 @@
-//! What travels along a tree of bodies: inertias by their moments, and wrenches.
+//! Inertias (by their moments) and wrenches, the quantities that are passed along a tree of bodies.
 //!
-//! An [`Inertia`] about an origin is the mass m, the first moment h = int r dm and the second moment
-//! S = int r r' dm. Moments add, turn and shift with fewer operations than the inertia matrix
-//! J = tr(S) 1 - S: no trace, and a shift by p adds p h' + h p' + m p p'.
+//! An [`Inertia`] about an origin is the mass m, the first moment h = int r dm and the second moment S = int r r' dm.
+//! Moments are added, turned and shifted with fewer operations than the inertia matrix J = tr(S) 1 - S: no trace, and a
+//! shift by p adds p h' + h p' + m p p'.
 
 use crate::expr::{Dag, ExprId};
 use crate::model::Axis;
@@ -13,7 +13,7 @@ pub(super) type Symmetric = [ExprId; 6];
 
 /// Index of entry (i, j) of a [`Symmetric`].
 pub(super) const fn entry(i: usize, j: usize) -> usize {
-    // Off the diagonal, the entry opposite to axis l = 3 - i - j stands at 3 + l.
+    // Off the diagonal, the entry (i, j) is stored at 3 + l, where l = 3 - i - j is the third axis.
     if i == j { i } else { 6 - i - j }
 }
 
@@ -32,8 +32,8 @@ pub(super) struct Wrench {
     pub moment: Components,
 }
 
-/// How a rigid body accelerates: that of the origin (less gravity), and U = [alpha] + [w][w], which
-/// gives the acceleration of any other point at r as a + U r.
+/// Acceleration of a rigid body: that of the origin (less gravity), and U = [alpha] + [w][w], so that the point at r
+/// has the acceleration a + U r.
 #[derive(Clone, Debug)]
 pub(super) struct Acceleration {
     pub origin: Components,
@@ -41,7 +41,7 @@ pub(super) struct Acceleration {
 }
 
 impl Acceleration {
-    /// Of the point at `r`: a + U r.
+    /// Acceleration of the point at `r`: a + U r.
     pub(super) fn at(&self, dag: &mut Dag, r: &Components) -> Components {
         std::array::from_fn(|i| {
             let turning = dot_components(dag, &self.gradient[i], r);
@@ -72,7 +72,7 @@ impl Inertia {
         Self { mass: zero, first: [zero; 3], second: [zero; 6] }
     }
 
-    /// Of a body with its mass centre at `centre` and the inertia matrix `matrix` about it.
+    /// The inertia of a body with its mass centre at `centre` and the inertia matrix `matrix` about it.
     pub(super) fn of_body(dag: &mut Dag, mass: ExprId, centre: &Components, matrix: &Symmetric) -> Self {
         let [xx, yy, zz, yz, zx, xy] = *matrix;
         let half = dag.number(crate::expr::number::Number::rational(1, 2));
@@ -119,15 +119,15 @@ impl Inertia {
         Self { mass: self.mass, first, second }
     }
 
-    /// In the parent's axes, the triad being turned against them by `angle` about `axis`.
+    /// In the parent's axes, against which the triad is turned by `angle` about `axis`.
     pub(super) fn turned(&self, dag: &mut Dag, axis: Axis, angle: ExprId) -> Self {
         let second = turned_symmetric(dag, axis, angle, &self.second);
         let first = turn_components(dag, axis, angle, self.first, false);
         Self { mass: self.mass, first, second }
     }
 
-    /// The part that a turn about `axis` leaves as it is, and the rest: the mass and the moments
-    /// along the axis may as well belong to the body inside (base parameters).
+    /// Splits into the part that a rotation about `axis` does not change, and the rest: the mass and the moments along
+    /// the axis can be counted with the body inside (base parameters).
     pub(super) fn split(&self, dag: &mut Dag, axis: Axis) -> (Self, Self) {
         let a = axis as usize;
         let (mut inner, mut outer) = (Self::zero(dag), self.clone());
@@ -137,7 +137,7 @@ impl Inertia {
         (inner, outer)
     }
 
-    /// Does a turn about `axis` leave all of it as it is?
+    /// Is the whole inertia unchanged by a rotation about `axis`?
     pub(super) fn is_axisymmetric(&self, dag: &Dag, axis: Axis) -> bool {
         let a = axis as usize;
         let (i, j) = ((a + 1) % 3, (a + 2) % 3);
@@ -145,7 +145,7 @@ impl Inertia {
         self.second[i] == self.second[j] && none.into_iter().all(|e| dag.is_zero(e))
     }
 
-    /// J_aa = S_ii + S_jj.
+    /// Moment of inertia about the axis, J_aa = S_ii + S_jj.
     pub(super) fn about(&self, dag: &mut Dag, axis: Axis) -> ExprId {
         let a = axis as usize;
         dag.add(self.second[(a + 1) % 3], self.second[(a + 2) % 3])
@@ -171,7 +171,7 @@ impl Inertia {
         Wrench { force, moment }
     }
 
-    /// Force m a + U h and moment h x a + (axial part of U S) that the acceleration takes.
+    /// Wrench that the acceleration takes: force m a + U h, moment h x a + (axial part of U S).
     pub(super) fn resistance(&self, dag: &mut Dag, acceleration: &Acceleration) -> Wrench {
         let (a, u) = (&acceleration.origin, &acceleration.gradient);
         let force = std::array::from_fn(|i| {
@@ -198,7 +198,7 @@ impl Wrench {
         Self { force: [dag.zero(); 3], moment: [dag.zero(); 3] }
     }
 
-    /// Every component by itself.
+    /// Applies `f` to every component.
     pub(super) fn map(&self, mut f: impl FnMut(ExprId) -> ExprId) -> Self {
         Self { force: self.force.map(&mut f), moment: self.moment.map(&mut f) }
     }
@@ -210,7 +210,7 @@ impl Wrench {
         }
     }
 
-    /// In the parent's axes, the triad being turned against them by `angle` about `axis`.
+    /// In the parent's axes, against which the triad is turned by `angle` about `axis`.
     pub(super) fn turned(&self, dag: &mut Dag, axis: Axis, angle: ExprId) -> Self {
         Self {
             force: turn_components(dag, axis, angle, self.force, false),
@@ -226,15 +226,15 @@ impl Wrench {
     }
 }
 
-/// R S R': sixteen operations, for what stands on both sides of the diagonal is formed once.
+/// R S R' in sixteen operations: sub-expressions common to both sides of the diagonal are formed once.
 pub(super) fn turned_symmetric(dag: &mut Dag, axis: Axis, angle: ExprId, s: &Symmetric) -> Symmetric {
     let full = [0, 1, 2].map(|i| [0, 1, 2].map(|j| s[entry(i, j)]));
     let [x, y, z] = turned_matrix(dag, axis, angle, &full);
     [x[0], y[1], z[2], y[2], z[0], x[1]]
 }
 
-/// R A R' by products of single angles: with r = A_ij + A_ji and x = s (A_ii - A_jj) + c r the turned block is
-/// A_ii - s x, c x - A_ji, c x - A_ij and A_jj + s x.
+/// R A R' by products of single sines and cosines: with r = A_ij + A_ji and x = s (A_ii - A_jj) + c r the turned block
+/// is A_ii - s x, c x - A_ji, c x - A_ij and A_jj + s x.
 pub(super) fn turned_matrix(
     dag: &mut Dag,
     axis: Axis,

@@ -1,9 +1,9 @@
 //! Bodies as a tree of nodes, one per simple rotation, each with the inertia that turns with it.
 //!
-//! A body centred at O + c, with c resolved in the body's own triad, belongs to the node (triad, O).
-//! The node of a simple rotation hangs on the node of the triad it is turned against, at the part of
-//! O that is resolved in that triad. What a turn leaves as it is moves inwards: mass and moments
-//! along a hinge's axis, and all of a wheel but its spin. Those sums depend on parameters alone.
+//! A body centred at O + c, with c resolved in the body's own triad, belongs to the node (triad, O). The node of a
+//! simple rotation hangs on the node of the triad it is turned against, at the part of O that is resolved in that
+//! triad. Inertia that a rotation does not change is moved inwards: mass and moments along a hinge's axis, and all of a
+//! wheel but its spin. The sums then depend on parameters alone.
 
 use super::rigid_inertia::RigidInertia;
 use super::spatial::Inertia;
@@ -13,21 +13,21 @@ use crate::model::{Axis, Model};
 use crate::vector::{Algebra, Components, Spin, TriadId, Turn, Vector, dot_components, turn_components};
 use std::collections::BTreeMap;
 
-/// A triad at an origin.
+/// A triad with an origin, and the inertia that moves with both.
 #[derive(Clone, Debug)]
 pub(super) struct Node {
     pub triad: TriadId,
     /// Position of the origin.
     pub origin: Vector,
-    /// How it hangs on another node; none for a root.
+    /// The joint by which it hangs on another node; `None` for a root.
     pub joint: Option<Joint>,
     /// Inertia that moves with the node, about its origin, in its triad.
     pub own: Inertia,
-    /// Inertia about the joint's axis that takes part in the joint's own turn only (kg m^2).
+    /// Moment of inertia about the joint's axis that counts only in the joint's own rotation (kg m^2).
     pub spin: ExprId,
 }
 
-/// A node is turned against its parent, at `offset` in the parent's triad.
+/// The joint of a node: a rotation relative to the parent, at `offset` in the parent's triad.
 #[derive(Clone, Debug)]
 pub(super) struct Joint {
     pub parent: usize,
@@ -40,7 +40,8 @@ pub(super) struct Joint {
 pub(super) enum JointTurn {
     /// By an angle about an axis.
     Hinge(Axis, ExprId),
-    /// In any way: its axes in the parent's components, and its angular velocity against the parent along its own axes.
+    /// Any rotation: the node's axes in the parent's components, and its angular velocity relative to the parent along
+    /// the node's axes.
     Ball(Box<([Components; 3], Spin)>),
 }
 
@@ -53,7 +54,7 @@ impl Joint {
         }
     }
 
-    /// A vector of the parent's triad in the node's.
+    /// Converts a vector from the parent's triad to the node's.
     pub(super) fn outwards(&self, dag: &mut Dag, v: Components) -> Components {
         match &self.turn {
             JointTurn::Hinge(axis, angle) => turn_components(dag, *axis, *angle, v, true),
@@ -62,14 +63,14 @@ impl Joint {
     }
 }
 
-/// What a node turned in any way is: a joint, or the root of a tree of its own.
+/// Whether a node with an arbitrary rotation is treated as a joint or as the root of a tree of its own.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Balls {
     Joints,
     Roots,
 }
 
-/// Nodes, a parent before its children, and the node of every body.
+/// Nodes, each parent before its children, and the node of every body.
 #[derive(Clone, Debug)]
 pub(super) struct Forest {
     pub nodes: Vec<Node>,
@@ -90,13 +91,13 @@ impl Forest {
         roots
     }
 
-    /// Does anything turn against `root`?
+    /// Is any node turned against `root`?
     pub(super) fn has_joints(&self, root: usize) -> bool {
         self.nodes.iter().any(|node| node.joint.as_ref().is_some_and(|joint| joint.parent == root))
     }
 }
 
-/// The tree of the bodies given.
+/// Builds the tree of the given bodies.
 pub(super) fn build(
     alg: &mut Algebra,
     model: &Model,
@@ -113,7 +114,7 @@ pub(super) fn build(
         let zero = alg.dag.zero();
         let (mut origin, mut centre) = without(alg, &position, triad);
         if centre.iter().any(|&c| alg.dag.dependence(c) == Dependence::State) {
-            // It slides in its own triad: the origin moves with it.
+            // The mass centre slides in its own triad: the origin moves with it.
             (origin, centre) = (position, [zero; 3]);
         }
         let mass = body.mass.as_ref().map_or(zero, |m| lower_scalar(alg, k, m));
@@ -160,10 +161,10 @@ fn node_of(
     nodes.len() - 1
 }
 
-/// Where the tree of `root` is cut: at the first node, from `root` outwards, that bears inertia or branches.
+/// The node at which the tree of `root` is cut: the first, from `root` outwards, that carries inertia or branches.
 ///
-/// Farther in, the inertia of the first body would be moved to places that it turns about, and turned back; the
-/// moments there are large beside what they leave.
+/// Any farther in, the inertia of the first body would be shifted to points about which it turns and its moments would
+/// be turned back; there they are large compared with their differences.
 pub(super) fn cut(alg: &mut Algebra, k: &Kinematics, nodes: &[Node], root: usize) -> usize {
     if derivative_of(alg, k, &nodes[root].origin).partials.is_empty() {
         return root; // what is moved inwards to a place at rest has no inertia
@@ -179,14 +180,14 @@ pub(super) fn cut(alg: &mut Algebra, k: &Kinematics, nodes: &[Node], root: usize
     }
 }
 
-/// Does a wheel leave its spin alone outside its joint, or is it a body as any other?
+/// Is a wheel's inertia moved inwards except for its spin, or is a wheel treated as any other body?
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Wheels {
     Spin,
     Whole,
 }
 
-/// Base parameters: hands inwards, as far as the node `cut`, what a joint's turn leaves as it is.
+/// Base parameters: moves inertia that a joint's rotation does not change inwards, as far as the node `cut`.
 pub(super) fn move_inwards(alg: &mut Algebra, nodes: &mut [Node], cut: usize, wheels: Wheels) {
     let mut hangs = vec![false; nodes.len()];
     hangs[cut] = true;

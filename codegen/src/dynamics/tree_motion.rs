@@ -1,6 +1,6 @@
-//! How the nodes of a tree move: twists and accelerations at y' = 0, from the node where it is cut outwards.
+//! Motions of the nodes of a tree: twists and accelerations at y' = 0, from the node where it is cut outwards.
 //!
-//! In: nodes and the rates of their joints. Out: by node its state, and what its joint's rates are. Everything in the
+//! In: nodes and the rates of their joints. Out: by node its state and the rates of its joint. Everything is in the
 //! triad of the node at hand.
 
 use super::given::Given;
@@ -22,9 +22,9 @@ pub(super) struct State {
     pub acceleration: Acceleration,
 }
 
-/// A joint's rates: how it turns, and how its place moves in the parent's triad.
+/// A joint's rates: its rotation, and the translation of its place in the parent's triad.
 pub(super) struct Moves {
-    /// Of a hinge's angle; of a ball joint nothing.
+    /// Rate of a hinge's angle; zero for a ball joint.
     pub turn: Rate,
     pub turn_rate: ExprId,
     /// Angular velocity of a ball joint, along the node's axes.
@@ -32,7 +32,7 @@ pub(super) struct Moves {
     pub slide: [Rate; 3],
 }
 
-/// States of the nodes that hang on `cut`, which is in the state `base`, and what their joints do.
+/// States and joint rates of the nodes that hang on `cut`, whose state is `base`.
 pub(super) fn motions(
     alg: &mut Algebra,
     k: &Kinematics,
@@ -88,7 +88,7 @@ pub(super) fn relative_alpha(dag: &mut Dag, axis: Axis, motion: &Moves, w: &Comp
     alpha
 }
 
-/// From the parent's state to the node's.
+/// The state of a node from that of its parent.
 fn outwards(alg: &mut Algebra, k: &Kinematics, joint: &Joint, motion: &Moves, inner: &State) -> State {
     let slide = motion.slide.clone().map(|rate| (rate.value(alg, k), rate.bias));
     let ball = motion
@@ -115,7 +115,7 @@ fn outwards(alg: &mut Algebra, k: &Kinematics, joint: &Joint, motion: &Moves, in
             w[axis as usize] = dag.add(w[axis as usize], motion.turn_rate);
             (w, alpha, origin)
         }
-        // alpha + s' + w x s, s the angular velocity of the joint
+        // alpha + s' + w x s, with s the angular velocity of the joint
         (None, ball) => {
             let (s, bias) = ball.unwrap_or(([dag.zero(); 3], [dag.zero(); 3]));
             let [w, alpha, origin] = [inner.w, inner.alpha, origin].map(|v| joint.outwards(dag, v));
@@ -138,7 +138,7 @@ pub(super) fn power(dag: &mut Dag, v: &Components, w: &Components, wrench: &Wren
     dag.add(straight, turning)
 }
 
-/// The node where the tree is cut: its whole twist, as linear forms in the unknowns.
+/// The node where the tree is cut: its twist as linear forms in the unknowns.
 pub(super) struct Base {
     pub twists: Vec<(UnknownId, Components, Components)>,
     pub state: State,

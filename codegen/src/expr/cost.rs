@@ -1,5 +1,5 @@
-//! Operation counts: + - * / sqrt sin cos and the other functions count 1 each, negation 0. And an estimate of
-//! the time they take.
+//! Operation counts: + - * / sqrt sin cos and the other functions count 1 each, negation 0. Also an estimate of the
+//! time that the operations take.
 
 use super::node::NO_OPERATION;
 use super::{Binary, Dag, Dependence, ExprId, Node, NodeSet, Unary};
@@ -7,7 +7,7 @@ use crate::id::Id;
 use rustc_hash::{FxHashMap as HashMap, FxHashSet as HashSet};
 use std::collections::BTreeMap;
 
-/// What a choice between equal forms goes by.
+/// What is minimised when one of several equivalent forms is chosen.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub enum Optimise {
     /// Fewest operations: small cores, small programs.
@@ -15,28 +15,27 @@ pub enum Optimise {
     Operations,
     /// Least time on a superscalar host, by the estimate of [`Dag::cycles`].
     Time,
-    /// Least rounding near singular configurations, such as the change points of linkages: bodies turned about parallel
-    /// axes are turned against each other by differences of angles that are not rounded. Fewer operations, more
-    /// sines.
+    /// Least rounding near singular configurations, such as the change points of linkages: frames turned about parallel
+    /// axes are related by differences of angles that are not rounded. Fewer operations, more sines.
     Accuracy,
 }
 
-/// Thirds of a cycle for which an operation occupies the core, and cycles until its result is there.
+/// How long an operation occupies the core, in thirds of a cycle, and its latency in cycles.
 #[derive(Clone, Copy)]
 struct Timing {
     occupies: usize,
     latency: usize,
 }
 
-/// Three additions or products start in a cycle.
+/// Addition, subtraction, product: three start in a cycle.
 const ARITHMETIC: Timing = Timing { occupies: 1, latency: 4 };
 /// Quotients and square roots.
 const DIVISION: Timing = Timing { occupies: 8, latency: 13 };
-/// Sine and cosine of one angle together, by the runtime's polynomials; other functions are taken to be as long.
+/// Sine and cosine of one angle together, by the runtime's polynomials; other functions are assumed to take as long.
 const FUNCTION: Timing = Timing { occupies: 70, latency: 50 };
 
 impl Dag {
-    /// The cost of `roots` by which forms are chosen.
+    /// The cost of `roots` by the measure that `optimise` names.
     #[must_use]
     pub fn cost(&self, roots: &[ExprId], optimise: Optimise) -> usize {
         match optimise {
@@ -45,11 +44,11 @@ impl Dag {
         }
     }
 
-    /// Estimated cycles of one evaluation, without what depends on parameters alone: the core is bound by the work it must start or by the longest chain of
-    /// results that wait for each other, whichever is more.
+    /// Estimated cycles of one evaluation, without what depends on parameters alone: the larger of the throughput bound
+    /// (all operations) and the latency of the longest chain of dependent operations.
     ///
-    /// Fitted to chains of 3 to 20 links on one x86 core (opt-level 3, no target-cpu); to choose with, not to
-    /// predict: on an in-order core the count of operations says more.
+    /// Fitted to chains of 3 to 20 links on one x86 core (opt-level 3, no target-cpu). Good enough to choose between
+    /// forms, not to predict times; on an in-order core the operation count says more.
     #[must_use]
     pub fn cycles(&self, roots: &[ExprId]) -> usize {
         let mut ready: HashMap<ExprId, usize> = HashMap::default();
@@ -60,7 +59,7 @@ impl Dag {
             let timing = self.timing(id);
             thirds += match self.node(id) {
                 Node::Unary(Unary::Sin | Unary::Cos, angle) if !turned.insert(angle) => 0,
-                // The reciprocal of a divisor is shared.
+                // The compiler takes the reciprocal of a shared divisor once and multiplies from then on.
                 Node::Binary(Binary::Div, _, divisor) if !divided.insert(divisor) => ARITHMETIC.occupies,
                 _ => timing.occupies,
             };
@@ -82,20 +81,20 @@ impl Dag {
         }
     }
 
-    /// Operations needed for `roots` together at every evaluation, shared parts once: what depends
-    /// on parameters alone is computed when they change.
+    /// Operations of one evaluation of `roots`, shared parts counted once. What depends on parameters alone is left
+    /// out: it is computed only when a parameter changes.
     #[must_use]
     pub fn state_cost(&self, roots: &[ExprId]) -> usize {
         self.costs(roots).0
     }
 
-    /// Operations needed for `roots` together, shared parts once.
+    /// Operations needed for `roots` together, shared parts counted once, those of parameters included.
     #[must_use]
     pub fn cone_cost(&self, roots: &[ExprId]) -> usize {
         self.costs(roots).1
     }
 
-    /// [`Self::state_cost`] and [`Self::cone_cost`] in one walk.
+    /// [`Self::state_cost`] and [`Self::cone_cost`] in one pass.
     pub(crate) fn costs(&self, roots: &[ExprId]) -> (usize, usize) {
         let (mut of_state, mut all) = (0, 0);
         self.sweep_operations(roots, |id| {
@@ -110,8 +109,8 @@ impl Dag {
         self.sweep_operations(roots, |_| {})
     }
 
-    /// From operation to operation downwards: one step each, past negations, symbols and constants. Also visits
-    /// [`NO_OPERATION`].
+    /// Visits the operations below `roots` in descending order, stepping over negations, symbols and constants. Also
+    /// visits [`NO_OPERATION`].
     fn sweep_operations(&self, roots: &[ExprId], mut visit: impl FnMut(ExprId)) -> NodeSet {
         let operations = || roots.iter().map(|root| self.facts[*root].operation);
         let mut needed = NodeSet::below(operations().map(|id| id.index() + 1).max().unwrap_or(1));
@@ -136,7 +135,7 @@ impl Dag {
         self.dependence(id) == Dependence::Constant
     }
 
-    /// Operations of `roots` with this dependence, by kind.
+    /// Number of operations of each kind below `roots` that have this dependence.
     #[must_use]
     pub fn operations_by_kind(
         &self,

@@ -1,6 +1,6 @@
-//! The arena of nodes: what it holds, what is known of a node, what roots need.
+//! The arena of expression nodes (hash-consed): nodes, facts known of each, and what a set of roots depends on.
 //!
-//! Equal nodes exist once. The constructors that look for a shorter equal node first stand in `mod.rs`.
+//! Equal nodes exist once. The constructors, which first look for a simpler equal node, stand in `mod.rs`.
 
 use super::intern::{Facts, Index, Results};
 use super::label::Label;
@@ -22,12 +22,12 @@ pub struct Dag {
     pub(super) symbols: IdVec<SymbolId, (String, Dependence)>,
     pub(super) labels: HashMap<ExprId, Label>,
     pub(super) derivatives: HashMap<(ExprId, SymbolId), ExprId>,
-    /// Sines and cosines of differences take them unrounded; see [`Dag::as_difference`].
+    /// Take sines and cosines of differences of angles without rounding the difference; see [`Dag::as_difference`].
     pub(crate) unrounded_differences: bool,
 }
 
 impl Dag {
-    /// A new free symbol. Two symbols may share a name; they stay two.
+    /// A new free symbol. Two symbols may share a name and are still different.
     pub fn symbol(&mut self, name: &str) -> ExprId {
         let symbol = self.symbols.push((name.to_owned(), Dependence::State));
         self.intern(Node::Symbol(symbol))
@@ -57,7 +57,7 @@ impl Dag {
         self.nodes[id]
     }
 
-    /// What its value may change with.
+    /// Whether the value can change with the state, with parameters only, or not at all.
     #[must_use]
     pub fn dependence(&self, id: ExprId) -> Dependence {
         self.facts[id].dependence
@@ -100,7 +100,8 @@ impl Dag {
         Some(id) == self.one
     }
 
-    /// Does the node depend on one of the symbols with these bits? Perhaps not even if the answer is yes.
+    /// May the node depend on one of the symbols with these bits? "No" is certain; "yes" is not (64 bits for all
+    /// symbols).
     pub(super) fn may_read(&self, id: ExprId, bits: u64) -> bool {
         self.facts[id].symbols_read & bits != 0
     }
@@ -136,7 +137,7 @@ impl Dag {
         self.intern(Node::Pi)
     }
 
-    /// a of -a, else the expression itself.
+    /// The expression without its negation: a for -a and for a.
     #[must_use]
     pub fn unsigned(&self, expr: ExprId) -> ExprId {
         if let Node::Negate(a) = self.nodes[expr] { a } else { expr }
@@ -152,8 +153,8 @@ impl Dag {
         }
     }
 
-    /// a and b, if sine and cosine of the node, no constant, are to be those of a - b unrounded:
-    /// `Real::sin_cos_of_difference`.
+    /// a and b, if the node is a - b, not a constant, and its sine and cosine shall be taken without rounding the
+    /// difference (`Real::sin_cos_of_difference`).
     #[must_use]
     pub fn as_difference(&self, angle: ExprId) -> Option<[ExprId; 2]> {
         match self.nodes[angle] {
@@ -170,7 +171,7 @@ impl Dag {
         self.reachable_above(roots, |_| false)
     }
 
-    /// The same without what is below the nodes that `is_leaf` names.
+    /// [`Self::reachable`], without the nodes below those for which `is_leaf` holds.
     #[must_use]
     pub fn reachable_above(&self, roots: &[ExprId], is_leaf: impl Fn(ExprId) -> bool) -> Vec<ExprId> {
         self.cone_above(roots, is_leaf).to_vec()
@@ -181,12 +182,12 @@ impl Dag {
         self.cone_above(roots, |_| false)
     }
 
-    /// The same without what is below the nodes that `is_leaf` names; it is asked once about every node.
+    /// [`Self::cone`], without the nodes below those for which `is_leaf` holds; `is_leaf` is called once per node.
     pub(crate) fn cone_above(&self, roots: &[ExprId], mut is_leaf: impl FnMut(ExprId) -> bool) -> NodeSet {
         let bound = roots.iter().map(|root| root.index() + 1).max().unwrap_or(0);
         let mut needed = NodeSet::below(bound);
         roots.iter().for_each(|&root| needed.insert(root));
-        // Operands are always older than their node: one sweep downwards marks everything.
+        // Operands always have smaller ids than their node, so one sweep downwards marks everything.
         needed.sweep_down(|id| {
             if is_leaf(id) { [None, None] } else { self.operands(id) }.into_iter().flatten()
         });
@@ -195,7 +196,7 @@ impl Dag {
 }
 
 impl Dag {
-    /// The id of a node, which is new or known.
+    /// The id of a node; adds the node if it does not exist yet.
     pub(super) fn intern(&mut self, node: Node) -> ExprId {
         let slot = match self.index.find(&self.nodes, &node) {
             Ok(id) => return id,

@@ -1,4 +1,4 @@
-//! Partial derivatives on the DAG, memoised: each node is differentiated once per symbol.
+//! Derivatives on the DAG: partial ones, memoised per node and symbol, and rates along given rates of the symbols.
 
 use super::node::symbol_bit;
 use super::number::Number;
@@ -11,7 +11,7 @@ impl Dag {
     pub fn derivative(&mut self, expr: ExprId, symbol: SymbolId) -> ExprId {
         let bit = symbol_bit(symbol);
         let is_known = |dag: &Self, id| !dag.may_read(id, bit) || dag.derivatives.contains_key(&(id, symbol));
-        // Ascending order: operands come before their node, so no recursion is needed.
+        // Ascending order visits operands before their node, so no recursion is needed.
         for id in self.reachable_above(&[expr], |id| is_known(self, id)) {
             if !is_known(self, id) {
                 let derivative = match self.as_symbol(id) {
@@ -27,20 +27,20 @@ impl Dag {
         self.known_derivative(expr, symbol)
     }
 
-    /// A derivative found before; 0 for what does not read the symbol.
+    /// A derivative that is known already; 0 if the expression does not contain the symbol.
     fn known_derivative(&mut self, id: ExprId, symbol: SymbolId) -> ExprId {
         if self.may_read(id, symbol_bit(symbol)) { self.derivatives[&(id, symbol)] } else { self.zero() }
     }
 
-    /// Rate of `expr` when its symbols have the given rates and all others stand still.
+    /// Rate of `expr` when its symbols have the given rates and all others are constant.
     ///
-    /// One sweep that keeps every factor whole: shorter than partial derivatives times rates
-    /// wherever a node depends on several symbols.
+    /// One forward sweep (directional derivative) that keeps factors whole: shorter than the sum of partial derivatives
+    /// times rates wherever a node depends on several symbols.
     pub fn rate(&mut self, expr: ExprId, rates: &HashMap<SymbolId, ExprId>) -> ExprId {
         let moving = rates.keys().fold(0, |bits, &symbol| bits | symbol_bit(symbol));
         let zero = self.zero();
         let order = self.reachable_above(&[expr], |id| !self.may_read(id, moving));
-        // By node, from the first one on.
+        // Changes by node, starting at the first one in the cone.
         let first = order.first().map_or(0, |id| id.index());
         let mut changes: Vec<ExprId> = vec![zero; expr.index() + 1 - first];
         for id in order {
@@ -57,7 +57,7 @@ impl Dag {
         changes[expr.index() - first]
     }
 
-    /// Change of a node from the changes of its operands; 0 for what has none.
+    /// Change of a node from the changes of its operands (`None`: 0).
     pub(super) fn change_of_node(&mut self, id: ExprId, changes: [Option<ExprId>; 2]) -> ExprId {
         let zero = self.zero();
         if changes.iter().flatten().all(|&change| change == zero) {
@@ -137,7 +137,7 @@ impl Dag {
                 self.div(numerator, square)
             }
             Binary::Min | Binary::Max => {
-                // min = (a + b - |a - b|)/2: slope of the smaller one, the mean where they meet.
+                // min = (a + b - |a - b|)/2: the slope of the smaller operand, the mean of both where they are equal.
                 let (difference, slope_difference) = (self.sub(a, b), self.sub(da, db));
                 let sign = self.unary(Unary::Sign, difference);
                 let (sum, change) = (self.add(da, db), self.mul(sign, slope_difference));

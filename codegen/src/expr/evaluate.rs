@@ -1,4 +1,4 @@
-//! The interpreter: evaluates nodes over any scalar. The oracle that emitted Rust is tested against.
+//! Evaluates nodes over any scalar: the oracle that emitted Rust is tested against.
 
 use super::dag::Dag;
 use super::node::{Binary, ExprId, Node, SymbolId, Unary};
@@ -23,7 +23,7 @@ pub fn unary<S: Real>(function: Unary, a: S) -> S {
     }
 }
 
-/// |f'(x)|, where f(x) is `value`: by what f multiplies a small error of x.
+/// |f'(x)|, where f(x) is `value`: the factor by which f magnifies a small error of x.
 pub(crate) fn steepness(function: Unary, x: f64, value: f64) -> f64 {
     let slope = match function {
         Unary::Sqrt => 0.5 / value,
@@ -64,7 +64,7 @@ impl Dag {
         self.evaluate_at(roots, 1, &|symbol, _| value_of(symbol)).remove(0)
     }
 
-    /// The same at so many points, one after the other.
+    /// [`Self::evaluate`] at several points, one after the other.
     pub(crate) fn evaluate_at<S: Real>(
         &self,
         roots: &[ExprId],

@@ -1,14 +1,14 @@
-//! Ids by node: open addressing over the arena, which alone holds the nodes. What is known of a node, and results of
-//! operations.
+//! The hash table from nodes to ids (open addressing; the arena alone holds the nodes), facts of a node, and a cache of
+//! results of binary operations.
 
 use super::node::{Binary, Dependence, ExprId, Node};
 use crate::id::{Id, IdVec};
 use rustc_hash::FxBuildHasher;
 use std::hash::BuildHasher;
 
-/// Slots at the start: most mechanisms never grow them.
+/// Initial number of slots: most mechanisms never outgrow it.
 const SLOTS: usize = 1 << 15;
-/// Nothing here yet; else an id and 1.
+/// Marks an empty slot; any other entry is an id plus 1.
 const FREE: u32 = 0;
 
 /// A table of ids, at most half full.
@@ -38,7 +38,8 @@ impl Index {
         }
     }
 
-    /// Puts the newest node where [`Index::find`] said; every node goes to a new place if that half fills the table.
+    /// Puts the newest node into the slot that [`Index::find`] returned; rehashes into a larger table once it is half
+    /// full.
     pub fn insert(&mut self, slot: usize, nodes: &IdVec<ExprId, Node>) {
         self.0[slot] = nodes.len() as u32;
         if 2 * nodes.len() > self.0.len() {
@@ -52,15 +53,16 @@ impl Index {
     }
 }
 
-/// What is known of a node since it was made.
+/// Facts of a node, computed when it is created.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Facts {
     pub dependence: Dependence,
-    /// Bit k is set if it depends on a symbol whose index is k modulo 64.
+    /// Bit k is set if the node depends on a symbol whose index is k modulo 64.
     pub symbols_read: u64,
-    /// Itself if it is an operation, what it is the negative of; [`super::node::NO_OPERATION`] for constants and symbols.
+    /// The node itself if it is an operation; for a negation, the operation that is negated;
+    /// [`super::node::NO_OPERATION`] for constants and symbols.
     pub operation: ExprId,
-    /// The operations that its operands are.
+    /// The operations that its operands are, negations skipped.
     pub operations_read: [ExprId; 2],
 }
 
@@ -77,15 +79,15 @@ fn hash_operation(operator: Binary, [a, b]: [ExprId; 2]) -> u64 {
     spread(((a.index() as u64) << 32 | b.index() as u64) ^ (operator as u64) << 61)
 }
 
-/// A hash by one multiplication: operands are small numbers, and their upper bits are wanted.
+/// Hash by one multiplication: operands are small integers, and the upper bits of the product are used.
 fn spread(key: u64) -> u64 {
     key.wrapping_mul(0x9E37_79B9_7F4A_7C15) >> 32
 }
 
-/// Places for results of operations.
+/// Number of entries in the cache of results.
 const RESULTS: usize = 1 << 11;
 
-/// What operations on two operands have given: most are asked for again before long.
+/// Direct-mapped cache of results of binary operations: most are asked for again soon.
 #[derive(Clone, Debug)]
 pub(super) struct Results(Vec<Option<(Binary, [ExprId; 2], ExprId)>>);
 
@@ -100,7 +102,7 @@ impl Results {
         hash_operation(operator, operands) as usize % RESULTS
     }
 
-    /// The result, if the last operation at its place was this one.
+    /// The cached result, if the entry at this place is of the same operation.
     pub fn find(&self, operator: Binary, operands: [ExprId; 2]) -> Option<ExprId> {
         let (known, of, result) = self.0[Self::place(operator, operands)]?;
         (known == operator && of == operands).then_some(result)

@@ -1,9 +1,10 @@
 //! Jacobians by vertex elimination on the graph of operations.
 //!
-//! In: expressions and directions in which symbols change. Out: the derivative of each expression along each direction.
-//! The edges of the graph are local derivatives; eliminating a vertex joins its predecessors to its successors by
-//! products (chain rule). Operands first is the forward mode, results first the reverse mode. Here chains are shortened
-//! first, which costs no edge, then comes the reverse mode (Griewank and Walther 2008, chapter 10, on such orders).
+//! In: expressions, and directions in which symbols change. Out: the derivative of each expression along each
+//! direction. Edges of the graph are local derivatives; eliminating a vertex connects its predecessors to its
+//! successors by products (chain rule). Operands first is the forward mode, results first the reverse mode. Here
+//! vertices with a single predecessor or successor go first, which adds no edge, then the rest in reverse mode (orders
+//! of elimination: Griewank and Walther 2008, chapter 10).
 
 use super::node::symbol_bit;
 use super::{Dag, ExprId, Node, SymbolId};
@@ -12,16 +13,16 @@ use std::cmp::Reverse;
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 
-/// The graph: vertices are directions first, then nodes, then results.
+/// The graph. Vertices are numbered: directions, then nodes, then results.
 struct Graph {
-    /// By vertex: what it reads, and how fast it changes with it.
+    /// By vertex: its predecessors, each with the local derivative.
     reads: Vec<BTreeMap<usize, ExprId>>,
-    /// By vertex: what reads it.
+    /// By vertex: its successors.
     read_by: Vec<BTreeSet<usize>>,
 }
 
 impl Dag {
-    /// Derivatives of the roots, a row each, along the directions, a column each.
+    /// Derivatives of the roots (rows) along the directions (columns).
     pub fn jacobian(
         &mut self,
         roots: &[ExprId],
@@ -91,7 +92,7 @@ impl Graph {
         graph
     }
 
-    /// Adds to the derivative of `to` by `from`.
+    /// Adds `slope` to the derivative of `to` by `from`.
     fn join(&mut self, dag: &mut Dag, from: usize, to: usize, slope: ExprId) {
         let sum = match self.reads[to].get(&from) {
             Some(&mine) => dag.add(mine, slope),
@@ -106,7 +107,7 @@ impl Graph {
         }
     }
 
-    /// Takes all of these vertices out, the next one by what stands beside it then.
+    /// Eliminates all of these vertices. Each elimination changes the turns of its neighbours, which are queued anew.
     fn eliminate(&mut self, dag: &mut Dag, vertices: Range<usize>) {
         let mut turns: Vec<Turn> = vertices.clone().map(|v| self.turn(v)).collect();
         let mut queue: BTreeSet<(Turn, usize)> = turns.iter().copied().zip(vertices.clone()).collect();
@@ -134,7 +135,7 @@ impl Graph {
         }
     }
 
-    /// When it is a vertex's turn.
+    /// The place of a vertex in the order of elimination.
     fn turn(&self, vertex: usize) -> Turn {
         match (self.reads[vertex].len(), self.read_by[vertex].len()) {
             (_, ..=1) => Turn::ReadByOne(Reverse(vertex)),
@@ -144,8 +145,8 @@ impl Graph {
     }
 }
 
-/// The order of elimination. What reads or is read by one other adds no edge to the graph; what is left then goes from
-/// the results towards the directions.
+/// The order of elimination. A vertex with a single predecessor or successor adds no edge to the graph and goes first;
+/// the others follow from the results towards the directions.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 enum Turn {
     ReadByOne(Reverse<usize>),

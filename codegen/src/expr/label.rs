@@ -1,11 +1,11 @@
-//! What generated code says of a value: its name, where the model declares it, the section that it belongs to.
+//! What generated code says of a value: its name, where the model declares it, and its section of the equations.
 //!
-//! A name stays only while it is true of every use: a value that the derivation names twice, or that the value graph merges
-//! from two of different names, has none. Whatever has a label stays a value of its own: no sum is taken apart there.
+//! A name stays only while it is true of every use: a value with two different names, given by the derivation or merged
+//! by the value graph, has none. A labelled value is kept as a value of its own: no sum is taken apart at it.
 
 use crate::section::Section;
 
-/// A label.
+/// Section, name and place of a value.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Label {
     /// The section of the equations.
@@ -23,25 +23,25 @@ enum Name {
 }
 
 impl Label {
-    /// Without a name.
+    /// A label without a name.
     #[must_use]
     pub fn of(section: Section) -> Self {
         Self { section, name: Name::Unnamed, place: None }
     }
 
-    /// With this name.
+    /// A label with this name.
     #[must_use]
     pub fn named(section: Section, name: impl Into<String>) -> Self {
         Self { section, name: Name::One(name.into()), place: None }
     }
 
-    /// Declared there.
+    /// The label with the place of its declaration, as file and line.
     #[must_use]
     pub fn at(self, place: String) -> Self {
         Self { place: Some(place), ..self }
     }
 
-    /// The one name that is true of the value.
+    /// The name, if exactly one was given.
     #[must_use]
     pub fn name(&self) -> Option<&str> {
         match &self.name {
@@ -50,7 +50,7 @@ impl Label {
         }
     }
 
-    /// Both labels are of one value.
+    /// Merges the label of an equal value: the earlier section; the name only if both agree or only one has a name.
     pub fn join(&mut self, other: &Self) {
         self.section = self.section.min(other.section);
         match (&self.name, &other.name) {

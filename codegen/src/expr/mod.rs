@@ -1,9 +1,9 @@
 //! The expression DAG: hash-consed, simplified as it is built, never expanded to a tree.
 //!
-//! Every constructor first asks `simplify` for a shorter equal node, then looks the node up:
-//! equal expressions have equal ids, so common subexpressions exist once. Sums and products
-//! order their operands by id; negation floats outwards (it is free at run time).
-//! Semantics: real arithmetic; parameters and states are taken as finite.
+//! Every constructor first asks `simplify` for a shorter equal node, then looks the node up: equal expressions have
+//! equal ids, so common sub-expressions exist once. Sums and products order their operands by id; negation moves
+//! outwards (it is free at run time).
+//! Semantics: real arithmetic; parameters and states are assumed finite.
 
 pub mod cost;
 mod dag;
@@ -39,7 +39,7 @@ impl Dag {
 
     /// A function of one argument.
     pub fn unary(&mut self, function: Unary, a: ExprId) -> ExprId {
-        // A node that is there has no shorter form: else it would not have been made.
+        // A node that exists already has no shorter form, or it would not have been created.
         if let Some(known) = self.find(Node::Unary(function, a)) {
             return known;
         }
@@ -125,7 +125,8 @@ impl Dag {
         terms.iter().fold(zero, |total, &term| self.add(total, term))
     }
 
-    /// (c, x) with the expression = c x for a number c; x is 1 for a number.
+    /// Splits c x into (c, x) with c a number; x is 1 if the expression is a number, c is 1 or -1 if it has no numeric
+    /// factor.
     pub fn split_coefficient(&mut self, expr: ExprId) -> (Number, ExprId) {
         match self.nodes[expr] {
             Node::Number(c) => (c, self.one()),

@@ -57,7 +57,7 @@ pub enum Binary {
     Max,
 }
 
-/// What the value of a node may change with.
+/// What the value of a node can change with.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub enum Dependence {
     /// Free of symbols.
@@ -68,10 +68,10 @@ pub enum Dependence {
     State,
 }
 
-/// Stands for a missing operation: the first node has no operands, so it is none.
+/// Stands for "no operation": the first node has no operands, so it cannot be one.
 pub(super) const NO_OPERATION: ExprId = ExprId(0);
 
-/// The bit that stands for a symbol, among others.
+/// The bit of a symbol in a 64-bit set; symbols with equal index modulo 64 share one.
 pub(super) fn symbol_bit(symbol: SymbolId) -> u64 {
     1 << (symbol.index() % 64)
 }

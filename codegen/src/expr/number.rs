@@ -1,8 +1,8 @@
 //! Constants of the expression DAG: exact where they can be, f64 where they cannot.
 //!
-//! Exact numbers are (p/q) sqrt(n) with n square-free: closed under products and quotients, and
-//! under sums of equal n. That covers 1/2, sqrt(3)/2, 2/sqrt(3) and their like, so that terms
-//! which cancel do cancel at derive time. Everything else is an f64, folded in f64.
+//! Exact numbers are (p/q) sqrt(n) with n square-free: closed under products and quotients, and under sums of equal n.
+//! That covers 1/2, sqrt(3)/2, 2/sqrt(3) and the like, so that terms that cancel mathematically cancel at derive time.
+//! Everything else is an f64, folded in f64.
 
 /// A constant.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
@@ -20,10 +20,10 @@ pub enum Number {
     Float(u64),
 }
 
-/// Largest integer taken over exactly from an f64.
+/// Largest integer that is taken from an f64 as an exact number.
 const EXACT_LIMIT: f64 = 1e9;
 
-/// What is left of two constants that cancel to this share is their rounding: some are results of several operations.
+/// A sum below this share of its terms is rounding error and becomes 0: some constants result from several operations.
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 impl Number {
@@ -65,7 +65,8 @@ impl Number {
         match self {
             Self::Exact { numerator, denominator, root: 1 } => numerator as f64 / denominator as f64,
             Self::Exact { numerator, denominator, root } => {
-                // One square root of the exactly squared ratio, where that is representable: a single rounding chain.
+                // The square root of the squared value, where that square is representable: fewer roundings than p/q
+                // times sqrt(n).
                 let square = (numerator as f64) * (numerator as f64) * f64::from(root)
                     / ((denominator as f64) * (denominator as f64));
                 square.sqrt().copysign(numerator as f64)
@@ -120,7 +121,8 @@ impl Number {
                 return sum;
             }
         }
-        // What cancels is zero for everyone who asks: a quotient by it would be infinite, a row of it no equation.
+        // A sum that cancels up to rounding is 0 everywhere: dividing by the remainder, or pivoting on it, would make
+        // no sense.
         let (a, b) = (self.to_f64(), other.to_f64());
         let sum = a + b;
         if sum.abs() <= ROUNDING * a.abs().max(b.abs()) { Self::ZERO } else { Self::float(sum) }
@@ -192,7 +194,7 @@ fn exact(numerator: i128, denominator: i128, root: u32) -> Option<Number> {
     let g = gcd(numerator.abs(), denominator.abs()) * denominator.signum();
     let numerator = i64::try_from(numerator / g).ok()?;
     let denominator = i64::try_from(denominator / g).ok()?;
-    // Beyond 2^52 the quotient of the two would round more than once.
+    // Beyond 2^52 the quotient p/q in f64 would be rounded more than once.
     let fits = |n: i64| n.unsigned_abs() < 1 << 52;
     (fits(numerator) && fits(denominator)).then_some(Number::Exact { numerator, denominator, root })
 }

@@ -1,4 +1,4 @@
-//! A stable text form: for snapshots, tests and messages.
+//! Expressions as text in a stable form: for snapshots, tests and messages.
 
 use super::{Binary, Dag, ExprId, Node, Unary};
 use crate::expr::number::Number;

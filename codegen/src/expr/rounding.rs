@@ -1,14 +1,14 @@
-//! Numbers with a bound of what rounding may have changed: tells a small number from nothing but rounding errors.
+//! Numbers with a bound of their rounding error: tells a small number from one that is nothing but rounding error.
 //!
-//! Running error analysis: every operation hands on the errors of its operands, by its derivatives, and adds its
-//! own. First order only; products of two errors are beyond what is asked here.
+//! Running error analysis, first order: every operation propagates the errors of its operands by its derivatives and
+//! adds its own; products of two errors are neglected.
 
 use super::{Unary, evaluate};
 use smartbed_runtime::real::Real;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-/// Rounding of one operation, relative to its result: half a unit in the last place, and as much again for
-/// functions, which are not rounded exactly.
+/// Rounding error of one operation relative to its result: half a unit in the last place, doubled because functions are
+/// not rounded correctly.
 const UNIT: f64 = f64::EPSILON;
 
 /// A number and a bound of its rounding error.
@@ -21,24 +21,24 @@ pub(crate) struct Rounded {
 }
 
 impl Rounded {
-    /// A number that is known to this error, and rounded.
+    /// A number with an error that is known, plus the rounding of the number itself.
     pub(crate) fn new(value: f64, error: f64) -> Self {
         Self { value, error: error + UNIT * value.abs() }
     }
 
-    /// How large the terms are that the number is made of: what its rounding error is relative to. 1 if it is
-    /// made of nothing, or is no number.
+    /// The size of the terms that the number is made of, to which its rounding error is relative; 1 if there are none
+    /// or the error is not finite.
     pub(crate) fn size(self) -> f64 {
         let size = self.error / UNIT;
         if size.is_finite() && size > 0.0 { size } else { 1.0 }
     }
 
-    /// The number, or 0 if it is no more than a rounding error.
+    /// The number, or 0 if it is within its rounding error.
     pub(crate) fn cleaned(self) -> f64 {
         if self.value.abs() <= self.error { 0.0 } else { self.value }
     }
 
-    /// f(x), whose error is the operand's times the slope's size.
+    /// f(x); its error is |f'(x)| times that of x.
     fn function(self, function: Unary) -> Self {
         let value = evaluate::unary(function, self.value);
         Self::new(value, evaluate::steepness(function, self.value, value) * self.error)

@@ -1,4 +1,4 @@
-//! Sets of nodes as bits: a cone is a few words, so cones are walked, united and compared by words.
+//! Sets of nodes as bit sets: a cone is a few machine words, so cones are walked, united and compared word by word.
 
 use super::node::ExprId;
 use crate::id::Id;
@@ -43,7 +43,7 @@ impl NodeSet {
     pub fn count_without(&self, other: &Self) -> usize {
         let theirs = other.0.iter().copied().chain(std::iter::repeat(0));
         let words = self.0.iter().zip(theirs).map(|(mine, theirs)| mine & !theirs);
-        // Most words are empty, and counting takes longer than asking.
+        // Most words are empty; skipping them is faster than counting their bits.
         words.filter(|word| *word != 0).map(|word| word.count_ones() as usize).sum()
     }
 
@@ -72,10 +72,10 @@ impl NodeSet {
         })
     }
 
-    /// Goes through the nodes downwards; `operands` may add nodes below the one it is given.
+    /// Visits the nodes in descending order; `operands` may add nodes smaller than the one it is given.
     pub fn sweep_down<I: IntoIterator<Item = ExprId>>(&mut self, mut operands: impl FnMut(ExprId) -> I) {
         for k in (0..self.0.len()).rev() {
-            // The bits at and above the node at hand are done; those below may still be set by it.
+            // Bits at and above the current node are done; bits below it may still be set by it.
             let mut below = u64::MAX;
             while self.0[k] & below != 0 {
                 let bit = u64::BITS - 1 - (self.0[k] & below).leading_zeros();

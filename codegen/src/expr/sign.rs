@@ -1,10 +1,10 @@
-//! Signs that the form of an expression alone tells.
+//! Signs that follow from the form of an expression alone.
 
 use super::dag::Dag;
 use super::node::{Binary, ExprId, Node, Unary};
 
 impl Dag {
-    /// Is the value never below 0, whatever its symbols are? False where its form does not tell.
+    /// Is the value certainly >= 0, whatever its symbols are? False if the form does not tell.
     pub(crate) fn is_never_negative(&self, id: ExprId) -> bool {
         let is = |id| self.is_never_negative(id);
         match self.node(id) {

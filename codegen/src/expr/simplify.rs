@@ -1,5 +1,5 @@
-//! Local identities, one per line, directed: the right side never costs more than the left (a square
-//! root less than two transcendental functions).
+//! Local identities, one per line, applied left to right: the right side never costs more than the left (a square root
+//! counts less than two transcendental functions).
 
 use super::dag::Dag;
 use super::evaluate;
@@ -67,7 +67,7 @@ fn degrees(dag: &Dag, a: ExprId) -> Option<f64> {
     }
 }
 
-/// k pi/180 has passed through two roundings: back to the whole degree it stands for.
+/// Rounds to the whole degree that k pi/180 stands for, since it has gone through two roundings.
 fn snap(degrees: f64) -> f64 {
     if (degrees - degrees.round()).abs() < 1e-12 * degrees.abs().max(1.0) { degrees.round() } else { degrees }
 }
@@ -208,7 +208,7 @@ fn mul(dag: &mut Dag, a: ExprId, b: ExprId) -> Option<ExprId> {
     if dag.is_zero(a) || dag.is_zero(b) {
         return Some(dag.zero()); // 0 x = x 0 = 0
     }
-    // A constant, if any, is handled first and kept on the left by `times_constant`.
+    // A numeric factor, if any, is handled first and kept on the left by `times_constant`.
     match (dag.node(a), dag.node(b)) {
         (Node::Number(x), Node::Number(y)) => Some(dag.number(x.multiply(y))), // constants fold
         (Node::Number(c), _) => times_constant(dag, c, a, b),
@@ -229,7 +229,7 @@ fn mul(dag: &mut Dag, a: ExprId, b: ExprId) -> Option<ExprId> {
     }
 }
 
-/// p (r x) = (p r) x for p, r of parameters alone: the product of both is prepared.
+/// p (r x) = (p r) x for p, r of parameters alone: p r is computed once per change of parameters.
 fn prepared_factor(dag: &mut Dag, p: ExprId, product: ExprId) -> Option<ExprId> {
     let (r, x) = prepared_part(dag, product)?;
     if dag.dependence(p) == Dependence::State {
@@ -259,7 +259,7 @@ fn prepared_part(dag: &Dag, product: ExprId) -> Option<(ExprId, ExprId)> {
     }
 }
 
-/// c x. The node keeps the constant first whatever the ids: see [`ordered_constant_product`].
+/// c x. The constant is always the left operand, whatever the ids: see [`ordered_constant_product`].
 fn times_constant(dag: &mut Dag, c: Number, constant: ExprId, x: ExprId) -> Option<ExprId> {
     if dag.is_one(constant) {
         return Some(x); // 1 x = x

@@ -1,14 +1,14 @@
-//! Rebuilding expressions with some nodes replaced, which simplifies what depends on them.
+//! Rebuilds expressions with some nodes replaced; the rebuilt nodes are simplified again.
 
 use super::{Dag, ExprId, Node, SymbolId};
 use crate::id::Id;
 use rustc_hash::FxHashMap as HashMap;
 
-/// What nodes have become: the image of every node reached, the node itself elsewhere.
+/// The map from old nodes to new ones: the image of every node that was rebuilt, the node itself elsewhere.
 pub struct Image(Vec<ExprId>);
 
 impl Image {
-    /// What `id` has become.
+    /// The image of `id`.
     #[must_use]
     pub fn of(&self, id: ExprId) -> ExprId {
         self.0.get(id.index()).copied().unwrap_or(id)
@@ -16,8 +16,8 @@ impl Image {
 }
 
 impl Dag {
-    /// Rebuilds what `roots` need, operands first; `replace` may give a node another image than the
-    /// same operator on its operands' images. Names go with the nodes.
+    /// Rebuilds everything that `roots` need, operands first. `replace` may return another image for a node than its
+    /// operator applied to the images of its operands. Names are carried over.
     pub fn rebuild(
         &mut self,
         roots: &[ExprId],
@@ -54,13 +54,13 @@ impl Dag {
         }
     }
 
-    /// `roots` with every symbol of `replacement` replaced, once, by its expression.
+    /// `roots` with every symbol in `replacement` replaced by its expression, whose own symbols are not replaced again.
     pub fn substitute(&mut self, roots: &[ExprId], replacement: &HashMap<SymbolId, ExprId>) -> Vec<ExprId> {
         let image = self.rebuild(roots, |dag, id, _| replacement.get(&dag.as_symbol(id)?).copied());
         roots.iter().map(|&root| image.of(root)).collect()
     }
 
-    /// `roots` of another DAG made anew in this one; `of_symbol` says what stands for the other's symbols.
+    /// Copies `roots` of another DAG into this one; `of_symbol` gives the expression for each of the other's symbols.
     pub fn graft(
         &mut self,
         other: &Self,

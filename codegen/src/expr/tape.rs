@@ -1,7 +1,7 @@
-//! A flat program for the interpreter: the nodes some roots need, in order, over any scalar.
+//! A flat instruction list for the interpreter: the nodes that some roots need, in order, over any scalar.
 //!
-//! Same operations on the same operands as the emitted Rust, hence the same bits. Sine and cosine
-//! of one angle are one instruction. Numbers are rounded once, when the tape is made.
+//! It performs the same operations on the same operands as the emitted Rust, hence gives the same bits. Sine and cosine
+//! of one angle are one instruction. Constants are rounded once, when the tape is made.
 
 use super::evaluate;
 use super::rounding::Rounded;
@@ -39,10 +39,10 @@ impl<S: Real> Tape<S> {
         Self::above(dag, roots, &inputs.iter().map(symbol).collect::<Vec<_>>())
     }
 
-    /// The same with nodes of any kind as arguments: nothing below them is computed.
+    /// [`Self::new`] with nodes of any kind as arguments: nothing below them is computed.
     ///
     /// # Panics
-    /// If a root depends on a symbol beside `inputs`: a fault of the derivation.
+    /// If a root depends on a symbol other than through `inputs`: a fault of the derivation.
     #[must_use]
     pub fn above(dag: &Dag, roots: &[ExprId], inputs: &[ExprId]) -> Self {
         let position: HashMap<ExprId, usize> = inputs.iter().enumerate().map(|(k, &id)| (id, k)).collect();
@@ -163,14 +163,14 @@ impl Dag {
     }
 }
 
-/// Values of nodes at several sample points, computed as they are asked for.
+/// Values of nodes at several sample points, computed on demand and kept.
 #[derive(Clone, Debug)]
 pub struct SampleTable {
     symbols: HashMap<SymbolId, Vec<f64>>,
-    /// What the errors of symbols are relative to, where that is more than their values.
+    /// Sizes to which the errors of symbols are relative, where these exceed their values.
     sizes: HashMap<SymbolId, f64>,
     points: usize,
-    /// By node: which of the rows of `values` is its; `UNKNOWN` if it has not been asked for.
+    /// By node: the row of `values` that is its own, or `UNKNOWN` if it has not been computed.
     place: Vec<u32>,
     values: Vec<f64>,
     /// Scratch of [`SampleTable::compute`].
@@ -178,7 +178,7 @@ pub struct SampleTable {
 }
 
 const UNKNOWN: u32 = u32::MAX;
-/// Room for the values of so many nodes: address space, which becomes memory as it is filled.
+/// Capacity reserved, in nodes: address space that becomes memory only as it is filled.
 const NODES: usize = 1 << 13;
 
 impl SampleTable {
@@ -195,13 +195,13 @@ impl SampleTable {
         }
     }
 
-    /// With sizes of solved symbols: one that should be 0 is 0 up to rounding of its size.
+    /// Adds sizes of symbols that were solved for: a value that should be 0 is so only up to the rounding of its size.
     #[must_use]
     pub(crate) fn with_sizes(self, sizes: HashMap<SymbolId, f64>) -> Self {
         Self { sizes, ..self }
     }
 
-    /// The same points with other values of some symbols; nothing is computed yet.
+    /// The same points with other values of some symbols; nothing computed is kept.
     #[must_use]
     pub(crate) fn with_symbols(mut self, symbols: HashMap<SymbolId, Vec<f64>>) -> Self {
         self.clear();
@@ -209,13 +209,13 @@ impl SampleTable {
         self
     }
 
-    /// Gives symbols that are new their values; what has been computed is forgotten.
+    /// Sets the values of new symbols; forgets everything computed.
     pub(crate) fn set_symbols(&mut self, symbols: HashMap<SymbolId, Vec<f64>>) {
         self.clear();
         self.symbols.extend(symbols);
     }
 
-    /// Bounds of the rounding errors of expressions at one sample: a value below its bound may as well be 0.
+    /// Bounds of the rounding errors of expressions at one sample: a value below its bound cannot be told from 0.
     #[must_use]
     pub fn rounding_errors(&self, dag: &Dag, exprs: &[ExprId], sample: usize) -> Vec<f64> {
         let symbol = |symbol: SymbolId| {
@@ -231,13 +231,13 @@ impl SampleTable {
         self.points
     }
 
-    /// Forgets all values; their memory is used again.
+    /// Forgets all values and keeps their memory for reuse.
     pub fn clear(&mut self) {
         self.place.clear();
         self.values.clear();
     }
 
-    /// Values of `expr` at every sample; not-a-number where it depends on a symbol without value.
+    /// Values of `expr` at every sample; NaN where it depends on a symbol without value.
     pub fn values(&mut self, dag: &Dag, expr: ExprId) -> &[f64] {
         self.compute(dag, expr);
         self.computed(expr)
@@ -294,7 +294,7 @@ impl SampleTable {
             Node::Unary(function, a) => {
                 new.iter_mut().zip(of(a)).for_each(|(y, &a)| *y = evaluate::unary(function, a));
             }
-            // The operator is chosen outside of the loop over the samples.
+            // The operator is chosen outside the loop over the samples.
             Node::Binary(Binary::Add, a, b) => fill(new, of(a), of(b), |a, b| a + b),
             Node::Binary(Binary::Sub, a, b) => fill(new, of(a), of(b), |a, b| a - b),
             Node::Binary(Binary::Mul, a, b) => fill(new, of(a), of(b), |a, b| a * b),

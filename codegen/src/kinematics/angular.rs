@@ -1,5 +1,5 @@
-//! Angular velocities: w of a simple rotation, and of Euler parameters, adds to the parent's; w of a triad of directions
-//! by Kane's definition.
+//! Angular velocities. A simple rotation or Euler parameters add to the parent's angular velocity; a triad given by
+//! directions takes Kane's definition.
 
 use super::quantities::{Kinematics, Motion, Rate};
 use super::rate::{scalar_rate, sum_of_rates};
@@ -9,7 +9,7 @@ use crate::model::Axis;
 use crate::vector::{Algebra, Spin, TriadId, Turn, Vector, dot_components};
 use std::collections::BTreeSet;
 
-/// Angular velocity of a triad whose parents are done.
+/// Angular velocity of a triad, after those of all its ancestors.
 pub(super) fn angular_velocity(alg: &mut Algebra, k: &Kinematics, triad: TriadId) -> Motion {
     match alg.triads.turn(triad).clone() {
         Turn::Inertial => Motion::default(),
@@ -36,8 +36,8 @@ pub(super) fn angular_velocity(alg: &mut Algebra, k: &Kinematics, triad: TriadId
     }
 }
 
-/// w = w_parent + sum_i s_i e_i; alpha = alpha_parent + sum_i s_i' e_i + w_parent x sum_i s_i e_i, e_i the axes of the
-/// triad itself: w x s = w_parent x s.
+/// w = w_parent + sum_i s_i e_i; alpha = alpha_parent + sum_i s_i' e_i + w_parent x sum_i s_i e_i, with e_i the axes of
+/// the triad itself (w x s = w_parent x s, since s x s = 0).
 fn spinning(alg: &mut Algebra, k: &Kinematics, (triad, parent): (TriadId, TriadId), spin: &Spin) -> Motion {
     let rates = spin.each_ref().map(|terms| sum_of_rates(alg, k, terms));
     let mut motion = k.angular[parent].clone();
@@ -51,7 +51,7 @@ fn spinning(alg: &mut Algebra, k: &Kinematics, (triad, parent): (TriadId, TriadI
     motion
 }
 
-/// A rotation axis is fixed in the parent too; climb as long as the parent turns about the same axis.
+/// A rotation axis is fixed in the parent too. Climbs to the outermost triad in which it is still fixed.
 fn outermost_axis(alg: &Algebra, parent: TriadId, axis: Axis) -> (TriadId, Axis) {
     let mut home = parent;
     while let Turn::Simple { parent, axis: about, .. } = alg.triads.turn(home) {

@@ -1,8 +1,9 @@
-//! Configurations that satisfy the constraints: Newton on the plain residuals, and continuation.
+//! Finds configurations that satisfy the constraints: Newton's method on the residuals, and continuation.
 //!
-//! In: independent coordinates and the time (given), dependent ones (guesses). Out: dependent coordinates with
-//! all residuals at round-off, those of implied constraints included. Far targets are reached from the nominal
-//! configuration along a straight line of the independent coordinates, so the branch connected to nominal is found.
+//! In: independent coordinates and the time (given), dependent ones (guesses). Out: dependent coordinates with all
+//! residuals at round-off, those of implied constraints included. A distant target is approached from the nominal
+//! configuration along a straight line of the independent coordinates, so that the branch connected to nominal is
+//! found.
 
 use super::quantities::Kinematics;
 use super::random::Random;
@@ -27,45 +28,46 @@ const MAX_TIME_STEPS: usize = 4096;
 const MAX_CORRECTIONS: usize = 25;
 /// Residual, of equations with terms of order 1, that counts as satisfied: some thousand rounding errors.
 const SATISFIED: f64 = 1e-12;
-/// A residual of closed forms that is more than rounding.
+/// A residual of closed forms larger than this is not rounding but a contradiction.
 const CONTRADICTION: f64 = 1e-9;
-/// Largest correction of one Newton step: farther means another branch or a singularity.
+/// Largest correction in one Newton step; a larger one leads to another branch or comes from a singularity.
 const LARGEST_CORRECTION: f64 = 0.5;
-/// Guesses from which the nominal configuration is searched for.
+/// Number of guesses from which the nominal configuration is searched for.
 const STARTS: usize = 64;
 /// Fractional part of the golden section.
 const GOLDEN: f64 = 0.618_033_988_749_894_9;
-/// Most steps of a descent, and the sum of squares at which it ends.
+/// Most Levenberg-Marquardt steps, and the sum of squares at which they end.
 const DESCENT: usize = 100;
 const DESCENDED: f64 = 1e-10;
-/// A direction of which less is left beside the others does not count against the freedom of a mechanism.
+/// Rank threshold for counting degrees of freedom: a row with less than this left beside the others counts as
+/// dependent.
 const LOCKED: f64 = 1e-6;
 
 /// Solves for dependent coordinates.
 #[derive(Clone, Debug)]
 pub struct Assembly {
     tape: Tape<f64>,
-    /// By what every residual is divided: an equation says the same if all of it is multiplied.
+    /// Divisor of each residual, so that multiplying an equation by a number changes nothing.
     scales: Vec<f64>,
     /// Names of the constraints that the residuals belong to.
     names: Vec<String>,
-    /// How many of the residuals, the last ones, are implied by the others at the default parameters.
+    /// Number of residuals, the last ones, that follow from the others at the default parameters.
     implied: usize,
     dependent: Vec<usize>,
     independent: Vec<usize>,
-    /// By coordinate: is it an angle, and its range.
+    /// By coordinate: whether it is an angle, and its range.
     kinds: Vec<(bool, (f64, f64))>,
     /// Values of the tape's inputs: coordinates, then parameters, then the time.
     arguments: Vec<f64>,
     n_q: usize,
 }
 
-/// Equations at a configuration, each divided by its scale.
+/// Residuals and their derivatives at a configuration, each divided by its scale.
 struct Linearised {
-    /// Largest residual as it is, and the equation that has it.
+    /// Largest residual before scaling, and the index of its equation.
     absolute: (f64, usize),
     residual: Vec<f64>,
-    /// One row an equation, one column a dependent coordinate.
+    /// Row-major: one row per equation, one column per dependent coordinate.
     jacobian: Vec<f64>,
 }
 
@@ -75,7 +77,7 @@ impl Linearised {
     }
 }
 
-/// The largest size and its place; not a number if one is none.
+/// The largest absolute value and its index; NaN if any entry is NaN.
 fn largest(residual: &[f64]) -> (f64, usize) {
     let sizes = residual.iter().map(|r| r.abs()).enumerate();
     sizes.fold((0.0, 0), |m, (i, r)| if r > m.0 || r.is_nan() { (r, i) } else { m })
@@ -88,7 +90,7 @@ impl Assembly {
         Self::holding(alg, model, k, |c| model.coordinates[c].independent)
     }
 
-    /// The same with no coordinate held.
+    /// [`Self::new`] with no coordinate held: all of them are solved for.
     pub(super) fn free(alg: &mut Algebra, model: &Model, k: &Kinematics) -> Self {
         Self::holding(alg, model, k, |_| false)
     }
@@ -146,7 +148,7 @@ impl Assembly {
         }
     }
 
-    /// How large the terms of the largest equation are, to a factor of a thousand.
+    /// The largest scale of an equation: the size of its terms, to a factor of a thousand.
     #[must_use]
     pub fn size(&self) -> f64 {
         self.scales.iter().fold(0.0_f64, |size, &scale| size.max(scale))
@@ -159,17 +161,18 @@ impl Assembly {
         }
     }
 
-    /// The time (s) at which the constraints are taken; 0 at first.
+    /// Sets the time (s) at which the constraints are evaluated; 0 at first.
     pub fn set_time(&mut self, t: f64) {
         if let Some(time) = self.arguments.last_mut() {
             *time = t;
         }
     }
 
-    /// From the configuration `from`, satisfied at the time last set, to time `t`, independent coordinates held.
+    /// Continues from the configuration `from`, satisfied at the time last set, to time `t`; independent coordinates
+    /// are held.
     ///
     /// # Errors
-    /// If no number of steps gets there.
+    /// If it does not converge with any number of steps up to `MAX_TIME_STEPS`.
     pub fn continue_in_time(&mut self, from: &[f64], t: f64) -> Result<Vec<f64>, Unreachable> {
         let start = self.arguments.last().copied().unwrap_or(0.0);
         let mut last = Unreachable::default();
@@ -194,7 +197,7 @@ impl Assembly {
         Err(last)
     }
 
-    /// Newton from the given guesses; all coordinates in the state's order.
+    /// Newton's method from the given guesses; `q` holds all coordinates in the state's order.
     ///
     /// # Errors
     /// If it does not converge.
@@ -209,10 +212,11 @@ impl Assembly {
             let (correction, _) = linear::solve(jacobian, residual, self.dependent.len());
             let mut size = 0.0_f64;
             for (&i, &d) in self.dependent.iter().zip(&correction) {
-                // Relative to a length; an angle is what it is.
+                // Relative to the length for a length above 1; absolute for an angle.
                 let part = if self.kinds[i].0 { d } else { d / q[i].abs().max(1.0) };
                 size = if part.is_nan() { f64::NAN } else { size.max(part.abs()) };
-                // The last correction has brought the error to the square of a small number.
+                // Applied even in the last iteration: convergence is quadratic, so it brings the error far below the
+                // tolerance.
                 q[i] += d;
             }
             if scaled < SATISFIED && size < SATISFIED.sqrt() {
@@ -225,7 +229,7 @@ impl Assembly {
         Err(Unreachable { residual: best.0, constraint: self.names.get(best.1).cloned(), locked: false })
     }
 
-    /// The equations and their derivatives by the dependent coordinates.
+    /// The equations, and their derivatives with respect to the dependent coordinates.
     fn linearised(&mut self, q: &[f64]) -> Linearised {
         let mut residual = vec![0.0; self.tape.n_outputs()];
         self.arguments[..self.n_q].copy_from_slice(&q[..self.n_q]);
@@ -241,7 +245,7 @@ impl Assembly {
         Linearised { absolute, residual, jacobian }
     }
 
-    /// Of the configurations found from many guesses that with dependent coordinates nearest to those given.
+    /// The configuration nearest to `guess`, among those found from many guesses of the dependent coordinates.
     ///
     /// # Errors
     /// If none is found.
@@ -251,7 +255,8 @@ impl Assembly {
         for start in 0..if found.is_ok() { 0 } else { STARTS } {
             let mut q = guess.to_vec();
             for (place, &i) in self.dependent.iter().enumerate() {
-                // Multiples of square roots, less whole numbers, cover a box evenly; the first start is the guess.
+                // Fractional parts of multiples of square roots cover the box evenly; the first start is the guess
+                // itself.
                 let part = (start as f64 * ((place + 2) as f64).sqrt() * GOLDEN).fract();
                 let (is_angle, (low, high)) = self.kinds[i];
                 let width = if is_angle { std::f64::consts::TAU } else { high - low };
@@ -278,13 +283,13 @@ impl Assembly {
         found.map(|(_, q)| q)
     }
 
-    /// What counts as far for a coordinate.
+    /// The length by which differences of a coordinate are measured: its range, or 1 for an angle.
     fn width(&self, index: usize) -> f64 {
         let (is_angle, (low, high)) = self.kinds[index];
         if is_angle { 1.0 } else { (high - low).abs().max(f64::MIN_POSITIVE) }
     }
 
-    /// Levenberg and Marquardt's steps down the sum of squares, until Newton's method can take over.
+    /// Levenberg-Marquardt steps that reduce the sum of squares until Newton's method converges.
     fn descend(&mut self, q: &mut Vec<f64>) {
         let n = self.dependent.len();
         let mut damping = 1e-2;
@@ -297,7 +302,7 @@ impl Assembly {
             }
             let rows: Vec<&[f64]> = equations.jacobian.chunks_exact(n.max(1)).collect();
             let product = |i: usize, j: usize| rows.iter().map(|row| row[i] * row[j]).sum::<f64>();
-            // In units in which every unknown matters alike, be it a length of a million metres or an angle.
+            // Scales each unknown by the norm of its column, so that lengths of any size and angles count alike.
             let length = |i: usize| product(i, i).sqrt();
             let units: Vec<f64> =
                 (0..n).map(|i| if length(i) > 0.0 { 1.0 / length(i) } else { 1.0 }).collect();
@@ -322,8 +327,8 @@ impl Assembly {
         }
     }
 
-    /// The implied constraint that no longer follows from the others, if the configuration, which satisfies all of
-    /// them, has fewer ways to move than independent coordinates.
+    /// Returns an implied constraint that no longer follows from the others, if at this configuration, which satisfies
+    /// all constraints, the mechanism has fewer degrees of freedom than independent coordinates.
     pub fn locked(&mut self, q: &[f64]) -> Option<Unreachable> {
         if self.implied == 0 {
             return None;
@@ -344,10 +349,10 @@ impl Assembly {
         (rank > n).then_some(Unreachable { residual: 0.0, constraint: name, locked: true })
     }
 
-    /// From the configuration `from` (satisfied) to the independent coordinates of `target`.
+    /// Continues from the configuration `from` (satisfied) to the independent coordinates of `target`.
     ///
     /// # Errors
-    /// If no number of steps up to 64 gets there.
+    /// If it does not converge with any number of steps up to `MAX_STEPS`.
     pub fn continue_to(&mut self, from: &[f64], target: &[f64]) -> Result<Vec<f64>, Unreachable> {
         let mut last = Unreachable::default();
         let mut steps = 1;
@@ -358,14 +363,15 @@ impl Assembly {
             }
             steps *= 4;
         }
-        // Straight on, through places where branches cross.
+        // With extrapolated guesses, which pass straight through points where branches cross.
         match self.walk(from, target, MAX_STEPS, true) {
             Ok(q) => Ok(q),
             Err(_) => Err(last),
         }
     }
 
-    /// In so many steps, each from the configuration before, or from where the last two lead.
+    /// Continues in `steps` steps. The guess of each is the configuration before or, if `straight`, extrapolated from
+    /// two.
     fn walk(
         &mut self,
         from: &[f64],
@@ -391,14 +397,14 @@ impl Assembly {
     }
 }
 
-/// A power of two near the size of an equation's terms, in steps of a thousand: exact, and 1 for equations of order 1.
+/// A power of 1024 near the size of an equation's terms: division by it is exact, and 1 for terms of order 1.
 fn scale(size: f64) -> f64 {
-    /// Binary places of a step.
+    /// Exponents are multiples of this (binary places).
     const STEP: f64 = 10.0;
     (STEP * (size.log2() / STEP).round()).exp2()
 }
 
-/// The kinematics with samples: nominal, stated configurations, random ones.
+/// Adds the sampled configurations: nominal, those that the model states, random ones.
 pub(super) fn derive(alg: &mut Algebra, model: &Model, k: Kinematics) -> Result<Kinematics, Diagnostics> {
     let k = closed_forms(alg, model, k)?;
     let mut assembly = Assembly::new(alg, model, &k);
@@ -421,7 +427,7 @@ pub(super) fn derive(alg: &mut Algebra, model: &Model, k: Kinematics) -> Result<
         samples.extend(assembly.continue_to(&nominal, &target));
     }
     times.resize(samples.len(), 0.0);
-    // Rejected targets (outside the reachable range) are drawn again, a bounded number of times.
+    // A target outside the reachable range is rejected and drawn again, a bounded number of times.
     let mut random = Random(0x5EED_0F5A_3B1E);
     let wanted = samples.len() + RANDOM_SAMPLES;
     for _ in 0..4 * RANDOM_SAMPLES {
@@ -447,16 +453,17 @@ pub(super) fn derive(alg: &mut Algebra, model: &Model, k: Kinematics) -> Result<
     Ok(Kinematics { samples, sample_times: times, ..k })
 }
 
-/// The nominal configuration at another time.
+/// The nominal configuration continued to another time.
 fn at_time(assembly: &mut Assembly, nominal: &[f64], t: f64) -> Result<Vec<f64>, Unreachable> {
     assembly.set_time(0.0);
     if t == 0.0 { Ok(nominal.to_vec()) } else { assembly.continue_in_time(nominal, t) }
 }
 
-/// The kinematics with closed forms put into the residuals. Those that hold by the forms alone are solved already.
+/// Substitutes closed forms into the residuals. Residuals that then hold no other dependent coordinate are dropped:
+/// they must hold by the closed forms alone, which is checked.
 ///
 /// # Errors
-/// If closed forms contradict a constraint that nothing else could satisfy.
+/// If the closed forms violate such a residual.
 fn closed_forms(alg: &mut Algebra, model: &Model, mut k: Kinematics) -> Result<Kinematics, Diagnostics> {
     if k.closed_forms.is_empty() || k.residuals.is_empty() {
         return Ok(k);
@@ -475,7 +482,7 @@ fn closed_forms(alg: &mut Algebra, model: &Model, mut k: Kinematics) -> Result<K
             kept.push((residual, place));
             continue;
         }
-        // Outside the reachable range a form may be no number.
+        // Outside the reachable range a closed form may be NaN.
         let values = table.values(&alg.dag, residual).iter().filter(|r| r.is_finite());
         let worst = values.fold(0.0_f64, |worst, r| worst.max(r.abs()));
         if CONTRADICTION < worst {

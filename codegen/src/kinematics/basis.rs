@@ -1,7 +1,7 @@
-//! Orthonormal vectors at every sampled configuration: is a row independent of others?
+//! Orthonormal bases at every sampled configuration: tests whether a row is linearly independent of others.
 //!
-//! Gram-Schmidt over all samples at once: a vector is a list of columns with one value a sample, so that what is
-//! zero by structure costs nothing and the rest goes through the loops that a compiler turns into wide arithmetic.
+//! Gram-Schmidt at all samples at once: a vector is a list of columns with one value per sample, so that structural
+//! zeros cost nothing and the inner loops vectorise.
 
 use super::quantities::Row;
 use super::unknowns::UnknownId;
@@ -10,16 +10,16 @@ use crate::expr::{Dag, ExprId};
 use rustc_hash::FxHashMap as HashMap;
 use std::ops::Range;
 
-/// Most dependent rows show at the first samples: no need to look at the others.
+/// Most dependent rows show at the first samples: these are tested before the others.
 const FIRST: usize = 2;
 
-/// Beside this part of a row's length what rounding has left in it of the vectors does not count.
+/// If more than this share of a row's length is left, the rounding of one Gram-Schmidt pass does not matter.
 const ROUNDED: f64 = 1e-2;
 
-/// A row this short against the longest entry of any may be nothing but rounding errors: those are looked into.
+/// A remainder below this share of the longest entry may be mere rounding error, which is then bounded explicitly.
 const DOUBTFUL: f64 = 1e-5;
 
-/// A row's entries in the columns of unknowns, ascending, at every sample.
+/// A row's entries in the columns of the unknowns, in ascending order, with their values at every sample.
 pub(super) struct NumericRow<'t> {
     entries: Vec<(usize, &'t [f64])>,
     coefficients: Vec<ExprId>,
@@ -43,42 +43,42 @@ impl<'t> NumericRow<'t> {
         self.entries.iter().map(|(_, values)| values[sample] * values[sample]).sum::<f64>().sqrt()
     }
 
-    /// Writes the row at a sample into a dense one.
+    /// Writes the row's entries at a sample into a dense row.
     pub fn write(&self, sample: usize, dense: &mut [f64]) {
         self.entries.iter().for_each(|(column, values)| dense[*column] = values[sample]);
     }
 
-    /// Bound of the rounding error of the row at a sample. Dear: ask it of rows that are in doubt.
+    /// Bound of the rounding error of the row at a sample. Expensive: use it for doubtful rows only.
     pub fn rounding(&self, dag: &Dag, sample: usize) -> f64 {
         let errors = self.table.rounding_errors(dag, &self.coefficients, sample);
         errors.iter().map(|error| error * error).sum::<f64>().sqrt()
     }
 }
 
-/// The largest entry of all rows at any sample.
+/// The largest absolute entry of all rows at all samples.
 pub(super) fn longest_entry(dag: &Dag, rows: &[Row], table: &mut SampleTable) -> f64 {
     let coefficients = rows.iter().flat_map(|row| row.coefficients.values());
     coefficients.fold(0.0, |most, &c| table.values(dag, c).iter().fold(most, |most, x| most.max(x.abs())))
 }
 
-/// Orthonormal vectors, at every sample as many as have been found independent there.
+/// Orthonormal vectors at every sample: those of the rows that were found independent there.
 #[derive(Clone)]
 pub(super) struct Bases {
     vectors: Vec<Vector>,
-    /// By sample: how many vectors are not zero there.
+    /// By sample: number of vectors that are not zero there.
     ranks: Vec<usize>,
     dimensions: usize,
-    /// The row at hand: by column one value a sample, and whether the column has any.
+    /// The row being orthogonalised: values by column and sample, and which columns are non-zero.
     rest: Vec<f64>,
     is_filled: Vec<bool>,
-    /// Lengths of what is left of the row at hand, one a sample, and of the row itself.
+    /// By sample: length of the remainder of that row as a share of the row, and the length of the row itself.
     lengths: Vec<f64>,
     whole: Vec<f64>,
     /// The largest entry of any row.
     longest: f64,
 }
 
-/// One value a sample in each of some columns, one column after the other.
+/// A vector at every sample: its non-zero columns, and their values column by column.
 #[derive(Clone)]
 struct Vector {
     columns: Vec<usize>,
@@ -86,7 +86,7 @@ struct Vector {
 }
 
 impl Bases {
-    /// No vectors yet, of a space of so many dimensions; `longest` is the largest entry of any row.
+    /// Empty bases of a space with this number of dimensions; `longest` is the largest entry of any row.
     pub fn new(dimensions: usize, longest: f64, samples: usize) -> Self {
         Self {
             vectors: Vec::new(),
@@ -100,15 +100,16 @@ impl Bases {
         }
     }
 
-    /// Number of vectors at every sample.
+    /// Rank at every sample.
     pub fn ranks(&self) -> &[usize] {
         &self.ranks
     }
 
-    /// Adds the row, if at every sample more than this part of its length is left beside the others.
+    /// Adds the row if at every sample more than the share `least` of its length is left after projection; returns
+    /// whether.
     ///
-    /// A row of rounding errors is a direction too once it is made a unit vector, but says nothing: what is left of a
-    /// row counts against the errors that it had before, where least is left.
+    /// A remainder of rounding errors could be normalised too but means nothing: where least is left, the remainder
+    /// must exceed the rounding error of the row.
     pub fn extend(&mut self, dag: &Dag, row: &NumericRow, least: f64) -> bool {
         let samples = self.ranks.len();
         let first = FIRST.min(samples);
@@ -129,10 +130,10 @@ impl Bases {
         true
     }
 
-    /// Adds the row at those samples at which more than this part of its length is left beside the others, and more
-    /// than rounding errors.
+    /// Adds the row at those samples at which more than the share `least` of its length is left after projection, and
+    /// more than rounding error.
     pub fn extend_where_independent(&mut self, dag: &Dag, row: &NumericRow, least: f64) {
-        // Beside as many vectors as there are dimensions nothing is left.
+        // Where the rank equals the number of dimensions every row is dependent.
         if self.ranks.iter().all(|&rank| rank == self.dimensions) {
             return;
         }
@@ -148,8 +149,8 @@ impl Bases {
         self.push(least);
     }
 
-    /// What is left of a row, as a unit vector, beside the vectors, at a part of the samples: Gram-Schmidt, twice
-    /// where so little is left that its rounding would count.
+    /// Subtracts from the normalised row its projections on the vectors, at some of the samples (Gram-Schmidt), a
+    /// second time where so little is left that rounding would count.
     fn orthogonalise(&mut self, row: &NumericRow, part: Range<usize>, least: f64) {
         let samples = self.ranks.len();
         let at = |k: usize| k * samples + part.start..k * samples + part.end;
@@ -172,7 +173,7 @@ impl Bases {
         }
     }
 
-    /// Takes the vectors' parts out of the row at hand.
+    /// Subtracts the projections on all vectors from the current row.
     fn take_out_vectors(&mut self, part: Range<usize>) {
         let samples = self.ranks.len();
         let at = |k: usize| k * samples + part.start..k * samples + part.end;
@@ -198,7 +199,7 @@ impl Bases {
         self.measure(part);
     }
 
-    /// Lengths of the row at hand.
+    /// Computes the lengths of the current row.
     fn measure(&mut self, part: Range<usize>) {
         let samples = self.ranks.len();
         let lengths = &mut self.lengths[part.clone()];
@@ -210,7 +211,7 @@ impl Bases {
         lengths.iter_mut().for_each(|sum| *sum = sum.sqrt());
     }
 
-    /// Adds the row at hand, made a unit vector, where it is long enough.
+    /// Adds the current row, normalised, at the samples where enough of it is left.
     fn push(&mut self, least: f64) {
         let samples = self.ranks.len();
         if self.lengths.iter().all(|&length| length <= least) {

@@ -1,7 +1,7 @@
-//! Parameters that a derivation keeps or changes.
+//! Parameters that a derivation keeps tunable or whose defaults it changes.
 //!
-//! In: names and values from a command line or a build script. Out: nothing, or an error each that the model does not have
-//! or whose value it does not allow, so that no caller has to compare.
+//! In: names and values from a command line or a build script. Out: nothing, or an error for each name that the model
+//! does not have and each value that it does not allow, so that no caller has to compare.
 
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::Model;
@@ -10,17 +10,17 @@ use std::collections::BTreeMap;
 /// How the derivation treats parameters.
 #[derive(Clone, Debug, Default)]
 pub struct ParameterChoice {
-    /// Names of fixed parameters to keep as fields all the same.
+    /// Names of fixed parameters that shall stay fields of the generated code.
     pub keep: Vec<String>,
     /// Other default values, by name.
     pub values: BTreeMap<String, f64>,
 }
 
 impl ParameterChoice {
-    /// Has the model these parameters, and does it allow the values?
+    /// Checks that the model has these parameters and allows their values.
     ///
     /// # Errors
-    /// Every one that it has not, or whose value lies outside its range.
+    /// Every parameter that the model does not have, and every value outside its range.
     pub fn check(&self, model: &Model) -> Result<(), Diagnostics> {
         let mut found = Diagnostics::new(model.source.clone());
         let is_unknown = |name: &&String| model.parameters.iter().all(|p| p.name != **name);

@@ -1,7 +1,8 @@
-//! Which candidate rows are solved: independent ones, few operations.
+//! Chooses which candidate rows are solved: independent ones that take few operations.
 //!
-//! In: candidate rows and the unknowns. Out: as many rows, independent at every sampled configuration,
-//! taken one after the other by the operations that each adds to the expressions of those taken.
+//! In: candidate rows and the unknowns. Out: as many rows as unknowns, independent at every sampled configuration.
+//! Greedy: each time the row that adds the fewest operations to those of the rows taken before; then exchanges that
+//! save more.
 
 use super::basis::{Bases, NumericRow, longest_entry};
 use super::quantities::{Kinematics, Row};
@@ -11,27 +12,26 @@ use crate::expr::tape::SampleTable;
 use crate::vector::Algebra;
 use rustc_hash::FxHashMap as HashMap;
 
-/// A candidate row is independent if this part of its length is left at every sample.
+/// A row counts as independent of others if this share of its length is left after projection, at every sample.
 pub(super) const INDEPENDENT: f64 = 1e-3;
-/// A row is well independent of others if this part of its length is left at every sample.
+/// A row counts as well independent of others if this share of its length is left, at every sample.
 pub(super) const WELL_INDEPENDENT: f64 = 0.1;
-/// A row that adds more operations than this is worth a search for a cheaper one.
+/// A row that adds more operations than this is worth the search for a cheaper one.
 const DEAR: usize = 100;
 
-/// What rows are taken from, and when one counts as independent of those taken.
+/// The candidates, and the criterion of independence.
 pub(super) struct Choice<'a> {
     /// Candidate rows.
     pub rows: &'a [Row],
     /// Columns: the unknowns to be solved for.
     pub unknown: &'a [UnknownId],
-    /// How many rows are taken: as many as unknowns, or fewer.
+    /// Number of rows to take: as many as unknowns, or fewer.
     pub count: usize,
-    /// Part of a row's length that must be left beside the others at every sample.
+    /// Share of a row's length that must be left after projection on the others, at every sample.
     pub independent: f64,
 }
 
-/// Takes independent rows, each time the one that adds the fewest operations to those taken; none if there are too
-/// few.
+/// Takes independent rows, each time the one that adds the fewest operations; `None` if there are too few of them.
 pub(super) fn rows(
     alg: &Algebra,
     k: &Kinematics,
@@ -46,7 +46,7 @@ pub(super) fn rows(
     let mut candidates: Vec<usize> = (0..choice.rows.len()).collect();
     let mut chosen = Vec::new();
     while chosen.len() < choice.count {
-        // A row that depends on the rows taken will depend on any more: it is left out for good.
+        // A row that depends on the rows taken depends on any larger set: it is removed for good.
         candidates.sort_by_cached_key(|&i| (bills[i].added_cost(&paid), i));
         let place = candidates.iter().position(|&i| extend(alg, table, &column, choice, i, &mut bases))?;
         let row = candidates[place];
@@ -71,8 +71,8 @@ fn extend(
     bases.extend(&alg.dag, &row, choice.independent)
 }
 
-/// Exchanges dear rows for cheaper ones as long as that saves, the dearest first: a row taken early was
-/// dear where others bring what it needs.
+/// Exchanges expensive rows for cheaper ones, the most expensive first, as long as that saves operations: once all rows
+/// are chosen, an alternative may be cheaper because other rows bring sub-expressions that it needs.
 fn exchange(
     alg: &Algebra,
     table: &mut SampleTable,
@@ -126,19 +126,19 @@ fn cheaper(
     rows.find(|&row| extend(alg, table, column, choice, row, &mut bases))
 }
 
-/// What a row costs.
+/// The operations that a row costs.
 struct Bill {
-    /// The operations of its expressions: those that other rows have brought are paid for.
+    /// The operations of its expressions; those that another chosen row needs too are counted once.
     operations: NodeSet,
-    /// What its entries cost later.
+    /// What its entries will cost in the elimination.
     entries: usize,
 }
 
 impl Bill {
     fn new(alg: &Algebra, k: &Kinematics, row: &Row) -> Self {
-        /// An unknown in a row costs about a product and a sum per right-hand side in the elimination.
+        /// Each unknown in a row costs about a product and a sum per right-hand side in the elimination.
         const PER_UNKNOWN: usize = 6;
-        /// Two dependent speeds in one row must be taken apart again.
+        /// Charge for every further dependent speed in a row: the elimination must separate them.
         const COUPLING: usize = 24;
         let is_dependent = |&&u: &&UnknownId| matches!(k.unknowns[u].kind, UnknownKind::Dependent(_));
         let own = row.coefficients.keys().filter(is_dependent).count();
@@ -149,7 +149,7 @@ impl Bill {
         }
     }
 
-    /// Operations that the row adds to those paid for, plus what its entries cost later.
+    /// Operations of the row that the rows taken (`paid`) do not need, plus what its entries will cost.
     fn added_cost(&self, paid: &NodeSet) -> usize {
         self.operations.count_without(paid) + self.entries
     }

@@ -1,10 +1,10 @@
-//! Constraint rows: every closure, stated constancy and constraint, differentiated.
+//! Constraint rows: closures, fixed vectors and stated constraints, differentiated with respect to time.
 //!
-//! A vector equation f(q) = 0 gives f' = sum_k V_k y_k = 0 and f'' = sum_k V_k y_k' + b = 0; its
-//! projections on several directions are candidate [`Row`]s, from which the elimination takes the
-//! cheapest independent ones. Lifted equations: (1) the velocity of a closing point equals the rate
-//! of each of its expressions, one short row per leg; (2) a vector fixed in a frame turns with it.
-//! Any set of independent rows that spans all of them is equivalent on the constraints.
+//! A vector equation f(q) = 0 gives f' = sum_k V_k y_k = 0 and f'' = sum_k V_k y_k' + b = 0. Its projections on several
+//! directions are candidate [`Row`]s, of which the elimination takes the cheapest independent ones. Equations with
+//! lifted unknowns: (1) the velocity of a closing point equals the rate of each of its expressions, one short row per
+//! leg; (2) a vector fixed in a frame turns with it. Any set of independent rows that spans all of them is equivalent
+//! where the constraints hold.
 
 use super::linear_form::LinearForm;
 use super::quantities::{Kinematics, Motion, Place, Rate, Row, Value};
@@ -16,26 +16,26 @@ use std::collections::{BTreeMap, BTreeSet};
 
 const AXES: [Axis; 3] = [Axis::X, Axis::Y, Axis::Z];
 
-/// A vector equation with the vectors that are worth projecting on.
+/// A vector equation, and the triads and vectors on which it is projected.
 struct Equation {
     name: String,
     motion: Motion,
     residual: Vector,
-    /// A vector fixed in the frame: its cross products with axes are directions too.
+    /// A vector fixed in the frame: the equation is projected on its cross products with the axes too.
     fixed: Option<Vector>,
     triads: BTreeSet<TriadId>,
 }
 
-/// What configuration constraints say of positions, besides their rows.
+/// The position level of the configuration constraints.
 #[derive(Default)]
 struct Configuration {
-    /// Components that vanish, and what each belongs to.
+    /// Scalar residuals, 0 when satisfied, and the equation that each belongs to.
     residuals: Vec<(ExprId, Place)>,
-    /// Vectors fixed in a frame, less what is stated of them.
+    /// Vectors stated to be fixed in a frame, less their stated components.
     fixed_vectors: Vec<(Place, [ExprId; 3])>,
 }
 
-/// The kinematics with candidate rows (cheapest first) and the plain residuals.
+/// Adds the candidate rows (cheapest first) and the residuals.
 pub(super) fn derive(alg: &mut Algebra, model: &Model, k: Kinematics) -> Kinematics {
     let mut found = Configuration::default();
     let rows = rows(alg, model, &k, &mut found);
@@ -43,7 +43,7 @@ pub(super) fn derive(alg: &mut Algebra, model: &Model, k: Kinematics) -> Kinemat
     Kinematics { rows, residuals, residual_names, fixed_vectors: found.fixed_vectors, ..k }
 }
 
-/// Candidate rows, cheapest first; what else the constraints say goes into `found`.
+/// Candidate rows, cheapest first; residuals and fixed vectors are added to `found`.
 fn rows(alg: &mut Algebra, model: &Model, k: &Kinematics, found: &mut Configuration) -> Vec<Row> {
     let mut rows = Vec::new();
     for point in model.points.ids().filter(|&p| !model.points[p].closures.is_empty()) {
@@ -81,7 +81,7 @@ fn rows(alg: &mut Algebra, model: &Model, k: &Kinematics, found: &mut Configurat
             Value::Vector(v) => {
                 let motion = rate::linear_motion(alg, k, &v);
                 let triads = triads_of(&motion);
-                // A component that vanishes all the time has a rate that vanishes, in any triad.
+                // A vector that stays 0 has components that stay 0, so their rates vanish too, in any triad.
                 for &triad in &triads {
                     for e in alg.express(&v, triad) {
                         rows.extend(motion_row(alg, k, &constraint.name, e));
@@ -97,7 +97,7 @@ fn rows(alg: &mut Algebra, model: &Model, k: &Kinematics, found: &mut Configurat
     rows
 }
 
-/// The kinematics with the derivatives of closed forms where the constraints do not give all dependent speeds.
+/// Adds rows for the derivatives of closed forms, if the constraints do not determine all dependent speeds.
 pub(super) fn complete(alg: &mut Algebra, model: &Model, mut k: Kinematics) -> Kinematics {
     if k.is_state.iter().all(|&state| state) || rank::determined(alg, model, &k) {
         return k;
@@ -152,8 +152,8 @@ fn closures(
             let name = format!("{} closure {}", declared.name, nth + 1);
             found.add_residuals(alg, &residual, &Place { name, span: expression.span });
         }
-        // Vectors that are constant in the body's triad turn with the body; Newton's residual must
-        // see them where the body has them, or it would not converge quadratically.
+        // Vectors that are constant in the body's triad turn with the body. Newton's residual must take them there too,
+        // or the iteration would not converge quadratically.
         let leg = orientation::aligned(alg, &place, home);
         let place = alg.with_constants(&place, leg);
         let place = alg.with_constants(&place, home);
@@ -222,7 +222,7 @@ fn turning(
     equations
 }
 
-/// The part in a triad fixed in a frame, by the frame's own components.
+/// The vector with its part in `triad`, which is fixed in `frame`, expressed in the axes of `frame`.
 fn in_frame(alg: &mut Algebra, vector: &Vector, triad: TriadId, frame: TriadId) -> Vector {
     let mut rest = vector.clone();
     let Some(part) = rest.terms.remove(&triad) else { return rest };
@@ -232,7 +232,8 @@ fn in_frame(alg: &mut Algebra, vector: &Vector, triad: TriadId, frame: TriadId) 
     rest.plus(&mut alg.dag, &part)
 }
 
-/// The vector with what stands in frames of fixed vectors taken as rigid, as its rate takes it: Newton's residual.
+/// The vector with its parts in lifted frames taken as rigidly attached, as their rates assume: the residual for
+/// Newton.
 fn rigid(alg: &mut Algebra, model: &Model, k: &Kinematics, vector: Vector) -> Vector {
     let lifted = model.frames.ids().filter(|&f| lifted::frame_is_lifted(model, f));
     let triads: Vec<TriadId> = lifted.map(|f| k.frame_triad[f]).collect();
@@ -253,7 +254,7 @@ impl Configuration {
     }
 }
 
-/// Rows of an equation: projections on the axes a of its triads, and on a x (fixed vector).
+/// Projects an equation on the axes a of its triads and on a x (fixed vector).
 fn project(alg: &mut Algebra, equation: Equation) -> Vec<Row> {
     let mut rows = Vec::new();
     let mut fixed = equation.fixed.as_ref().map(Resolved::new);
@@ -277,7 +278,7 @@ fn project(alg: &mut Algebra, equation: Equation) -> Vec<Row> {
     rows
 }
 
-/// A vector with its components in whatever triads have been asked for.
+/// A vector with its components in the triads asked for so far.
 struct Resolved<'v> {
     vector: &'v Vector,
     components: BTreeMap<TriadId, Components>,
@@ -294,7 +295,7 @@ impl<'v> Resolved<'v> {
     }
 }
 
-/// The equation along a direction, which is given by its components in a triad.
+/// The projection of the equation on a direction, which `direction` gives in any triad.
 fn projection(
     alg: &mut Algebra,
     equation: &Equation,
@@ -326,7 +327,7 @@ fn projection(
 }
 
 fn cost(alg: &Algebra, coefficients: &LinearForm) -> usize {
-    /// An unknown in a row costs a product and a sum per right-hand side, sooner or later.
+    /// Each unknown in a row costs a product and a sum per right-hand side in the elimination.
     const PER_UNKNOWN: usize = 3;
     let roots: Vec<_> = coefficients.values().copied().collect();
     alg.dag.cone_cost(&roots) + PER_UNKNOWN * coefficients.len()

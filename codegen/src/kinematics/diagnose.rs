@@ -1,9 +1,9 @@
-//! What only numbers show: frames that are none, constraints that are redundant or singular.
+//! Checks that need numbers: frames that are not orthonormal, constraints that are redundant or singular.
 //!
-//! An equation whose rate follows from the rates of the others is redundant if it stays satisfied
-//! after a finite move along them; it is then dropped with a warning. If it does not, the formulation
-//! is singular: there the mechanism moves in ways that the equation forbids, and no speed can be
-//! solved from it. Such a model is refused.
+//! An equation whose gradient depends linearly on those of the others is redundant if it stays satisfied after a finite
+//! move along them; it is then dropped with a warning. If it does not stay satisfied, the formulation is singular: to
+//! first order the mechanism can move in a way that the equation forbids, so no speed can be solved from it. Such a
+//! model is refused.
 
 use super::linear;
 use super::quantities::Kinematics;
@@ -17,25 +17,26 @@ use crate::vector::{Algebra, Turn};
 use crate::words::count;
 use smartbed_runtime::real::Real;
 
-/// A row counts as dependent if this part of its length is left beside the others.
+/// A row counts as dependent if at most this share of its length is left after projection on the others.
 const DEPENDENT: f64 = 1e-5;
 /// Length of the finite move, in the coordinates' SI units.
 const MOVE: f64 = 0.1;
-/// Moves that turn out too long for the mechanism are made this much shorter, so many times.
+/// A move that turns out too long is shortened by this factor, up to this many times.
 const SHORTER: (f64, usize) = (0.1, 3);
-/// A redundant equation stays satisfied to this residual, relative to its terms, after the move.
+/// A redundant equation has at most this residual after the move, relative to its terms.
 const STAYS: f64 = 1e-10;
-/// The others are satisfied to this residual, relative to their terms, after the move.
+/// After the move the other equations are solved to this residual, relative to their terms.
 const SATISFIED: f64 = 1e-12;
 /// Most corrections after a move.
 const MAX_CORRECTIONS: usize = 40;
-/// Deviation of a stated constancy or orthonormality that is more than rounding.
+/// A deviation from a stated constancy or from orthonormality above this is not rounding.
 const NOT_CONSTANT: f64 = 1e-9;
 
-/// Checks the frames and the configuration constraints; the kinematics without what is redundant, and warnings of that.
+/// Checks the frames and the configuration constraints; returns the kinematics without redundant equations, and
+/// warnings.
 ///
 /// # Errors
-/// A frame whose axes are not orthonormal or whose fixed vectors are not fixed; singular constraints.
+/// A frame whose axes are not orthonormal, a fixed vector that is not fixed, or singular constraints.
 pub(crate) fn check(
     alg: &mut Algebra,
     model: &Model,
@@ -72,7 +73,7 @@ fn fixed_vectors(alg: &Algebra, k: &Kinematics, table: &mut SampleTable, found: 
     }
 }
 
-/// Axes given as directions must be orthonormal wherever the constraints hold.
+/// Checks that axes given as directions are orthonormal wherever the constraints hold.
 fn axes(alg: &mut Algebra, model: &Model, k: &Kinematics, table: &mut SampleTable, found: &mut Diagnostics) {
     for (id, frame) in model.frames.enumerate() {
         let Turn::Directions { rows, .. } = alg.triads.turn(k.frame_triad[id]).clone() else { continue };
@@ -94,12 +95,12 @@ fn axes(alg: &mut Algebra, model: &Model, k: &Kinematics, table: &mut SampleTabl
     }
 }
 
-/// Residuals and their derivatives by all coordinates, in numbers: relative to the terms of the residual, so that
-/// an equation multiplied by a number is the same equation, and 0 where there is nothing but rounding.
+/// Residuals and their derivatives with respect to all coordinates, as numbers. Both are divided by the size of the
+/// residual's terms, so that multiplying an equation changes nothing, and derivatives within rounding error are 0.
 struct Equations {
     tape: Tape<Rounded>,
     arguments: Vec<Rounded>,
-    /// How large the terms of every residual are at the nominal configuration.
+    /// Size of the terms of each residual at the nominal configuration.
     sizes: Vec<f64>,
     /// Rounding errors of the coordinates.
     errors: Vec<f64>,
@@ -109,11 +110,11 @@ struct Equations {
 
 impl Equations {
     fn new(alg: &Algebra, model: &Model, k: &Kinematics) -> Self {
-        // A copy: what is derived here for numbers alone must not leave a trace in the program.
+        // A copy, so that derivatives needed for numbers alone leave no nodes in the program's DAG.
         let mut dag = alg.dag.clone();
         let state =
             k.q.ids().filter_map(|c| Some((k.coordinate_symbol(&alg.dag, c)?, model.coordinates[c].range)));
-        // Of a driven mechanism time is one more coordinate: what follows at one time may not at the next.
+        // In a driven mechanism time counts as a coordinate: a constraint may follow from the others at one time only.
         let time = alg
             .dag
             .as_symbol(k.time)
@@ -139,7 +140,7 @@ impl Equations {
         equations
     }
 
-    /// Residuals, then the derivatives row by row, as they are.
+    /// Residuals, then their derivatives row by row, not yet scaled.
     fn run(&mut self, q: &[f64]) -> Vec<Rounded> {
         let (m, n) = self.size;
         for ((argument, &q), &error) in self.arguments.iter_mut().zip(q).zip(&self.errors) {
@@ -150,7 +151,7 @@ impl Equations {
         values
     }
 
-    /// Residuals, and one row of derivatives each.
+    /// Scaled residuals, and one row of scaled derivatives for each.
     fn at(&mut self, q: &[f64]) -> (Vec<f64>, Vec<Vec<f64>>) {
         let (m, n) = self.size;
         let values = self.run(q);
@@ -160,14 +161,15 @@ impl Equations {
         (residuals, (0..m).map(row).collect())
     }
 
-    /// From `q` along `direction`, as far as the mechanism is large; none if that fails.
+    /// Moves from `q` along `direction` and back onto the equations `kept`, with shorter moves if that fails; `None` if
+    /// all fail.
     fn walk(&mut self, q: &[f64], direction: &[f64], kept: &[usize]) -> Option<Vec<f64>> {
         let (shorter, times) = SHORTER;
         let mut lengths = std::iter::successors(Some(MOVE), |length| Some(length * shorter)).take(1 + times);
         lengths.find_map(|length| self.walk_by(length, q, direction, kept))
     }
 
-    /// So far from `q` along `direction`, then back onto the equations `kept`.
+    /// Moves by `length` from `q` along `direction`, then back onto the equations `kept` by Newton's method.
     fn walk_by(&mut self, length: f64, q: &[f64], direction: &[f64], kept: &[usize]) -> Option<Vec<f64>> {
         let mut at: Vec<f64> = q.iter().zip(direction).map(|(q, d)| q + length * d).collect();
         for _ in 0..MAX_CORRECTIONS {
@@ -176,7 +178,7 @@ impl Equations {
             if largest(&kept_residuals) < SATISFIED {
                 return Some(at);
             }
-            // The shortest correction: J' y with J J' y = -residual.
+            // The correction of least norm: J' y with J J' y = -residual.
             let gram: Vec<f64> = kept
                 .iter()
                 .flat_map(|&i| kept.iter().map(|&j| dot(&rows[i], &rows[j])).collect::<Vec<_>>())
@@ -191,7 +193,7 @@ impl Equations {
     }
 }
 
-/// Coordinates of a sample, and its time where the mechanism is driven.
+/// Coordinates of a sample, followed by its time if the mechanism is driven.
 fn sample(k: &Kinematics, index: usize) -> Vec<f64> {
     k.samples[index].iter().copied().chain(k.unknowns.clock().map(|_| k.sample_times[index])).collect()
 }
@@ -200,7 +202,7 @@ fn dot(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(x, y)| x * y).sum()
 }
 
-/// An orthonormal basis of the rows and the indices of those that depend on earlier ones.
+/// An orthonormal basis of the rows, and the indices of rows that depend on earlier ones.
 fn basis_of(rows: &[Vec<f64>]) -> (Vec<Vec<f64>>, Vec<usize>) {
     let (mut basis, mut dependent): (Vec<Vec<f64>>, _) = (Vec::new(), Vec::new());
     for (i, row) in rows.iter().enumerate() {
@@ -222,7 +224,7 @@ fn basis_of(rows: &[Vec<f64>]) -> (Vec<Vec<f64>>, Vec<usize>) {
     (basis, dependent)
 }
 
-/// Unit vectors that span what is orthogonal to the rows.
+/// An orthonormal basis of the directions orthogonal to all rows.
 fn free_directions(rows: &[Vec<f64>], n: usize) -> Vec<Vec<f64>> {
     let axis = |i: usize| (0..n).map(|j| f64::from(u8::from(i == j))).collect::<Vec<f64>>();
     let all: Vec<Vec<f64>> = rows.iter().cloned().chain((0..n).map(axis)).collect();
@@ -231,8 +233,8 @@ fn free_directions(rows: &[Vec<f64>], n: usize) -> Vec<Vec<f64>> {
     basis.into_iter().skip(rank).collect()
 }
 
-/// The equations that do not follow from the others, with a warning of each that does; singular ones are refused.
-/// None where there is nothing to look at.
+/// Indices of the equations that do not follow from others, with a warning for each redundant one; singular ones are
+/// errors. `None` if there are no equations or no coordinates.
 fn independent(
     alg: &Algebra,
     model: &Model,
@@ -253,7 +255,8 @@ fn independent(
             let others: Vec<usize> = kept.iter().copied().filter(|&i| i != row).collect();
             (after_moves(&mut equations, &nominal, &others, row), others, row)
         };
-        // Where the others leave two branches, close together, another one of those involved follows from the rest.
+        // If the others have two branches close together, another equation of the dependent set may be the redundant
+        // one.
         let first = without(suspect);
         let residual = first.0;
         let found = (residual < STAYS).then_some(first).or_else(|| {
@@ -294,8 +297,8 @@ fn redundant(k: &Kinematics, kept: &[usize], suspect: usize, residual: f64) -> D
         .help(help)
 }
 
-/// Largest residual of one equation after finite moves along the others, every way they leave free;
-/// infinite if there are such ways and none can be walked.
+/// Largest residual of one equation after finite moves along every direction that the others leave free; infinite if
+/// there are such directions and no move succeeds.
 fn after_moves(equations: &mut Equations, q: &[f64], others: &[usize], suspect: usize) -> f64 {
     let (_, rows) = equations.at(q);
     let others_rows: Vec<Vec<f64>> = others.iter().map(|&i| rows[i].clone()).collect();
@@ -307,8 +310,8 @@ fn after_moves(equations: &mut Equations, q: &[f64], others: &[usize], suspect: 
     ends.iter().map(|end| largest(&equations.at(end).0[suspect..=suspect])).fold(0.0, f64::max)
 }
 
-/// The kinematics with the residuals `kept` alone, and no rows of a scalar equation that is dropped as a whole. The
-/// others are implied: they are watched, not solved.
+/// Keeps the residuals `kept`. The others become implied ones, which are watched but not solved; rows of equations that
+/// are dropped as a whole become spare rows.
 fn only(mut k: Kinematics, kept: &[usize]) -> Kinematics {
     let names: Vec<&str> = kept.iter().map(|&i| k.residual_names[i].name.as_str()).collect();
     let dropped: Vec<String> = (k.residual_names.iter().map(|p| p.name.clone()))
@@ -366,7 +369,7 @@ fn singular(k: &Kinematics, equations: &mut Equations, suspect: usize, residual:
     error
 }
 
-/// Which equations' rates the rate of `suspect` is a combination of.
+/// The equations whose gradients combine linearly to that of `suspect`.
 fn involved(rows: &[Vec<f64>], dependent: &[usize], suspect: usize) -> Vec<usize> {
     /// Smaller weights are rounding.
     const WEIGHT: f64 = 1e-6;

@@ -1,8 +1,8 @@
-//! Dependent speeds and lifted unknowns by one sparse symbolic elimination.
+//! Solves the constraints for the dependent speeds and lifted unknowns by one sparse symbolic elimination.
 //!
-//! In: candidate rows. Out: for every unknown y one step y = sum c z, y' = sum c z' + b; T with y = T u; and
-//! Newton's correction delta of the configuration. The cheapest rows are taken that are independent at every sampled
-//! configuration and whose pivots vanish only where the constraints lose rank (`Regularity`).
+//! In: candidate rows. Out: for every dependent unknown y one step y = sum c z, y' = sum c z' + b; the partial
+//! velocities T of y = T u; Newton's correction of the configuration. Takes the cheapest rows that are independent at
+//! every sampled configuration and whose pivots vanish only where the constraints lose rank (`Regularity`).
 
 use super::basis::NumericRow;
 use super::choose;
@@ -21,16 +21,16 @@ use crate::model::Model;
 use crate::vector::Algebra;
 use std::collections::BTreeMap;
 
-/// A row whose terms cancel to this part of their size is a consequence of the rows taken.
+/// A row whose terms cancel to this share of their size is a consequence of the rows taken.
 const CONSEQUENCE: f64 = 1e-7;
 
-/// Most attempts to choose rows that are regular wherever the constraints are.
+/// Most attempts to choose rows whose pivots vanish only where the constraints are singular.
 const ROUNDS: usize = 6;
 
 /// A pivot and its size at the nominal configuration.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Pivot {
-    /// The expression divided by.
+    /// The divisor.
     pub value: ExprId,
     /// Its absolute value at the nominal configuration.
     pub nominal: f64,
@@ -41,30 +41,31 @@ pub struct Pivot {
 /// Solution of the constraints at the velocity, acceleration and correction level.
 #[derive(Clone, Debug, Default)]
 pub struct Solution {
-    /// `partials[y][j]`: coefficient in y of independent speed j, or of the clock, the last where there is one.
-    /// Independent speeds and the clock are in it too.
+    /// `partials[y][j]`: coefficient of independent speed j in y; in a driven model the last one is that of the clock.
+    /// Holds rows for the independent speeds and the clock themselves too.
     pub partials: BTreeMap<UnknownId, Vec<ExprId>>,
-    /// Newton's correction of what y is the rate of.
+    /// Newton's correction of the coordinate (or position) of which y is the rate.
     pub correction: LinearForm,
     /// Pivots that are not constants, in order.
     pub pivots: Vec<Pivot>,
-    /// The same, each unknown by those after it and the independent ones, in the order of the elimination.
+    /// The same solution in triangular form, in the order of the elimination: each unknown by later ones and
+    /// independent ones.
     pub steps: Vec<Step>,
     /// The rows that were solved.
     pub rows: Vec<Row>,
-    /// Rows between the independent speeds, where these are redundant; empty elsewhere.
+    /// Rows between the independent speeds, if these are redundant (`redundant`); otherwise empty.
     pub ties: Vec<Row>,
 }
 
-/// A dependent unknown by unknowns that are eliminated after it and by independent ones:
-/// `y = sum coefficients[z] z`, `y' = sum coefficients[z] z' + bias`.
+/// A dependent unknown in terms of unknowns eliminated after it and of independent ones: `y = sum coefficients[z] z`,
+/// `y' = sum coefficients[z] z' + bias`.
 #[derive(Clone, Debug)]
 pub struct Step {
     /// The dependent unknown y.
     pub unknown: UnknownId,
     /// Non-zero coefficients.
     pub coefficients: LinearForm,
-    /// Acceleration level: what the speeds contribute.
+    /// The part of y' that does not depend on any z'.
     pub bias: ExprId,
 }
 
@@ -89,7 +90,7 @@ pub fn solve(
     Ok(solution)
 }
 
-/// The solution by just these rows; none if one of them cancels.
+/// The solution from exactly these rows; `None` if one of them cancels, so that no pivot is left in it.
 pub(super) fn solution_of(
     alg: &mut Algebra,
     k: &Kinematics,
@@ -101,7 +102,7 @@ pub(super) fn solution_of(
     Some(recorded(alg, k, table, &system.known, form))
 }
 
-/// A form as the solution of the constraints.
+/// Turns a form into the solution of the constraints.
 fn recorded(
     alg: &mut Algebra,
     k: &Kinematics,
@@ -130,11 +131,11 @@ fn recorded(
     solution
 }
 
-/// What is to be solved.
+/// The equations and unknowns of an elimination.
 pub(super) struct System {
     /// Candidate rows.
     pub rows: Vec<Row>,
-    /// Rows that follow from these, for where these are not enough.
+    /// Rows that follow from these, used only if these do not suffice.
     pub spare: Vec<Row>,
     /// Columns: the unknowns to be solved for.
     pub unknown: Vec<UnknownId>,
@@ -142,24 +143,25 @@ pub(super) struct System {
     pub known: Vec<UnknownId>,
 }
 
-/// Rows, and the unknowns from them.
+/// The rows that were chosen, and their elimination.
 pub(super) struct Form {
     /// The rows that are solved.
     pub rows: Vec<Row>,
     eliminations: Vec<sparse::Elimination>,
-    /// By unknown: its coefficients of what is known, its bias, Newton's correction.
+    /// By unknown: its coefficients of the known unknowns, its bias, Newton's correction.
     pub values: sparse::Values,
 }
 
 impl Form {
-    /// What is divided by.
+    /// The divisors, in the order of the elimination.
     pub fn pivots(&self) -> Vec<ExprId> {
         self.eliminations.iter().map(|e| e.pivot).collect()
     }
 }
 
-/// The cheapest form that is regular wherever the constraints are: the cheapest rows; rows chosen with the
-/// configurations in view at which those fail; at last the normal equations, which fail nowhere else.
+/// The cheapest form whose pivots vanish only where the constraints are singular. Tries the cheapest rows; then rows
+/// chosen with the configurations added at which the first ones fail; finally the normal equations, which fail nowhere
+/// else.
 pub(super) fn form(
     alg: &mut Algebra,
     model: &Model,
@@ -221,7 +223,7 @@ pub(super) fn form(
     (values.len() == unknown.len()).then_some(Form { rows, eliminations, values })
 }
 
-/// The unknowns from as many rows; none if a row cancels.
+/// Eliminates as many rows as unknowns; `None` if a row cancels.
 fn eliminated(
     alg: &mut Algebra,
     table: &mut SampleTable,
@@ -234,7 +236,7 @@ fn eliminated(
     Some(Form { rows, eliminations, values })
 }
 
-/// An elimination with the right-hand sides of what is known among the coefficients.
+/// Converts an elimination to a step: the right-hand sides of the known unknowns become coefficients.
 fn step(dag: &Dag, elimination: sparse::Elimination, known: &[UnknownId]) -> Step {
     let mut coefficients = elimination.coefficients;
     coefficients.extend(known.iter().copied().zip(elimination.right.iter().copied()));
@@ -242,7 +244,7 @@ fn step(dag: &Dag, elimination: sparse::Elimination, known: &[UnknownId]) -> Ste
     Step { unknown: elimination.unknown, coefficients, bias: elimination.right[known.len()] }
 }
 
-/// Every candidate row must hold for y = T u: else the independent speeds are not independent.
+/// Checks that every candidate row holds for y = T u; otherwise the independent speeds are not independent.
 fn check_consequences(
     alg: &Algebra,
     model: &Model,
@@ -287,16 +289,16 @@ fn check_consequences(
     Ok(())
 }
 
-/// What of a row is no more than rounding.
+/// Which quantity of a doubtful row is within its rounding error.
 enum Small {
-    /// The sum, at the samples in question.
+    /// The sum of products, at the samples in question.
     Sum,
-    /// The row, at every sample.
+    /// The row itself, at every sample.
     Row,
     Neither,
 }
 
-/// Looks into a row whose sum with column j of the partial velocities is not 0.
+/// Examines a row whose product with column j of the partial velocities is not 0.
 fn is_small(
     alg: &Algebra,
     table: &mut SampleTable,
@@ -323,8 +325,8 @@ fn is_small(
     }
 }
 
-/// Bound of the rounding error of a sum of products at a sample: where pivots are small that of the partial velocities
-/// is large.
+/// Bound of the rounding error of a sum of products at a sample. It is large where pivots are small, because the
+/// partial velocities then have large errors.
 fn rounding_of_products(dag: &Dag, table: &mut SampleTable, terms: &[[ExprId; 2]], sample: usize) -> f64 {
     let values: Vec<f64> = terms.as_flattened().iter().map(|&e| table.values(dag, e)[sample].abs()).collect();
     let errors = table.rounding_errors(dag, terms.as_flattened(), sample);
@@ -351,7 +353,7 @@ fn record(dag: &Dag, table: &mut SampleTable, pivot: ExprId, pivots: &mut Vec<Pi
     pivots.push(pivot_of(dag, table, pivot));
 }
 
-/// A pivot with its nominal and worst sizes.
+/// A pivot with its nominal value and its smallest value over the samples.
 pub(crate) fn pivot_of(dag: &Dag, table: &mut SampleTable, value: ExprId) -> Pivot {
     let values = table.values(dag, value);
     let nominal = values[0].abs();

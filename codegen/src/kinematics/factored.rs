@@ -1,7 +1,7 @@
-//! Constraint rows as eliminated, for right-hand sides that are known later.
+//! The factors of the constraint Jacobian J_d, for right-hand sides that become known later.
 //!
-//! In: J_d of as many rows as dependent unknowns. Out: y of J_d y = right, and lambda of J_d' lambda = force. The
-//! elimination is that which gave the dependent speeds: its pivots and coefficients are the same expressions.
+//! In: J_d, as many rows as dependent unknowns. Out: y of J_d y = right, and lambda of J_d' lambda = force. The
+//! elimination is the one that gave the dependent speeds, with the same expressions for pivots and coefficients.
 
 use super::eliminate::{Solution, Step};
 use super::linear_form::LinearForm;
@@ -12,14 +12,15 @@ use crate::expr::tape::SampleTable;
 use crate::expr::{Dag, ExprId};
 use crate::vector::Algebra;
 
-/// J_d, eliminated.
+/// J_d after elimination.
 #[derive(Clone)]
 pub(crate) struct Factored {
     done: Vec<Elimination>,
 }
 
 impl Factored {
-    /// None where the rows are not what was eliminated, because there are more of them than dependent unknowns.
+    /// `None` if the elimination of these rows is not the one of the solution, as when there are more rows than
+    /// unknowns.
     pub fn new(
         alg: &mut Algebra,
         k: &Kinematics,
@@ -42,7 +43,7 @@ impl Factored {
         (is_whole && done.iter().zip(&solution.steps).all(is_same)).then_some(Self { done })
     }
 
-    /// The same with other expressions in the place of its pivots and coefficients.
+    /// The same factors with every pivot and coefficient replaced by its image.
     pub fn map(&self, mut image: impl FnMut(ExprId) -> ExprId) -> Self {
         let mut this = self.clone();
         for step in &mut this.done {
@@ -53,7 +54,7 @@ impl Factored {
         this
     }
 
-    /// y of J_d y = right.
+    /// Solves J_d y = right.
     pub fn solve(&self, dag: &mut Dag, mut right: Vec<ExprId>) -> LinearForm {
         let mut quotients = Vec::new();
         for step in &self.done {
@@ -76,7 +77,7 @@ impl Factored {
         known
     }
 
-    /// lambda of J_d' lambda = force, one a row: the same steps, transposed and the other way round.
+    /// Solves J_d' lambda = force, one lambda per row: the transposed steps in reverse order.
     pub fn solve_transposed(&self, dag: &mut Dag, mut force: LinearForm) -> Vec<ExprId> {
         let zero = dag.zero();
         let mut carried = Vec::new();

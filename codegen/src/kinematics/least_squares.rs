@@ -1,8 +1,8 @@
-//! Unknowns from more equations than unknowns: Gauss's normal equations A' A y = A' b.
+//! Normal equations A' A y = A' b (Gauss), for more equations than unknowns.
 //!
-//! In: consistent rows A y = b. Out: the same unknowns from a symmetric positive definite system, whose pivots on the
-//! diagonal vanish only where A itself loses rank: one elimination for every regular configuration. Its pivots are
-//! squares of distances, so the conditioning of A counts twice: taken only where no choice of rows is regular.
+//! In: consistent rows A y = b. Out: a symmetric positive definite system for the same unknowns. Its diagonal pivots
+//! vanish only where A itself loses rank, so one elimination serves every regular configuration. They are squared
+//! lengths, which squares the condition number: used only if no choice of rows is regular.
 
 use super::linear_form::LinearForm;
 use super::sparse::Equation;
@@ -10,7 +10,7 @@ use super::unknowns::UnknownId;
 use crate::expr::Dag;
 use std::collections::BTreeMap;
 
-/// The normal equations, by the unknown that each belongs to.
+/// The normal equations, by the unknown on whose diagonal entry each is pivoted.
 pub(super) fn normal_equations(dag: &mut Dag, equations: &[Equation]) -> BTreeMap<UnknownId, Equation> {
     let zero = dag.zero();
     let n = equations.first().map_or(0, |equation| equation.right.len());

@@ -1,21 +1,21 @@
-//! A small dense solver for derive time: Gaussian elimination with full pivoting.
+//! A small dense solver for use at derive time: Gaussian elimination with full pivoting.
 //!
-//! A x = b, rows x columns, row-major. Rank-revealing: pivots below a relative threshold end the
-//! elimination and their unknowns stay 0, so consistent redundant equations do no harm.
+//! A x = b, rows x columns, row-major. Rank-revealing: pivots below a relative threshold end the elimination and their
+//! unknowns stay 0, so that consistent redundant equations do no harm.
 
-/// A pivot below this part of the largest entry counts as zero.
+/// A pivot below this share of the largest entry counts as zero.
 const RANK: f64 = 1e-10;
 
-/// Entries of a row that are worked on together; what a row has beyond its columns is 0.
+/// Entries processed together; a row is padded with zeros to a multiple of this.
 const LANES: usize = 4;
 
-/// A basic solution of A x = b and the rank of A; b is used up.
+/// A basic solution of A x = b and the rank of A; `b` is overwritten.
 #[must_use]
 pub fn solve(a: &[f64], b: &mut [f64], columns: usize) -> (Vec<f64>, usize) {
     solve_to(a, b, columns, RANK)
 }
 
-/// The same with pivots below another part of the largest entry taken for zero.
+/// [`solve`] with another rank threshold, relative to the largest entry.
 #[must_use]
 pub fn solve_to(a: &[f64], b: &mut [f64], columns: usize, zero: f64) -> (Vec<f64>, usize) {
     let (rows, width) = (b.len(), columns.div_ceil(LANES));
@@ -23,7 +23,7 @@ pub fn solve_to(a: &[f64], b: &mut [f64], columns: usize, zero: f64) -> (Vec<f64
     for (to, from) in blocks.chunks_exact_mut(width.max(1)).zip(a.chunks_exact(columns.max(1))) {
         to.as_flattened_mut()[..columns].copy_from_slice(from);
     }
-    // Sizes of the rows' largest entries, which change only where a row does.
+    // Largest entry of each row; updated only when the row changes.
     let mut sizes: Vec<f64> = blocks.chunks_exact(width.max(1)).map(largest).collect();
     let scale = sizes.iter().fold(0.0, |most: f64, size| most.max(*size));
     let mut order: Vec<usize> = (0..columns).collect();
@@ -34,7 +34,7 @@ pub fn solve_to(a: &[f64], b: &mut [f64], columns: usize, zero: f64) -> (Vec<f64
             best = if sizes[r] > sizes[best] { r } else { best };
         }
         let size = sizes[best];
-        // Written so that a not-a-number ends the elimination too.
+        // Also ends the elimination if the entry is NaN.
         if size.is_nan() || size <= zero * scale {
             break;
         }
@@ -50,7 +50,7 @@ pub fn solve_to(a: &[f64], b: &mut [f64], columns: usize, zero: f64) -> (Vec<f64
         order.swap(rank, place);
         let column = order[rank];
         for (r, row) in below.chunks_exact_mut(width).enumerate() {
-            // A loop's equations are sparse: many rows have no part in the unknown at hand.
+            // The equations of a loop are sparse: many rows have a zero in this column.
             let entry = row.as_flattened()[column];
             if entry != 0.0 {
                 let factor = entry / entries[column];
@@ -73,7 +73,7 @@ pub fn solve_to(a: &[f64], b: &mut [f64], columns: usize, zero: f64) -> (Vec<f64
     (x, rank)
 }
 
-/// The size of the largest entry. The comparison is one instruction, where `f64::max` is six.
+/// The largest absolute entry. The comparison is one instruction, whereas `f64::max` takes six.
 fn largest(row: &[[f64; LANES]]) -> f64 {
     let larger = |most: f64, x: f64| if x.abs() > most { x.abs() } else { most };
     let most =

@@ -1,8 +1,7 @@
 //! Linear forms in the unknowns: sum over k of c_k y_k.
 //!
-//! In: terms, one an unknown. Out: the form that adds them, scales them, or takes another form for one of its unknowns.
-//! Coefficients are scalars (rates, constraint rows, generalised forces) or vectors (partial velocities); what cancels
-//! is no term any more.
+//! Forms are added, scaled, and substituted for an unknown. Coefficients are scalars (rates, constraint rows,
+//! generalised forces) or vectors (partial velocities); a term whose coefficient cancels is removed.
 
 use super::unknowns::{UnknownId, Unknowns};
 use crate::expr::{Dag, ExprId};
@@ -10,7 +9,7 @@ use crate::vector::Vector;
 use std::collections::{BTreeMap, btree_map};
 use std::ops::{Index, RangeBounds};
 
-/// What may stand before an unknown.
+/// The type of a coefficient: scalar or vector.
 pub trait Coefficient: Clone {
     /// 0.
     fn zero(dag: &mut Dag) -> Self;
@@ -18,7 +17,7 @@ pub trait Coefficient: Clone {
     fn sum(&self, dag: &mut Dag, other: &Self) -> Self;
     /// factor a.
     fn times(&self, dag: &mut Dag, factor: ExprId) -> Self;
-    /// 0?
+    /// Is it identically 0?
     fn vanishes(&self, dag: &Dag) -> bool;
 }
 
@@ -58,7 +57,7 @@ impl Coefficient for Vector {
     }
 }
 
-/// sum over k of c_k y_k, by unknown.
+/// sum over k of c_k y_k; stores the coefficients by unknown.
 #[derive(Clone, PartialEq, Debug)]
 pub struct LinearForm<C = ExprId>(BTreeMap<UnknownId, C>);
 
@@ -69,7 +68,7 @@ impl<C> Default for LinearForm<C> {
 }
 
 impl<C: Coefficient> LinearForm<C> {
-    /// Adds a term.
+    /// Adds a term to the coefficient of an unknown.
     pub fn add_term(&mut self, dag: &mut Dag, unknown: UnknownId, term: &C) {
         let sum = match self.0.get(&unknown) {
             Some(mine) => mine.sum(dag, term),
@@ -90,7 +89,7 @@ impl<C: Coefficient> LinearForm<C> {
         }
     }
 
-    /// What the form is worth: sum c_k y_k with the symbols of the unknowns.
+    /// The value of the form, sum c_k y_k, with the symbols of the unknowns.
     pub fn value(&self, dag: &mut Dag, unknowns: &Unknowns) -> C {
         let mut total = C::zero(dag);
         for (&unknown, coefficient) in &self.0 {
@@ -100,14 +99,14 @@ impl<C: Coefficient> LinearForm<C> {
         total
     }
 
-    /// The coefficient of an unknown: 0 where the form has none.
+    /// The coefficient of an unknown; 0 if the form does not contain it.
     pub fn coefficient(&self, dag: &mut Dag, unknown: UnknownId) -> C {
         self.0.get(&unknown).cloned().unwrap_or_else(|| C::zero(dag))
     }
 }
 
 impl LinearForm {
-    /// Puts `form` in the place of an unknown; the coefficient that the unknown had, if it had one.
+    /// Substitutes `form` for an unknown; returns the coefficient that the unknown had, if it had one.
     pub fn substitute(&mut self, dag: &mut Dag, unknown: UnknownId, form: &Self) -> Option<ExprId> {
         let coefficient = self.remove(&unknown)?;
         self.add(dag, coefficient, form);
@@ -116,29 +115,29 @@ impl LinearForm {
 }
 
 impl<C> LinearForm<C> {
-    /// The coefficient of an unknown, where the form has one.
+    /// The coefficient of an unknown, if the form contains it.
     #[must_use]
     pub fn get(&self, unknown: &UnknownId) -> Option<&C> {
         self.0.get(unknown)
     }
 
-    /// Does the form hold the unknown?
+    /// Does the form contain the unknown?
     #[must_use]
     pub fn contains_key(&self, unknown: &UnknownId) -> bool {
         self.0.contains_key(unknown)
     }
 
-    /// Gives an unknown this coefficient.
+    /// Sets the coefficient of an unknown.
     pub fn insert(&mut self, unknown: UnknownId, coefficient: C) {
         self.0.insert(unknown, coefficient);
     }
 
-    /// Takes an unknown out of the form; its coefficient, if it had one.
+    /// Removes an unknown; returns its coefficient, if it had one.
     pub fn remove(&mut self, unknown: &UnknownId) -> Option<C> {
         self.0.remove(unknown)
     }
 
-    /// Keeps some terms.
+    /// Keeps the terms for which `kept` holds.
     pub fn retain(&mut self, kept: impl FnMut(&UnknownId, &mut C) -> bool) {
         self.0.retain(kept);
     }
@@ -165,7 +164,7 @@ impl<C> LinearForm<C> {
         self.0.range(unknowns)
     }
 
-    /// Unknowns that the form holds.
+    /// The unknowns that the form contains.
     pub fn keys(&self) -> btree_map::Keys<'_, UnknownId, C> {
         self.0.keys()
     }
@@ -175,7 +174,7 @@ impl<C> LinearForm<C> {
         self.0.values()
     }
 
-    /// The same, to be changed.
+    /// Mutable coefficients in the order of the unknowns.
     pub fn values_mut(&mut self) -> btree_map::ValuesMut<'_, UnknownId, C> {
         self.0.values_mut()
     }

@@ -1,4 +1,4 @@
-//! From the model's expression trees to the shared DAG.
+//! Lowers the model's expression trees into the shared DAG.
 
 use super::choice::ParameterChoice;
 use super::lifted;
@@ -11,7 +11,7 @@ use crate::model::expression::{Expr, ExprKind, Function};
 use crate::model::{Entity, Model};
 use crate::vector::{Algebra, Turn, Vector};
 
-/// Symbols for time, coordinates, inputs, parameters and speeds; empty tables for the rest.
+/// Creates symbols for time, coordinates, inputs, parameters and speeds; leaves all other tables empty.
 pub(super) fn symbols(alg: &mut Algebra, model: &Model, choice: &ParameterChoice) -> Kinematics {
     let Algebra { dag, triads } = alg;
     let time = dag.symbol("t");
@@ -68,7 +68,7 @@ pub(super) fn symbols(alg: &mut Algebra, model: &Model, choice: &ParameterChoice
     parameters(alg, model, choice, k)
 }
 
-/// Tunable parameters become symbols; fixed ones their value.
+/// Makes tunable parameters symbols and replaces fixed ones by their values.
 fn parameters(alg: &mut Algebra, model: &Model, choice: &ParameterChoice, mut k: Kinematics) -> Kinematics {
     for entity in &model.order {
         let Entity::Parameter(id) = *entity else { continue };
@@ -90,7 +90,7 @@ fn parameters(alg: &mut Algebra, model: &Model, choice: &ParameterChoice, mut k:
 /// Lowers an expression that must be a scalar.
 ///
 /// # Panics
-/// If it is a vector: the model's type check lets none through.
+/// If it is a vector, which the model's type check excludes.
 pub(crate) fn scalar(alg: &mut Algebra, k: &Kinematics, expr: &Expr) -> ExprId {
     match value(alg, k, expr) {
         Value::Scalar(e) => e,
@@ -101,7 +101,7 @@ pub(crate) fn scalar(alg: &mut Algebra, k: &Kinematics, expr: &Expr) -> ExprId {
 /// Lowers an expression that must be a vector.
 ///
 /// # Panics
-/// If it is a scalar other than a literal 0: the model's type check lets none through.
+/// If it is a scalar other than a literal 0, which the model's type check excludes.
 pub(crate) fn vector(alg: &mut Algebra, k: &Kinematics, expr: &Expr) -> Vector {
     match value(alg, k, expr) {
         Value::Vector(v) => v,
@@ -110,7 +110,7 @@ pub(crate) fn vector(alg: &mut Algebra, k: &Kinematics, expr: &Expr) -> Vector {
     }
 }
 
-/// Does the expression need velocities?
+/// Does the expression depend on velocities?
 pub(super) fn needs_motion(k: &Kinematics, expr: &Expr) -> bool {
     match &expr.kind {
         ExprKind::Velocity(_) | ExprKind::AngularVelocity(_) | ExprKind::Rate(_) => true,
@@ -127,7 +127,7 @@ pub(super) fn needs_motion(k: &Kinematics, expr: &Expr) -> bool {
     }
 }
 
-/// Does the expression read definitions that are not lowered yet?
+/// Does the expression depend on definitions that have not been lowered yet?
 pub(super) fn needs_definitions(k: &Kinematics, expr: &Expr) -> bool {
     let mut found = false;
     expr.visit(&mut |e| {
@@ -222,7 +222,8 @@ fn operator(alg: &mut Algebra, k: &Kinematics, kind: &ExprKind) -> Value {
         ExprKind::Norm(a) => {
             let a = flat_vector(alg, k, a);
             let mut square = alg.dot(&a, &a);
-            // Products of parts in several triads cancel where a point does not move: rounding may leave less than 0.
+            // Where a point does not move, products of parts in several triads cancel; rounding may leave a small
+            // negative number.
             if a.terms.len() > 1 && reads_speeds(alg, k, square) {
                 let zero = alg.dag.zero();
                 square = alg.dag.binary(Binary::Max, zero, square);

@@ -1,8 +1,8 @@
 //! Pose, twist and acceleration of a point and a frame, as linear forms in the independent speeds.
 //!
-//! In: the motions of points and triads over all unknowns y, and y = T u, y' = T u' + beta from the constraints.
-//! Out: components in N. A twist is the velocity of the point over the angular velocity of the frame:
-//! `twist = J u + v_t` and `twist' = J u' + bias` (Kane's v_t: what time alone moves).
+//! In: the motions of points and triads over all unknowns y, and y = T u, y' = T u' + beta from the constraints. Out:
+//! components in N. A twist is the velocity of the point followed by the angular velocity of the frame: `twist = J u +
+//! v_t` and `twist' = J u' + bias`, where v_t (Kane) is the part without speeds in a driven model.
 
 use super::eliminate::Solution;
 use super::lifted::{flatten, point_is_lifted};
@@ -16,14 +16,14 @@ use crate::vector::{Algebra, TriadId, Vector};
 /// A point, a frame, or a frame with a point in it.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Marker {
-    /// What moves.
+    /// The point whose position and velocity are asked for.
     pub point: Option<PointId>,
-    /// What turns.
+    /// The frame whose attitude and angular velocity are asked for.
     pub frame: Option<FrameId>,
 }
 
 impl Marker {
-    /// A point whose position counts only up to a displacement, because it is located by its velocity.
+    /// The point, if its position is known only up to a displacement because the model states its velocity.
     #[must_use]
     pub fn unlocated(&self, model: &Model, k: &Kinematics) -> Option<PointId> {
         let points = self.point.into_iter().flat_map(|p| k.positions[p].points.keys().copied());
@@ -46,14 +46,14 @@ impl Marker {
         Some(std::array::from_fn(|i| axes.map(|axis| axis[i])))
     }
 
-    /// Velocity of the point, angular velocity of the frame; each where there is one.
+    /// Motion of the point and of the frame, those that exist.
     fn motions<'k>(&self, k: &'k Kinematics) -> Vec<&'k Motion> {
         let velocity = self.point.map(|point| &k.velocities[point]);
         let angular = self.frame.map(|frame| &k.angular[k.frame_triad[frame]]);
         velocity.into_iter().chain(angular).collect()
     }
 
-    /// The twist, in the symbols of all unknowns.
+    /// The twist, in terms of the symbols of all unknowns.
     pub fn twist(&self, alg: &mut Algebra, k: &Kinematics) -> Vec<ExprId> {
         let motions = self.motions(k);
         let mut twist = Vec::new();
@@ -64,7 +64,7 @@ impl Marker {
         twist
     }
 
-    /// J, one row a component of the twist, one column an independent speed.
+    /// J: one row per component of the twist, one column per independent speed.
     pub fn jacobian(&self, alg: &mut Algebra, k: &Kinematics, solution: &Solution) -> Vec<Vec<ExprId>> {
         let n = k.unknowns.independent().len();
         let mut rows = Vec::new();
@@ -83,7 +83,7 @@ impl Marker {
         rows
     }
 
-    /// The twist's derivative where u' = 0, in the symbols of all unknowns.
+    /// The derivative of the twist at u' = 0, in terms of the symbols of all unknowns.
     pub fn bias(&self, alg: &mut Algebra, k: &Kinematics, solution: &Solution) -> Vec<ExprId> {
         let beta = solution.derivatives(alg, LinearForm::default());
         let mut bias = Vec::new();
@@ -106,7 +106,7 @@ impl Marker {
 }
 
 impl Solution {
-    /// y' = T u' + beta of all unknowns, from those of u' that are given; beta alone, where none are.
+    /// Completes y' = T u' + beta from the given u'; with none given the result is beta.
     pub(crate) fn derivatives(&self, alg: &mut Algebra, mut y_dot: LinearForm) -> LinearForm {
         for step in self.steps.iter().rev() {
             let mut sum = step.bias;

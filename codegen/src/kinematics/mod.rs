@@ -1,11 +1,11 @@
-//! Kinematics: everything that needs no mass, in Kane's order.
+//! Kinematics: everything that needs no mass, in the order of Kane's method.
 //!
-//! In: a validated model. Out: positions; velocities and angular velocities as linear forms in the
-//! generalised speeds (their coefficients are the partial velocities); the constraint rows.
-//! Unknowns are the speeds and, for every body that closes a loop, the components of its twist
-//! ("lifted" unknowns): a closure is then one short row per leg against that twist. A model that is driven
-//! has one more, known: the clock, y_t = 1 and y_t' = 0. Kane's v_t is its partial velocity, so that linear forms,
-//! eliminations and biases carry what time and constant parts add as they carry any speed.
+//! In: a validated model. Out: positions; velocities and angular velocities as linear forms in the generalised speeds
+//! (their coefficients are the partial velocities); candidate constraint rows; sampled configurations. Unknowns are the
+//! speeds and, for every body that closes a loop, the components of its twist ("lifted" unknowns): a closure then gives
+//! one short row per leg against that twist. A driven model has one unknown more, whose value is known: the clock, y_t
+//! = 1 and y_t' = 0. Its partial velocity is Kane's v_t, so that linear forms, eliminations and biases treat the
+//! contributions of time and of constant parts like those of any speed.
 
 mod angular;
 mod assemble;
@@ -59,13 +59,13 @@ pub use unknowns::{Unknown, UnknownId, UnknownKind, Unknowns};
 pub use unreachable::Unreachable;
 pub(crate) use velocity::is_lifted_triad;
 
-/// Derives the kinematics of `model`, and the algebra that its expressions stand in; for accuracy by differences of
-/// angles.
+/// Derives the kinematics of `model`, and the algebra that holds its expressions. `Optimise::Accuracy` uses unrounded
+/// differences of angles.
 ///
 /// # Errors
-/// What the model gets wrong that only numbers show: constraints that cannot be met at the
-/// nominal configuration, a vector that is not constant where it is said to be, a rank that does
-/// not fit.
+/// Parameters in `choice` that the model does not have or allow, and faults that only numbers show: constraints that
+/// cannot be met at the nominal configuration, closed forms that contradict a constraint, speeds from which the rates of
+/// the coordinates do not follow.
 pub fn derive(
     model: &Model,
     choice: &ParameterChoice,

@@ -1,4 +1,4 @@
-//! Frames -> triads: one triad per simple rotation, or unit vectors in inertial components.
+//! Frames -> triads: one triad per simple rotation, or one given by its unit vectors in the parent's components.
 
 use super::quantities::Kinematics;
 use super::{lifted, lower};
@@ -7,7 +7,7 @@ use crate::expr::number::Number;
 use crate::model::{Axis, FrameId, Model, Orientation};
 use crate::vector::{Algebra, Components, TriadId, Turn, Vector, cross_components};
 
-/// An angle this near to a whole degree is meant to be one (its sine and cosine are then exact).
+/// An angle (degrees) within this of a whole degree is taken as that, so that its sine and cosine are exact.
 const WHOLE_DEGREE: f64 = 1e-12;
 
 /// Adds the triads of `frame`; its own is the last of them.
@@ -43,7 +43,8 @@ pub(super) fn derive(alg: &mut Algebra, model: &Model, k: &Kinematics, frame: Fr
     triad
 }
 
-/// Axes by Euler parameters, and w = 2 (e0 e' - e0' e - e x e') along them (Kane, Likins, Levinson 1983, section 1.13).
+/// Axes from Euler parameters, and w = 2 (e0 e' - e0' e - e x e') along them (Kane, Likins, Levinson 1983, section
+/// 1.13).
 fn by_euler_parameters(alg: &mut Algebra, parent: TriadId, parameters: [ExprId; 4]) -> Turn {
     let [e0, e1, e2, e3] = parameters;
     let dag = &mut alg.dag;
@@ -74,7 +75,7 @@ fn by_euler_parameters(alg: &mut Algebra, parent: TriadId, parameters: [ExprId; 
     Turn::Directions { parent, rows, spin: Some(spin) }
 }
 
-/// The third axis is the cross product of the two given.
+/// Adds the third axis as the cross product of the two given.
 fn complete(alg: &mut Algebra, given: [Option<Components>; 3]) -> [Components; 3] {
     let zero = [alg.dag.zero(); 3];
     std::array::from_fn(|j| match given[j] {
@@ -86,7 +87,7 @@ fn complete(alg: &mut Algebra, given: [Option<Components>; 3]) -> [Components; 3
     })
 }
 
-/// A fixed vector that is an axis of another triad (up to sign) makes that axis constant here.
+/// If a fixed vector is (plus or minus) an axis of another triad, declares that axis constant in this frame.
 fn declare_constants(alg: &mut Algebra, model: &Model, k: &Kinematics, (frame, here): (FrameId, TriadId)) {
     for fixed in &model.frames[frame].fixed_vectors {
         let components: [ExprId; 3] = std::array::from_fn(|j| lower::scalar(alg, k, &fixed.components[j]));
@@ -101,9 +102,10 @@ fn declare_constants(alg: &mut Algebra, model: &Model, k: &Kinematics, (frame, h
     }
 }
 
-/// A triad fixed in `frame` with its axis along a constant vector in a coordinate plane, and that vector there.
+/// Adds a triad fixed in `frame` whose x axis is along a constant vector of the x-y plane; returns it with that vector
+/// in it.
 ///
-/// What turns about a rod is short in the rod's own axes: w x (w x e) has three products there.
+/// Vectors that rotate with a rod are short along the rod's own axes: w x (w x e) takes three products there.
 fn aligned_triad(
     alg: &mut Algebra,
     frame: TriadId,
@@ -128,7 +130,7 @@ fn aligned_triad(
     Some((turned, [length, zero, zero]))
 }
 
-/// The triad, fixed in `frame`, in which a vector along one axis stays along one; `frame` where there is none.
+/// The triad fixed in `frame` in which a term of the vector along one axis stays along one axis; otherwise `frame`.
 pub(super) fn aligned(alg: &Algebra, vector: &Vector, frame: TriadId) -> TriadId {
     let mut places = vector.terms.iter().filter_map(|(&triad, components)| {
         let axis = crate::vector::along_axis(&alg.dag, components)?;
@@ -137,7 +139,7 @@ pub(super) fn aligned(alg: &Algebra, vector: &Vector, frame: TriadId) -> TriadId
     places.next().unwrap_or(frame)
 }
 
-/// (triad, axis, negative) if the vector is plus or minus one unit vector.
+/// (triad, axis, is negative) if the vector is plus or minus one unit vector.
 fn single_axis(alg: &Algebra, vector: &Vector) -> Option<(TriadId, Axis, bool)> {
     let (&triad, components) = vector.terms.first_key_value()?;
     if vector.terms.len() != 1 || !vector.points.is_empty() {
@@ -157,11 +159,11 @@ fn single_axis(alg: &Algebra, vector: &Vector) -> Option<(TriadId, Axis, bool)> 
     found
 }
 
-/// An exactly orthonormal version of a frame of stated directions, and the triad in which its components are.
+/// An exactly orthonormal version of a frame given by directions, and the triad in which its components are.
 ///
-/// The cheap triad of the model is orthonormal only on the constraints; Newton's residual of a
-/// vector "fixed in the frame" needs one that is orthonormal off them, or it would not converge
-/// quadratically. Gram-Schmidt: x along the first axis, z along x cross y, y = z cross x.
+/// The triad as stated is cheap but orthonormal only where the constraints hold. Newton's residual of a vector fixed in
+/// the frame needs axes that are orthonormal elsewhere too, or the iteration would not converge quadratically.
+/// Gram-Schmidt: x along the first axis, z along x cross y, y = z cross x.
 pub(super) fn orthonormal(alg: &mut Algebra, frame: TriadId) -> Option<(TriadId, [Components; 3])> {
     let Turn::Directions { parent, rows, .. } = alg.triads.turn(frame).clone() else { return None };
     let x = normalized(alg, &rows[0]);
@@ -171,7 +173,7 @@ pub(super) fn orthonormal(alg: &mut Algebra, frame: TriadId) -> Option<(TriadId,
     Some((parent, [x, y, z]))
 }
 
-/// The same vector with its part in `frame` read off the orthonormal version of that frame.
+/// The vector with its part in `frame` taken along the axes of the orthonormal version of that frame.
 pub(super) fn flattened(alg: &mut Algebra, vector: &Vector, frame: TriadId) -> Vector {
     let (Some(&part), Some((parent, rows))) = (vector.terms.get(&frame), orthonormal(alg, frame)) else {
         return vector.clone();

@@ -9,7 +9,7 @@ use crate::model::{Entity, Model};
 use crate::section::Section;
 use crate::vector::{Algebra, Vector};
 
-/// The kinematics with triads, positions and those definitions that need no velocities.
+/// Adds triads, positions and those definitions that do not depend on velocities.
 pub(super) fn derive(alg: &mut Algebra, model: &Model, mut k: Kinematics) -> Kinematics {
     for entity in &model.order {
         match *entity {

@@ -1,9 +1,9 @@
-//! Newton's correction of the configuration where motion constraints give some of the speeds.
+//! Newton's correction of the configuration in models whose motion constraints determine some of the speeds.
 //!
-//! In: candidate rows. Out: for every unknown y the correction delta of what y is the rate of. Configuration
-//! constraints restrict coordinates by their own Jacobian alone, J_c delta = -residual: as many coordinates are
-//! corrected as these constraints have rows. The others, whose speeds motion constraints give, stay where they are:
-//! no constraint says that they are wrong.
+//! In: candidate rows. Out: for every unknown y the correction delta of the coordinate of which y is the rate.
+//! Configuration constraints alone determine it, J_c delta = -residual: as many coordinates are corrected as these
+//! constraints have independent rows. Coordinates whose speeds follow from motion constraints are held, because no
+//! constraint restricts their values.
 
 use super::eliminate::{self, Form, Solution, System};
 use super::linear_form::LinearForm;
@@ -15,11 +15,12 @@ use crate::expr::tape::SampleTable;
 use crate::model::{Model, SpeedMeaning};
 use crate::vector::Algebra;
 
-/// A pivot must keep this share of its nominal size at all samples: else the elimination of the velocities, whose
-/// pivots every step watches, serves for the correction too.
+/// A pivot must keep this share of its nominal value at all samples. Otherwise the correction of the velocities'
+/// elimination is used, whose pivots are watched in every step.
 const HEALTHY: f64 = 0.02;
 
-/// Gives a solution the corrections of the configuration constraints alone, where its own are those of rows of motion too.
+/// Replaces the corrections of a solution by those of the configuration constraints alone, if it solved motion
+/// constraints.
 pub fn correct(
     alg: &mut Algebra,
     model: &Model,
@@ -32,8 +33,8 @@ pub fn correct(
     }
 }
 
-/// The corrections by unknown; none where those of the elimination of the velocities serve: it has solved no motion
-/// constraint, or the configuration constraints do not determine what is not held.
+/// The corrections by unknown; `None` if those of the velocities' elimination are right already: it solved no motion
+/// constraint, or the configuration constraints do not determine all coordinates that are not held.
 fn beside_motion(
     alg: &mut Algebra,
     model: &Model,
@@ -49,7 +50,7 @@ fn beside_motion(
         return None;
     }
     let zero = alg.dag.zero();
-    // Rows that do not read what is held have been solved beside the motion constraints as they would be alone.
+    // Rows without held unknowns were solved in the velocities' elimination exactly as they would be by themselves.
     let reads_held = rows.iter().any(|row| row.coefficients.keys().any(|y| held.contains(y)));
     if !reads_held && solution.rows.iter().filter(|row| !is_motion(row)).count() == unknown.len() {
         let mut corrections = solution.correction.clone();
@@ -79,7 +80,7 @@ fn beside_motion(
     Some(corrections)
 }
 
-/// Is the unknown the rate of a coordinate that no configuration constraint gives?
+/// Is the unknown the rate of a coordinate that no configuration constraint determines?
 fn is_held(model: &Model, k: &Kinematics, unknown: UnknownId) -> bool {
     match k.unknowns[unknown].kind {
         UnknownKind::Dependent(speed) => match model.speeds[speed].meaning {
@@ -90,7 +91,7 @@ fn is_held(model: &Model, k: &Kinematics, unknown: UnknownId) -> bool {
     }
 }
 
-/// Has the pivot one sign and a good part of its nominal size at every sample?
+/// Does the pivot keep its sign and the share [`HEALTHY`] of its nominal value at every sample?
 fn is_healthy(alg: &Algebra, table: &mut SampleTable, pivot: ExprId) -> bool {
     let values = table.values(&alg.dag, pivot);
     values.iter().all(|x| *x / values[0] >= HEALTHY)

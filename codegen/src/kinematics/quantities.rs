@@ -1,6 +1,6 @@
-//! What the stages of kinematics pass on: rates and motions, constraint rows, and all of them of one model.
+//! The data that the stages of kinematics pass on: rates, motions, constraint rows, and all of them for one model.
 //!
-//! Plain data: the stages fill it in the order of `derive`, later stages only read it.
+//! Plain data: the stages fill it in the order of `derive`; later stages only read it.
 
 use super::linear_form::LinearForm;
 use super::unknowns::{UnknownId, Unknowns};
@@ -13,7 +13,7 @@ use rustc_hash::FxHashMap as HashMap;
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 
-/// An equation of the model, for messages.
+/// The name and the place of an equation of the model, for messages.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Place {
     /// Its name.
@@ -22,25 +22,25 @@ pub struct Place {
     pub span: Span,
 }
 
-/// Rate of a scalar: `s' = sum_k partials[k] y_k`, s'' = `sum_k partials[k] y_k' + bias`.
+/// Rate of a scalar: `s' = sum_k partials[k] y_k`, `s'' = sum_k partials[k] y_k' + bias`.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Rate {
     /// Coefficients of the unknowns.
     pub partials: LinearForm,
-    /// What remains of the second derivative.
+    /// The part of s'' without y'.
     pub bias: ExprId,
 }
 
-/// Rate of a vector in N: `v = sum_k partials[k] y_k`, a = `sum_k partials[k] y_k' + bias`.
+/// Rate of a vector in N: `v = sum_k partials[k] y_k`, `a = sum_k partials[k] y_k' + bias`.
 #[derive(Clone, PartialEq, Debug, Default)]
 pub struct Motion {
     /// Partial velocities.
     pub partials: LinearForm<Vector>,
-    /// Acceleration without the unknowns' derivatives.
+    /// The part of a without y'.
     pub bias: Vector,
 }
 
-/// What an expression may be.
+/// The value of an expression of the model.
 #[derive(Clone, PartialEq, Debug)]
 pub enum Value {
     /// A number at run time.
@@ -49,17 +49,18 @@ pub enum Value {
     Vector(Vector),
 }
 
-/// One scalar equation: `sum_k coefficients[k] y_k = 0` (the clock's coefficient is its part without speeds), `sum_k coefficients[k] y_k' + bias = 0`,
-/// and for Newton's correction d of the configuration `sum_k coefficients[k] d_k = -residual`.
+/// One scalar equation: `sum_k coefficients[k] y_k = 0`, `sum_k coefficients[k] y_k' + bias = 0`, and for Newton's
+/// correction d of the configuration `sum_k coefficients[k] d_k = -residual`. The clock's coefficient is the part
+/// without speeds.
 #[derive(Clone, Debug)]
 pub struct Row {
-    /// Which equation it comes from.
+    /// The name of the equation it comes from.
     pub name: String,
     /// Non-zero coefficients.
     pub coefficients: LinearForm,
-    /// Acceleration level: what the speeds contribute.
+    /// The part of the differentiated equation without y'.
     pub bias: ExprId,
-    /// Configuration level; 0 for motion constraints.
+    /// The equation at position level; 0 for motion constraints.
     pub residual: ExprId,
     /// Operations of the coefficients plus a charge per unknown.
     pub cost: usize,
@@ -74,8 +75,8 @@ pub struct Kinematics {
     pub q: IdVec<CoordinateId, ExprId>,
     /// Is the coordinate state? (Else it is given in closed form.)
     pub is_state: IdVec<CoordinateId, bool>,
-    /// Coordinates in closed form that the derivation treats as symbols, with their forms, in an order in which
-    /// each form needs earlier ones only.
+    /// Coordinates in closed form that are symbols during the derivation, with their forms, ordered so that each form
+    /// needs only earlier ones.
     pub closed_forms: Vec<(CoordinateId, ExprId)>,
     /// Inputs: symbols.
     pub inputs: IdVec<InputId, ExprId>,
@@ -89,9 +90,9 @@ pub struct Kinematics {
     pub frame_triad: IdVec<FrameId, TriadId>,
     /// Position of every point from O; lifted points appear as themselves.
     pub positions: IdVec<PointId, Vector>,
-    /// Positions of lifted points in plain terms (through their first expression).
+    /// Positions of lifted points without lifted points: by their first expressions.
     pub flat_positions: BTreeMap<PointId, Vector>,
-    /// Values of definitions; of those that read velocities none until the motions are known.
+    /// Values of definitions; `None` for those that depend on velocities until the motions are known.
     pub definitions: IdVec<DefinitionId, Option<Value>>,
     /// Rate of every coordinate.
     pub rates: IdVec<CoordinateId, Rate>,
@@ -99,25 +100,27 @@ pub struct Kinematics {
     pub angular: IdVec<TriadId, Motion>,
     /// Velocity of every point in N.
     pub velocities: IdVec<PointId, Motion>,
-    /// Derivatives of terms of positions, by triad and components: those of [`Self::angular`] and [`Self::rates`].
+    /// Cache: derivatives of terms of positions, by triad and components, consistent with [`Self::angular`] and
+    /// [`Self::rates`].
     pub(super) term_derivatives: RefCell<HashMap<(TriadId, Components), Motion>>,
     /// Candidate constraint rows, cheapest first.
     pub rows: Vec<Row>,
-    /// Rows of constraints that follow from the others: needed only where the others are not enough.
+    /// Rows of constraints that follow from others: used only if the others do not suffice.
     pub spare_rows: Vec<Row>,
     /// Configuration constraints as scalars: 0 when satisfied.
     pub residuals: Vec<ExprId>,
-    /// What each residual belongs to.
+    /// The equation of each residual.
     pub residual_names: Vec<Place>,
-    /// Constraints that follow from the others at the nominal parameters: no equations, but they must stay satisfied.
+    /// Constraints that follow from the others at the nominal parameters: not solved, but they must stay satisfied.
     pub implied: Vec<ExprId>,
-    /// What each of them belongs to.
+    /// The equation of each implied constraint.
     pub implied_names: Vec<Place>,
-    /// Vectors stated to be fixed in a frame: inertial components less the stated ones.
+    /// Vectors stated to be fixed in a frame: their inertial components less the stated ones.
     pub fixed_vectors: Vec<(Place, [ExprId; 3])>,
-    /// Speeds that the model defines as sums of rates, by coordinate (an unknown by its place).
+    /// Speeds that the model defines as sums of rates. In these forms the unknown with index c is the rate of
+    /// coordinate c.
     pub(super) combinations: Vec<(UnknownId, LinearForm)>,
-    /// What the speeds' definition divides by.
+    /// Divisors in the solution of the speeds' definitions for the rates.
     pub rate_pivots: Vec<ExprId>,
     /// Coordinates at sampled configurations that satisfy the constraints, nominal first.
     pub samples: Vec<Vec<f64>>,
@@ -147,14 +150,14 @@ impl Kinematics {
         if self.is_state[coordinate] { dag.as_symbol(self.q[coordinate]) } else { None }
     }
 
-    /// Symbol that a coordinate has while velocities are derived: state, or closed form put in at the end.
+    /// The symbol of a coordinate during the derivation: a state, or a closed form that is substituted at the end.
     pub(crate) fn variable(&self, dag: &Dag, coordinate: CoordinateId) -> Option<SymbolId> {
         let is_variable =
             self.is_state[coordinate] || self.closed_forms.iter().any(|(c, _)| *c == coordinate);
         if is_variable { dag.as_symbol(self.q[coordinate]) } else { None }
     }
 
-    /// What stands for the symbols of coordinates in closed form: functions of the state.
+    /// The expressions, as functions of the state, that replace the symbols of coordinates in closed form.
     pub(crate) fn closed_form_values(&self, dag: &mut Dag) -> HashMap<SymbolId, ExprId> {
         let mut values = HashMap::default();
         for &(coordinate, form) in &self.closed_forms {

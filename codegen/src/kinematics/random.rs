@@ -1,4 +1,4 @@
-//! Random numbers that are the same on every machine.
+//! A deterministic random number generator.
 
 /// A small deterministic generator (SplitMix64): the same samples on every machine.
 pub(crate) struct Random(pub u64);

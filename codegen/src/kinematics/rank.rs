@@ -1,6 +1,6 @@
-//! Degrees of freedom counted from the rank of all constraint rows, and the errors that follow.
+//! Counts degrees of freedom by the rank of all constraint rows, and words the errors that follow from it.
 //!
-//! degrees of freedom = unknown speeds - rank of the rows over all of them, at each sample.
+//! Degrees of freedom = number of speeds and lifted unknowns - rank of the rows over all of them, at each sample.
 
 use super::basis::{Bases, NumericRow, longest_entry};
 use super::quantities::{Kinematics, Row};
@@ -13,7 +13,7 @@ use crate::vector::Algebra;
 use crate::words::count;
 use rustc_hash::FxHashMap as HashMap;
 
-/// A unit row with less than this left beside the others depends on them.
+/// A row counts as dependent if at most this share of its length is left after projection on the others.
 const DEPENDENT: f64 = 1e-8;
 
 /// Rank of rows over the given unknowns, at every sample.
@@ -32,18 +32,18 @@ pub(super) fn ranks(
     bases.ranks().to_vec()
 }
 
-/// Do the rows give every dependent unknown, at every sample?
+/// Do the rows determine every dependent unknown, at every sample?
 pub(super) fn determined(alg: &Algebra, model: &Model, k: &Kinematics) -> bool {
     let mut table = sampling::sample_table(alg, model, k);
     determine(alg, &mut table, &k.rows, &k.unknowns.dependent())
 }
 
-/// Do these rows give these unknowns, at every sample?
+/// Do these rows determine these unknowns, at every sample?
 pub(super) fn determine(alg: &Algebra, table: &mut SampleTable, rows: &[Row], unknown: &[UnknownId]) -> bool {
     ranks(alg, table, rows, unknown).iter().all(|&rank| rank == unknown.len())
 }
 
-/// Why the dependent unknowns cannot be solved for, or why there is a row too many (`extra`).
+/// The reason why the dependent unknowns cannot be solved for, or why the row named `extra` is one too many.
 pub(super) fn explain(
     alg: &Algebra,
     model: &Model,
@@ -64,7 +64,7 @@ pub(super) fn explain(
     Diagnostics::one(model.source.clone(), error)
 }
 
-/// A constraint that would follow from the others, were it not for its part without speeds.
+/// The error for a constraint that follows from the others except for its part without speeds.
 pub(super) fn contradiction(model: &Model, name: &str) -> Diagnostics {
     let error = Diagnostic::error(format!("`{name}` prescribes a motion that the other constraints do not allow"))
         .help(
@@ -100,7 +100,7 @@ fn wrong_dof(model: &Model, dof: usize, declared: usize, unknowns: usize, extra:
     label_constraints(model, error)
 }
 
-/// The number of degrees of freedom is right, but these independent speeds do not give the others.
+/// The error for independent speeds that do not determine the others although their number is right.
 fn dead_point(alg: &Algebra, model: &Model, k: &Kinematics, found: &[usize], needed: usize) -> Diagnostic {
     let bad: Vec<usize> = (0..found.len()).filter(|&s| found[s] < needed).collect();
     let states = model.coordinates.ids().filter(|&c| k.coordinate_symbol(&alg.dag, c).is_some());

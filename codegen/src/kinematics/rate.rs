@@ -1,8 +1,8 @@
-//! Derivatives of scalars and vectors by the frame rule, and the values of rates.
+//! Time derivatives of scalars and vectors by the frame rule.
 //!
-//! d/dt (s e) = s' e + s (w x e) for e fixed in a triad of angular velocity w: derivatives never go
-//! through the components' dependence on q. A [`Motion`] holds the partial velocities v_k and the
-//! bias: v = sum_k v_k y_k, a = sum_k v_k y_k' + bias, with y the unknowns (speeds, lifted twists).
+//! d/dt (s e) = s' e + s (w x e) for e fixed in a triad of angular velocity w: the dependence of rotated components on
+//! q is never differentiated. A [`Motion`] holds the partial velocities v_k and the bias: v = sum_k v_k y_k, a = sum_k
+//! v_k y_k' + bias, with y the unknowns (speeds, lifted twists, clock).
 
 use super::linear_form::LinearForm;
 use super::quantities::{Kinematics, Motion, Rate};
@@ -16,7 +16,7 @@ use rustc_hash::FxHashMap as HashMap;
 use std::collections::BTreeSet;
 
 impl Motion {
-    /// Adds the partials of the vector whose components in a triad have these rates.
+    /// Adds the partial velocities of a vector whose components in a triad have these rates.
     pub(super) fn add_components(&mut self, alg: &mut Algebra, triad: TriadId, rates: &[Rate; 3]) {
         let zero = alg.dag.zero();
         let unknowns: BTreeSet<UnknownId> = rates.iter().flat_map(|r| r.partials.keys().copied()).collect();
@@ -54,10 +54,10 @@ pub(crate) fn scalar_rate(alg: &mut Algebra, k: &Kinematics, s: ExprId) -> Rate 
     Rate { partials, bias }
 }
 
-/// sum_k (d/dt partial_k) y_k: what remains of the second derivative.
+/// sum_k (d/dt partial_k) y_k: the part of the second derivative without y'.
 ///
-/// Either partial by partial, where products of speeds are shared, or as the rate of s' in one sweep:
-/// whichever is shorter.
+/// Computed either partial by partial, which shares products of speeds, or as the rate of s' in one sweep; the shorter
+/// one is returned.
 pub(super) fn bias_of(alg: &mut Algebra, k: &Kinematics, partials: &LinearForm) -> ExprId {
     let mut bias = alg.dag.zero();
     for (&unknown, &partial) in partials {
@@ -74,7 +74,7 @@ pub(super) fn bias_of(alg: &mut Algebra, k: &Kinematics, partials: &LinearForm) 
     if alg.dag.cone_cost(&[swept]) < alg.dag.cone_cost(&[bias]) { swept } else { bias }
 }
 
-/// d/dt of an expression through the coordinates alone, the unknowns held.
+/// d/dt of an expression due to the coordinates (and time) alone, with the unknowns held constant.
 pub(super) fn configuration_rate(alg: &mut Algebra, k: &Kinematics, e: ExprId) -> ExprId {
     let mut rates = HashMap::default();
     for coordinate in k.rates.ids() {
@@ -94,14 +94,14 @@ fn total_derivative(alg: &mut Algebra, k: &Kinematics, s: ExprId) -> LinearForm 
     rate_of_sum(alg, k, &[(one, s)])
 }
 
-/// The rate of a sum whose coefficients c are held: sum c s'.
+/// The rate of a sum whose coefficients c are held constant: sum c s'.
 pub(crate) fn sum_of_rates(alg: &mut Algebra, k: &Kinematics, terms: &[(ExprId, ExprId)]) -> Rate {
     let partials = rate_of_sum(alg, k, terms);
     let bias = bias_of(alg, k, &partials);
     Rate { partials, bias }
 }
 
-/// Coefficients of the unknowns in sum c s'. A sum by which the model defines a speed is that speed: no more is left of it.
+/// Coefficients of the unknowns in sum c s'. A sum that is the model's definition of a speed becomes that speed alone.
 fn rate_of_sum(alg: &mut Algebra, k: &Kinematics, terms: &[(ExprId, ExprId)]) -> LinearForm {
     let mut partials = LinearForm::default();
     let mut slopes: Vec<(CoordinateId, ExprId)> = Vec::new();
@@ -145,8 +145,8 @@ fn rate_of_sum(alg: &mut Algebra, k: &Kinematics, terms: &[(ExprId, ExprId)]) ->
     partials
 }
 
-/// Coefficients of the unknowns in expressions that are linear in them: de/dy; the clock's are what is left
-/// of the expressions when all others are 0.
+/// Coefficients of the unknowns in expressions that are linear in them, de/dy; that of the clock is the value of the
+/// expression when all other unknowns are 0.
 pub(super) fn coefficients<const N: usize>(
     alg: &mut Algebra,
     k: &Kinematics,
@@ -166,8 +166,8 @@ pub(super) fn coefficients<const N: usize>(
     found
 }
 
-/// The motion of a vector given as linear in the unknowns: `v_k = dv/dy_k`; the bias is the vector's
-/// rate with the unknowns held, by the frame rule: that of its components and w x v.
+/// The motion of a velocity that is given as linear in the unknowns: `v_k = dv/dy_k`. The bias is its rate in N with
+/// the unknowns held constant, by the frame rule: rate of the components plus w x v.
 pub(super) fn linear_motion(alg: &mut Algebra, k: &Kinematics, velocity: &Vector) -> Motion {
     let mut motion = Motion::default();
     for (&triad, components) in &velocity.terms {
@@ -192,7 +192,7 @@ pub(crate) fn derivative(alg: &mut Algebra, k: &Kinematics, vector: &Vector) -> 
         motion.add(&mut alg.dag, factor, &k.velocities[point]);
     }
     for (&triad, components) in &vector.terms {
-        // Points along a chain share the terms of those farther in.
+        // Positions of points along a chain begin with the same terms.
         let known = k.term_derivatives.borrow().get(&(triad, *components)).cloned();
         let term = known.unwrap_or_else(|| {
             let term = derivative_of_term(alg, k, triad, *components);
@@ -207,8 +207,8 @@ pub(crate) fn derivative(alg: &mut Algebra, k: &Kinematics, vector: &Vector) -> 
 
 /// v = s' e + w x s e ; a = s'' e + 2 w x s' e + s (alpha x e + w x (w x e)).
 ///
-/// Where the components are constants times one scalar s, as along a rod, e is their constant
-/// vector: w x e and w x (w x e) are formed once for every multiple of it. Else e is all of it, s = 1.
+/// If the components are constants times one scalar s, as along a rod, e is the constant vector: w x e and w x (w x e)
+/// are then formed once for all multiples of it. Otherwise s = 1 and e is the whole vector.
 fn derivative_of_term(alg: &mut Algebra, k: &Kinematics, triad: TriadId, components: [ExprId; 3]) -> Motion {
     let (scale, direction) = common_factor(alg, components);
     let e = Vector::new(&alg.dag, triad, direction);
@@ -223,7 +223,7 @@ fn derivative_of_term(alg: &mut Algebra, k: &Kinematics, triad: TriadId, compone
         motion.partials.add_term(&mut alg.dag, unknown, &term);
     }
     let w = angular.value(alg, k);
-    // w in the triad of the term: one set of components serves every product.
+    // Expresses w in the triad of the term: all products use the same components.
     let w = in_triad(alg, &w, triad);
     let turning = alg.cross(&w, &e);
     let two = alg.dag.number(Number::integer(2));
@@ -239,13 +239,13 @@ fn derivative_of_term(alg: &mut Algebra, k: &Kinematics, triad: TriadId, compone
     motion
 }
 
-/// What a term does within its triad: s' e and s'' e.
+/// The motion of a term relative to its triad: s' e and s'' e.
 struct Growing {
     motion: Motion,
     rate: Growth,
 }
 
-/// s' of a constant direction, or the relative velocity of a direction that changes.
+/// s' if the direction is constant, otherwise the relative velocity.
 enum Growth {
     Scalar(ExprId),
     Vector(Vector),
@@ -277,9 +277,9 @@ fn growing(
     Growing { motion, rate: Growth::Vector(Vector::new(&alg.dag, triad, relative)) }
 }
 
-/// (s, e) with e constant and components = s e, if there is such an s; else (1, components).
+/// (s, e) with e constant and components = s e, if such an s exists; otherwise (1, components).
 ///
-/// Along one axis e is a unit vector: half a rod and all of it share its derivatives.
+/// Along a single axis e is a unit vector, so that different multiples of a rod share their derivatives.
 fn common_factor(alg: &mut Algebra, components: [ExprId; 3]) -> (ExprId, [ExprId; 3]) {
     let split = components.map(|c| alg.dag.split_coefficient(c));
     let mut factors = split.iter().filter(|(number, _)| *number != Number::ZERO).map(|(_, factor)| *factor);

@@ -1,13 +1,13 @@
-//! Redundant speeds: where the motion passes dead points of the independent speeds, all speeds are state.
+//! Redundant speeds: if the motion passes dead points of the independent speeds, all speeds become state.
 //!
-//! In: the candidate rows. Out: nothing where the dependent speeds follow from the independent ones all along the motion;
-//! else every speed as an independent unknown, the lifted ones eliminated, and the rows J u = 0 left between the speeds,
-//! which the equations of motion keep by multipliers (Lagrange's equations of the first kind; `dynamics/redundant.rs`). They
-//! need no more than rows of full rank.
+//! In: the candidate rows. Out: nothing if the independent speeds determine the dependent ones all along the motion;
+//! otherwise every speed as an independent unknown, the lifted unknowns eliminated, and the rows J u = 0 that remain
+//! between the speeds. The equations of motion keep these by multipliers (Lagrange's equations of the first kind;
+//! `dynamics/redundant.rs`), which needs only that the rows have full rank.
 //!
-//! At a dead point the Jacobian has full rank, but its columns of the dependent unknowns are singular: their determinant
-//! changes its sign there. The motion is walked along in small steps of all coordinates at once, and of the time that drives
-//! them, within their ranges.
+//! At a dead point the Jacobian has full rank, but its columns of the dependent unknowns are singular: their
+//! determinant changes its sign there. To find one, a random walk follows the motion in small steps of all coordinates
+//! at once, and of time in a driven model, within their ranges.
 
 use super::assemble::Assembly;
 use super::eliminate::{self, Pivot, Solution, System};
@@ -26,27 +26,27 @@ use crate::model::{CoordinateId, Model};
 use crate::vector::Algebra;
 use std::collections::BTreeMap;
 
-/// Steps of the walk, and most attempts at each.
+/// Number of steps of the walk, and most attempts per step on average.
 const STEPS: usize = 64;
 const ATTEMPTS: usize = 4;
-/// A step in a coordinate, as a share of its range, and the most of it (rad, m).
+/// Largest step in a coordinate: a share of its range, and a bound (rad, m).
 const STRIDE: (f64, f64) = (0.15, 0.4);
-/// Halvings of a step within which the determinant changes its sign.
+/// Halvings of a step in which the determinant changes its sign.
 const HALVINGS: usize = 40;
-/// At a dead point no more than this is left of the direction that the rows determine least.
+/// At a dead point the least determined direction of the dependent unknowns keeps no more than this.
 const DEAD: f64 = 1e-6;
-/// Beside a dead point less than this share of a nominal pivot is left, or its sign has changed.
+/// A pivot with less than this share of its nominal value, or of the other sign, may be near a dead point.
 const HEALTHY: f64 = 0.05;
-/// Pivots that keep this share of their largest size at all samples lead to no dead point.
+/// If all pivots keep this share of their largest value at all samples, no dead point is near.
 const STEADY: f64 = 0.5;
-/// A range ends this share of its width farther out.
+/// Ranges are extended by this share of their width.
 const ROUNDING: f64 = 1e-9;
-/// Dead points that are kept as samples.
+/// Most dead points that are added to the samples.
 const KEPT: usize = 4;
 
-/// All speeds as state and the rows between them, if the motion passes a dead point of the independent speeds; `minimal`
-/// is the solution by these, where they determine the others at every sample. Nothing if they need not be state, or
-/// cannot be.
+/// The derivation with all speeds as state and the rows between them, if the motion passes a dead point of the
+/// independent speeds. `minimal` is the solution in the independent speeds, if they determine the others at every
+/// sample. `None` if all speeds need not or cannot be state.
 pub fn solve(
     alg: &Algebra,
     model: &Model,
@@ -79,8 +79,8 @@ pub fn solve(
     Some((alg, k, solution, table))
 }
 
-/// Do the pivots hardly vary over the samples? Towards a dead point within the ranges one of them falls to nothing, as the
-/// square root of the way at least.
+/// Do the pivots hardly vary over the samples? Towards a dead point within the ranges a pivot would fall to zero, at
+/// least as fast as the square root of the distance.
 fn is_steady(alg: &Algebra, table: &mut SampleTable, pivots: &[Pivot]) -> bool {
     pivots.iter().all(|pivot| {
         let values = table.values(&alg.dag, pivot.value).iter();
@@ -90,7 +90,7 @@ fn is_steady(alg: &Algebra, table: &mut SampleTable, pivots: &[Pivot]) -> bool {
     })
 }
 
-/// Do the pivots keep their signs, and a good part of their nominal size, along the walk?
+/// Do the pivots keep their signs and the share [`HEALTHY`] of their nominal values along the walk?
 fn is_healthy(alg: &Algebra, table: &mut SampleTable, pivots: &[Pivot]) -> bool {
     pivots.iter().all(|pivot| {
         let values = table.values(&alg.dag, pivot.value);
@@ -98,11 +98,11 @@ fn is_healthy(alg: &Algebra, table: &mut SampleTable, pivots: &[Pivot]) -> bool 
     })
 }
 
-/// As many rows as unknowns depend on others, independent over all speeds at every sample; none if the constraints do
-/// not leave the stated freedom at one of them.
+/// As many rows as there are dependent unknowns, independent over all speeds at every sample; `None` if at some sample
+/// the constraints do not leave the stated number of degrees of freedom.
 fn full_rank(alg: &Algebra, k: &Kinematics, table: &mut SampleTable, count: usize) -> Option<Vec<Row>> {
     let moving = k.unknowns.moving();
-    // Time included, so that what it prescribes contradicts no row.
+    // With the clock as a column too, so that rows that contradict each other in time are found.
     let all: Vec<UnknownId> = k.unknowns.ids().collect();
     let fits = |columns: &[UnknownId], table: &mut SampleTable| {
         rank::ranks(alg, table, &k.rows, columns).iter().all(|&rank| rank == count)
@@ -119,13 +119,13 @@ fn full_rank(alg: &Algebra, k: &Kinematics, table: &mut SampleTable, count: usiz
     })
 }
 
-/// Ranges of the coordinates that are state.
+/// Ranges of the coordinates that are part of the state.
 fn ranges(alg: &Algebra, model: &Model, k: &Kinematics) -> Vec<(f64, f64)> {
     let state = model.coordinates.ids().filter(|&c| k.coordinate_symbol(&alg.dag, c).is_some());
     state.map(|c| model.coordinates[c].range).collect()
 }
 
-/// Within the ranges, but for rounding: a dead point may be an end of one.
+/// Are all coordinates within their ranges, up to rounding? A dead point may lie at an end of a range.
 fn is_inside(ranges: &[(f64, f64)], q: &[f64]) -> bool {
     ranges.iter().zip(q).all(|((low, high), q)| {
         let slack = ROUNDING * (high - low);
@@ -133,8 +133,8 @@ fn is_inside(ranges: &[(f64, f64)], q: &[f64]) -> bool {
     })
 }
 
-/// Configurations along the motion, each a small step of all coordinates, and of time where it drives them, from the one
-/// before.
+/// Configurations along the motion, each reached from the one before by a small random step of all coordinates, and of
+/// time in a driven model.
 fn walk(alg: &mut Algebra, model: &Model, k: &Kinematics) -> Vec<Sample> {
     let mut assembly = Assembly::free(alg, model, k);
     let ranges = ranges(alg, model, k);
@@ -165,7 +165,7 @@ fn walk(alg: &mut Algebra, model: &Model, k: &Kinematics) -> Vec<Sample> {
     found
 }
 
-/// Places on the walk at which the rows determine the unknowns no more, though they have full rank.
+/// Configurations on the walk at which the rows do not determine the dependent unknowns although they have full rank.
 fn dead_points(
     alg: &mut Algebra,
     model: &Model,
@@ -212,7 +212,7 @@ fn dead_points(
     places.filter(|(q, left)| *left < DEAD && regular.contains(q)).map(|(q, _)| q).collect()
 }
 
-/// Is the determinant of the rows' columns of the unknowns positive, sample by sample?
+/// By sample: is the determinant of the columns of these unknowns positive?
 fn signs(alg: &Algebra, table: &mut SampleTable, rows: &[Row], unknown: &[UnknownId]) -> Vec<bool> {
     let n = unknown.len();
     let mut matrices = vec![vec![0.0; n * n]; table.points()];
@@ -226,7 +226,7 @@ fn signs(alg: &Algebra, table: &mut SampleTable, rows: &[Row], unknown: &[Unknow
     matrices.into_iter().map(|matrix| linear::determinant(matrix, n) > 0.0).collect()
 }
 
-/// Lifted unknowns from the rows that give them, and what the other rows say of the speeds alone.
+/// Solves for the lifted unknowns from rows that determine them, and reduces the other rows to the speeds.
 fn between_speeds(
     alg: &mut Algebra,
     k: &Kinematics,
@@ -252,7 +252,7 @@ fn between_speeds(
     Some(solution)
 }
 
-/// A row with the lifted unknowns in terms of the speeds.
+/// Substitutes the lifted unknowns in a row by the speeds.
 fn tie(alg: &mut Algebra, solution: &Solution, known: &[UnknownId], mut row: Row) -> Row {
     for step in &solution.steps {
         let substituted = row.coefficients.substitute(&mut alg.dag, step.unknown, &step.coefficients);
@@ -264,8 +264,8 @@ fn tie(alg: &mut Algebra, solution: &Solution, known: &[UnknownId], mut row: Row
     Row { coefficients, residual: alg.dag.zero(), ..row }
 }
 
-/// The shortest Newton's correction of the coordinates, one a state: J' (J J')^-1 (-f), f(q) = 0 being the configuration
-/// constraints. No coordinate is held.
+/// Newton's correction of least norm, one entry per coordinate of the state: J' (J J')^-1 (-f), where f(q) = 0 are the
+/// configuration constraints. No coordinate is held.
 pub fn correction(
     alg: &mut Algebra,
     k: &Kinematics,

@@ -1,8 +1,8 @@
-//! Is an elimination regular wherever the constraints are?
+//! Checks that the pivots of an elimination vanish only where the constraints themselves are singular.
 //!
 //! In: the pivots of an elimination, and all rows of the constraints. Out: configurations at which a pivot vanishes
-//! although the rows determine the unknowns there; none if the elimination serves them all. A pivot of two signs
-//! vanishes in between: the place is found by bisection along the motion from one sample to the other.
+//! although the rows determine the unknowns there; none if the elimination is regular. A pivot whose sign differs
+//! between two samples vanishes in between: bisection along the motion from one to the other finds where.
 
 use super::assemble::Assembly;
 use super::basis::NumericRow;
@@ -15,32 +15,33 @@ use crate::model::Model;
 use crate::vector::Algebra;
 use rustc_hash::FxHashMap as HashMap;
 
-/// A pivot of which less than this share of nominal is left is worth a look at the constraints themselves.
+/// If a pivot falls below this share of its nominal value, the constraints themselves are examined there.
 const SMALL: f64 = 0.02;
-/// The constraints are regular where this share of what they determine at the nominal configuration is left.
+/// The constraints count as regular if their least determined direction keeps this share of its nominal value.
 const REGULAR: f64 = 0.05;
-/// Samples of the other sign towards which a zero is searched for.
+/// Number of samples of opposite sign towards which a zero is searched for.
 const ATTEMPTS: usize = 4;
-/// Halvings of the way between two signs.
+/// Halvings of the path between two configurations of opposite sign.
 const HALVINGS: usize = 40;
 
-/// Where the rows determine the unknowns, and how well.
+/// Measures how well the rows determine the unknowns at a configuration.
 pub(super) struct Regularity<'a> {
     alg: &'a Algebra,
     model: &'a Model,
     k: &'a Kinematics,
     rows: &'a [Row],
     column: HashMap<UnknownId, usize>,
-    /// How many directions they are to determine.
+    /// Rank that the rows must have.
     rank: usize,
-    /// The largest length of every row over the samples: a row says the same if all of it is multiplied.
+    /// Largest length of each row over the samples, by which it is divided: multiplying a row by a number changes
+    /// nothing.
     lengths: Vec<f64>,
-    /// What is left of the unknowns' least determined direction at the nominal configuration.
+    /// The measure at the nominal configuration: what is left of the last row in Gram-Schmidt with pivoting.
     nominal: f64,
 }
 
 impl<'a> Regularity<'a> {
-    /// Of all rows of the constraints, dropped ones included.
+    /// For all rows of the constraints, including spare ones, which must determine every unknown.
     pub fn new(
         alg: &'a Algebra,
         model: &'a Model,
@@ -52,7 +53,7 @@ impl<'a> Regularity<'a> {
         Self::of_rank(alg, model, k, rows, (unknown, unknown.len()), samples)
     }
 
-    /// Of rows that determine so many directions among the unknowns.
+    /// For rows that must have the given rank over the unknowns.
     pub fn of_rank(
         alg: &'a Algebra,
         model: &'a Model,
@@ -72,8 +73,8 @@ impl<'a> Regularity<'a> {
         this
     }
 
-    /// How many directions are determined at a sample, by all rows or only some, and what is left of the last; nothing
-    /// if not all are.
+    /// Rank at a sample, of all rows or only some, and the remaining length of the last pivot row; 0 if the rank is too
+    /// small.
     fn determined(&self, table: &mut SampleTable, sample: usize, only: Option<&[usize]>) -> (usize, f64) {
         let n = self.column.len();
         let mut matrix = Vec::new();
@@ -88,13 +89,13 @@ impl<'a> Regularity<'a> {
         least_left(matrix, self.rank)
     }
 
-    /// What is left of the least determined direction at these configurations.
+    /// The remaining length of the last pivot row at these configurations.
     pub fn at(&self, configurations: &[Sample]) -> Vec<f64> {
         let mut table = table_at(self.alg, self.model, self.k, configurations);
         (0..configurations.len()).map(|s| self.determined(&mut table, s, None).1).collect()
     }
 
-    /// Those of the configurations at which the rows determine the unknowns.
+    /// The configurations at which the rows determine the unknowns.
     pub fn regular(&self, configurations: Vec<Sample>) -> Vec<Sample> {
         let mut table = table_at(self.alg, self.model, self.k, &configurations);
         let places = configurations.into_iter().enumerate();
@@ -103,10 +104,10 @@ impl<'a> Regularity<'a> {
         regular.map(|(_, q)| q).collect()
     }
 
-    /// Rows that together determine the unknowns at every sample about as well as all rows do: those given, and one
-    /// after the other the row that helps most where least is left.
+    /// Rows that determine the unknowns at every sample about as well as all rows do: starts from `first` and adds,
+    /// where the measure is worst, the row that improves it most.
     pub fn complete(&self, table: &mut SampleTable, first: Vec<Row>) -> Vec<Row> {
-        /// As well as all rows: this share of what they leave.
+        /// "About as well": at least this share of the measure of all rows.
         const SHARE: f64 = 0.2;
         let place = |row: &Row| {
             self.rows.iter().position(|r| r.name == row.name && r.coefficients == row.coefficients)
@@ -135,7 +136,7 @@ impl<'a> Regularity<'a> {
     }
 }
 
-/// Configurations at which one of the pivots vanishes, or nearly; `table` holds the samples.
+/// Configurations at which one of the pivots is zero or small; `table` holds the samples.
 pub(super) fn suspects(
     alg: &Algebra,
     model: &Model,
@@ -160,7 +161,7 @@ pub(super) fn suspects(
     suspects
 }
 
-/// A zero, or pole, of the pivot on the way from one configuration to another; none if the way ends elsewhere.
+/// A zero or pole of the pivot on the path between two configurations; `None` if the path cannot be followed.
 fn zero_between(
     alg: &Algebra,
     model: &Model,
@@ -188,9 +189,9 @@ fn zero_between(
     Some(to)
 }
 
-/// Gram and Schmidt with pivoting: how many of n rows count, and what is left of the last; 0 if fewer than n do.
+/// Gram-Schmidt with row pivoting: the rank up to n, and the smallest remaining length; 0 if the rank is less than n.
 fn least_left(mut rows: Vec<Vec<f64>>, n: usize) -> (usize, f64) {
-    /// A unit row of which less is left follows from the others.
+    /// A unit row with less than this left depends on the others.
     const ZERO: f64 = 1e-8;
     let mut least = 1.0_f64;
     for count in 0..n {

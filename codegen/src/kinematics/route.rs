@@ -1,7 +1,7 @@
-//! Routes to a point: either way round a loop of the mechanism leads to it.
+//! Chooses the route to a point: in a loop of the mechanism it can be reached either way round.
 //!
-//! For a constraint L = 0 between vectors the places P, P - L and P + L are one: the rocker of a four-bar is
-//! reached along crank and coupler, or from its own bearing, where it turns by its own speed alone.
+//! If a constraint states L = 0 for a vector L, then P, P - L and P + L are the same position. The rocker of a four-bar
+//! is reached along crank and coupler, or from its own bearing, where its motion depends on its own speed alone.
 
 use super::lower;
 use super::quantities::{Kinematics, Value};
@@ -16,9 +16,7 @@ pub(super) fn loops(alg: &mut Algebra, model: &Model, k: &Kinematics) -> Vec<Vec
     values.into_iter().filter_map(|value| if let Value::Vector(v) = value { Some(v) } else { None }).collect()
 }
 
-/// The place by the route of the fewest moving vectors.
-///
-/// The velocity is the same on the constraints.
+/// The position by the route with the fewest moving vectors. Its velocity is the same wherever the constraints hold.
 pub(super) fn shortest(alg: &mut Algebra, k: &Kinematics, place: Vector, loops: &[Vector]) -> Vector {
     let mut shortest = (moving_terms(alg, k, &place), place);
     loop {

@@ -16,7 +16,7 @@ pub fn sample_table(alg: &Algebra, model: &Model, k: &Kinematics) -> SampleTable
     table_at(alg, model, k, &k.sampled())
 }
 
-/// The same at other configurations.
+/// [`sample_table`] at other configurations.
 pub(super) fn table_at(alg: &Algebra, model: &Model, k: &Kinematics, samples: &[Sample]) -> SampleTable {
     let points = samples.len();
     let mut random = Random(0x00C0_FFEE);

@@ -1,9 +1,9 @@
-//! How large expressions of the configuration are for the parameters that are set.
+//! Estimates how the size of an expression changes with the parameters that are set.
 //!
-//! In: expressions. Out: for each a size that depends on parameters alone, so that it is prepared: terms of a sum count by
-//! absolute value, but for what an elimination takes away; sines and cosines as 1, a coordinate by its nominal value, grown
-//! as the model's lengths have where it is a length. What was measured at the nominal parameters is carried over to others
-//! by the quotient of two sizes.
+//! In: expressions. Out: for each an estimate of its size that depends on parameters alone, so that `prepare()`
+//! computes it. Terms of a sum are added by absolute value, except those that an elimination subtracts; sines and
+//! cosines count as 1; a coordinate counts as its nominal value, which for a length is scaled with the model's lengths.
+//! A quantity measured at the nominal parameters is carried over to other parameters by the quotient of the two sizes.
 
 use super::quantities::Kinematics;
 use super::unknowns::UnknownKind;
@@ -13,7 +13,7 @@ use crate::model::unit::{self, Unit};
 use crate::vector::Algebra;
 use rustc_hash::FxHashMap as HashMap;
 
-/// A size this small beside that at the nominal parameters counts as so large: no mass at all divides by nothing.
+/// Least relative size, so that a parameter of 0, such as a mass, leads to no division by zero.
 const LEAST: f64 = 1e-24;
 
 /// Sizes of the symbols of a model.
@@ -22,12 +22,12 @@ pub struct Sizes {
     parameters: HashMap<SymbolId, f64>,
     /// Coordinates by their nominal values, and whether they are lengths.
     coordinates: HashMap<SymbolId, (f64, bool)>,
-    /// The lengths among the parameters.
+    /// The parameters that are lengths.
     lengths: Vec<ExprId>,
 }
 
 impl Sizes {
-    /// Of a model at its nominal configuration and parameters.
+    /// The sizes at the nominal configuration and parameters of a model.
     #[must_use]
     pub fn new(alg: &Algebra, model: &Model, k: &Kinematics) -> Self {
         let symbols: Vec<_> = (model.parameters.ids())
@@ -50,7 +50,7 @@ impl Sizes {
         }
     }
 
-    /// How many times as large each expression is as at the nominal parameters.
+    /// The size of each expression relative to that at the nominal parameters.
     pub fn growth(&self, dag: &mut Dag, exprs: &[ExprId]) -> Vec<ExprId> {
         let lengths = self.growth_of_lengths(dag);
         let mut sizes: HashMap<ExprId, ExprId> = HashMap::default();
@@ -61,7 +61,7 @@ impl Sizes {
         exprs.iter().map(|expr| self.relative(dag, sizes[expr])).collect()
     }
 
-    /// How many times as large the independent speeds are: as the lengths, or as ever.
+    /// The size of the independent speeds relative to nominal: that of the lengths for a velocity, 1 for all others.
     pub fn growth_of_speeds(&self, alg: &mut Algebra, model: &Model, k: &Kinematics) -> Vec<ExprId> {
         let (one, lengths) = (alg.dag.one(), self.growth_of_lengths(&mut alg.dag));
         let kinds = k.unknowns.independent().into_iter().map(|unknown| k.unknowns[unknown].kind);
@@ -70,7 +70,7 @@ impl Sizes {
         kinds.map(|kind| if moves_along(kind) { lengths } else { one }).collect()
     }
 
-    /// The size of an expression from those of its operands.
+    /// The size of an expression, from the sizes of its operands.
     fn size(&self, dag: &mut Dag, id: ExprId, lengths: ExprId, of: &dyn Fn(ExprId) -> ExprId) -> ExprId {
         match dag.node(id) {
             Node::Number(number) => dag.constant(number.to_f64().abs()),
@@ -94,7 +94,7 @@ impl Sizes {
         }
     }
 
-    /// A size over its value at the nominal parameters.
+    /// A size divided by its value at the nominal parameters.
     fn relative(&self, dag: &mut Dag, size: ExprId) -> ExprId {
         let nominal = self.at_nominal(dag, size);
         if dag.is_constant(size) || !(nominal.is_finite() && nominal > 0.0) {
@@ -105,7 +105,7 @@ impl Sizes {
         dag.binary(Binary::Max, relative, least)
     }
 
-    /// The sum of the model's lengths over its nominal value; 1 where there are none.
+    /// The sum of the model's lengths divided by its nominal value; 1 if it has none.
     fn growth_of_lengths(&self, dag: &mut Dag) -> ExprId {
         let lengths: Vec<ExprId> = self.lengths.iter().map(|&length| dag.unary(Unary::Abs, length)).collect();
         let sum = dag.sum(&lengths);
@@ -117,8 +117,8 @@ impl Sizes {
     }
 }
 
-/// Is it something over a pivot? What an elimination takes away by it is no more than what it takes it from, in a mass
-/// matrix.
+/// Is it a quotient by a pivot? In a mass matrix, what an elimination subtracts is never larger than what it is
+/// subtracted from.
 fn divides(dag: &Dag, id: ExprId) -> bool {
     match dag.node(id) {
         Node::Negate(a) => divides(dag, a),

@@ -1,8 +1,8 @@
-//! How dependent coordinates follow the independent ones: P of dq = P dq_i with f_q P = 0.
+//! Derivatives of the dependent coordinates by the independent ones: P of dq = P dq_i with f_q P = 0.
 //!
-//! In: configuration constraints f(q, t) = 0. Out: one row a dependent coordinate. Motion constraints have no part in it.
-//! Where there are none, and the independent speeds are the rates of the independent coordinates, P is what the
-//! eliminations of the velocities have found: q_dependent' = P q_independent'.
+//! In: configuration constraints f(q, t) = 0. Out: one row per dependent coordinate. Motion constraints play no part.
+//! If there are none, and the independent speeds are the rates of the independent coordinates, P follows from the
+//! elimination of the velocities: q_dependent' = P q_independent'.
 
 use super::eliminate::Solution;
 use super::linear;
@@ -15,7 +15,7 @@ use crate::id::Id;
 use crate::model::{CoordinateId, Model};
 use crate::vector::Algebra;
 
-/// Slopes of the dependent coordinates; none where the constraints do not determine them.
+/// Derivatives of the dependent coordinates; `None` if the constraints do not determine them.
 pub(crate) fn dependent_slopes(
     alg: &mut Algebra,
     k: &Kinematics,
@@ -32,7 +32,7 @@ pub(crate) fn dependent_slopes(
         }
         let slopes: Vec<ExprId> =
             dependent.iter().map(|&symbol| alg.dag.derivative(residual, symbol)).collect();
-        // Another row only if it is independent of those taken, at every sample.
+        // A row is taken only if it is independent of those taken before, at every sample.
         let mut is_new = true;
         for (sample, taken) in numbers.iter_mut().enumerate() {
             let row = slopes.iter().map(|&e| table.values(&alg.dag, e)[sample]);
@@ -60,8 +60,8 @@ pub(crate) fn dependent_slopes(
     (0..n).map(|j| values.get(&UnknownId::from_index(j)).cloned()).collect()
 }
 
-/// Which independent speed is the rate of each of these coordinates, where no constraint is one of motion; none
-/// where a speed is something else. Then P is what the eliminations of the velocities have found.
+/// The index of the independent speed that is the rate of each of these coordinates. `None` if one of them has another
+/// kind of rate or if there are motion constraints: P does not follow from the velocities then.
 pub(crate) fn speeds_of(
     alg: &Algebra,
     model: &Model,
@@ -88,7 +88,7 @@ pub(crate) fn speeds_of(
     Some(places)
 }
 
-/// P by the partial velocities: q_dependent' = P q_independent'.
+/// P from the partial velocities: q_dependent' = P q_independent'.
 pub(crate) fn slopes_by_speeds(
     alg: &mut Algebra,
     k: &Kinematics,

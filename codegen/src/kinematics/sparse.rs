@@ -1,8 +1,7 @@
-//! Sparse symbolic elimination: equations with few unknowns each, solved by exchanging rows.
+//! Sparse symbolic elimination of equations with few unknowns each.
 //!
-//! In: as many equations as unknowns. Out: every unknown in terms of the right-hand sides. Pivots by
-//! least fill (Markowitz), never from structure alone: a pivot must be far from zero, relative to
-//! its row, at every sample.
+//! In: as many equations as unknowns. Out: every unknown in terms of the right-hand sides. Pivots by least fill
+//! (Markowitz), but never from structure alone: relative to its row, a pivot must be far from zero at every sample.
 
 use super::linear_form::LinearForm;
 use super::unknowns::UnknownId;
@@ -11,7 +10,7 @@ use crate::expr::{Dag, ExprId};
 use crate::id::Id;
 use std::collections::BTreeMap;
 
-/// A pivot relative to the largest entry of its row, at the worst sample.
+/// A safe pivot is larger than this, relative to the largest entry of its row, at the worst sample.
 const SAFE_PIVOT: f64 = 0.05;
 
 /// sum coefficients[y] y = right, for several right-hand sides at once.
@@ -23,40 +22,40 @@ pub(crate) struct Equation {
     pub right: Vec<ExprId>,
 }
 
-/// Values of the unknowns for every right-hand side.
+/// By unknown: its value for every right-hand side.
 pub(crate) type Values = BTreeMap<UnknownId, Vec<ExprId>>;
 
-/// An unknown by those that are eliminated after it: `y = (sum coefficients[z] z + right) / divisor`.
+/// An unknown in terms of those eliminated after it: `y = (sum coefficients[z] z + right) / divisor`.
 #[derive(Clone, Debug)]
 pub(crate) struct Elimination {
-    /// What is eliminated.
+    /// The unknown that is eliminated.
     pub unknown: UnknownId,
-    /// The expression divided by.
+    /// The divisor of the equation.
     pub pivot: ExprId,
     /// Non-zero coefficients.
     pub coefficients: LinearForm,
     /// Right-hand sides.
     pub right: Vec<ExprId>,
-    /// 1, or the pivot where the sum is divided by it, not its terms.
+    /// 1 if the terms have been divided by the pivot; the pivot if their sum still has to be.
     pub divisor: ExprId,
-    /// Which of the equations it is solved from.
+    /// Index of the equation that it is solved from.
     pub row: usize,
-    /// The equations that held the unknown too, with its coefficient there.
+    /// Indices of the other equations that contained the unknown, with its coefficient there.
     pub others: Vec<(usize, ExprId)>,
 }
 
-/// What a pivot must pass.
+/// Options of an elimination.
 pub(crate) struct Screening {
-    /// Typical sizes of the unknowns, 1 where none is given: an entry counts with its unknown's size.
+    /// Typical sizes of the unknowns, by which entries are scaled when pivots are compared; 1 where none is given.
     pub sizes: BTreeMap<UnknownId, f64>,
-    /// Take the safest entry where none is safe? Else there is no solution.
+    /// Take the safest entry if none is safe? Otherwise the elimination stops there.
     pub last_resort: bool,
-    /// Divide the sum, not its terms, where no other equation holds the unknown: shorter, if only the values are
+    /// Divide the sum instead of its terms if no other equation contains the unknown: shorter, if only the values are
     /// wanted.
     pub divide_sums: bool,
 }
 
-/// Triangular form of the equations, in the order of the elimination.
+/// Eliminates the equations; returns the steps in order (triangular form).
 pub(crate) fn eliminate(
     dag: &mut Dag,
     table: &mut SampleTable,
@@ -66,7 +65,7 @@ pub(crate) fn eliminate(
     eliminate_screened(dag, table, equations, &screening)
 }
 
-/// [`eliminate`] with pivots screened in another way; what has no pivot is left out.
+/// [`eliminate`] with other options; unknowns without an acceptable pivot are left out.
 pub(crate) fn eliminate_screened(
     dag: &mut Dag,
     table: &mut SampleTable,
@@ -82,7 +81,7 @@ pub(crate) fn eliminate_screened(
         candidates.swap_remove(r);
         let place = places.swap_remove(r);
         let pivot = row.coefficients[&column];
-        // Its value at the samples, before what follows adds nodes.
+        // Evaluated now, before the following steps add nodes.
         table.values(dag, pivot);
         let alone = equations.iter().all(|other| !other.coefficients.contains_key(&column));
         let divisor = if alone && screening.divide_sums { pivot } else { dag.one() };
@@ -98,8 +97,8 @@ pub(crate) fn eliminate_screened(
     done
 }
 
-/// Triangular form of a symmetric positive definite system, equation i being that of unknown i: pivots from the
-/// diagonal, the equation with the fewest unknowns first. No pivot vanishes where the system is regular.
+/// Eliminates a symmetric positive definite system in which equation i belongs to unknown i: pivots from the diagonal,
+/// the equation with the fewest unknowns first. No pivot vanishes where the system is regular.
 pub(crate) fn eliminate_definite(
     dag: &mut Dag,
     table: &mut SampleTable,
@@ -121,7 +120,7 @@ pub(crate) fn eliminate_definite(
     done
 }
 
-/// Solves the equations; also the pivots divided by, in order. None if an equation cancels.
+/// Solves the equations; also returns the pivots in order. `None` if an equation cancels.
 pub(crate) fn solve(
     dag: &mut Dag,
     table: &mut SampleTable,
@@ -132,13 +131,13 @@ pub(crate) fn solve(
     Some((values, done.into_iter().map(|step| step.pivot).collect()))
 }
 
-/// An entry as a pivot.
+/// An entry that may be taken as pivot.
 struct Candidate {
     column: UnknownId,
     /// Size relative to the largest entry of its row, at the worst sample.
     safety: f64,
     varies: bool,
-    /// Operations that it takes.
+    /// Operations of the entry.
     cost: usize,
 }
 
@@ -162,7 +161,7 @@ fn candidates_of(
         let size = size(&column);
         let relative = values.iter().zip(&largest).map(|(x, m)| x.abs() * size / m);
         let smallest = relative.fold(f64::INFINITY, |least, x| if x < least { x } else { least });
-        // What has two signs vanishes in between.
+        // An entry that changes its sign vanishes in between.
         let one_sign = values.iter().all(|x| *x > 0.0) || values.iter().all(|x| *x < 0.0);
         Candidate {
             column,
@@ -174,7 +173,7 @@ fn candidates_of(
     equation.coefficients.iter().map(candidate).collect()
 }
 
-/// (row, column) of least fill among the safe pivots; as a last resort the safest, if none is safe.
+/// (row, column) of least fill among the safe pivots; if none is safe, the safest as a last resort.
 fn pick(rows: &[Vec<Candidate>], last_resort: bool) -> Option<(usize, UnknownId)> {
     let mut in_column: BTreeMap<UnknownId, usize> = BTreeMap::new();
     for candidate in rows.iter().flatten() {
@@ -190,8 +189,8 @@ fn pick(rows: &[Vec<Candidate>], last_resort: bool) -> Option<(usize, UnknownId)
     safe.min_by_key(score).or_else(safest).map(|(r, _, c)| (r, c.column))
 }
 
-/// The row solved for an unknown. Divided by its pivot unless that is the divisor: every later use shares the
-/// quotients.
+/// Solves the row for an unknown. Unless the pivot is the divisor, the terms are divided by it, and every later use
+/// shares the quotients.
 fn solved_for(
     dag: &mut Dag,
     row: Equation,
@@ -210,7 +209,7 @@ fn solved_for(
     Elimination { unknown, pivot, coefficients, right, divisor, row: place, others: Vec::new() }
 }
 
-/// Puts an unknown's expression in its place; the coefficient that it had there, if it has one.
+/// Substitutes an unknown by its step; returns the coefficient that it had, if the equation contained it.
 fn substitute(dag: &mut Dag, other: &mut Equation, step: &Elimination) -> Option<ExprId> {
     let entry = other.coefficients.substitute(dag, step.unknown, &step.coefficients)?;
     for (mine, &x) in other.right.iter_mut().zip(&step.right) {
@@ -220,7 +219,7 @@ fn substitute(dag: &mut Dag, other: &mut Equation, step: &Elimination) -> Option
     Some(entry)
 }
 
-/// Every unknown by the right-hand sides alone; None if one never had a pivot.
+/// Every unknown in terms of the right-hand sides alone; `None` if one of them never had a pivot.
 pub(crate) fn back_substitute(dag: &mut Dag, done: &[Elimination]) -> Option<Values> {
     let mut known = Values::new();
     for step in done.iter().rev() {

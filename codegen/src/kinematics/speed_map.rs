@@ -1,10 +1,10 @@
 //! Kinematic differential equations: q_dot = N(q) u.
 //!
-//! In: every speed as the rate of a coordinate or as a linear combination u = Y(q) q_dot. Out: the
-//! rates as linear forms in the speeds, N = Y^-1 by sparse elimination with pivots screened at random
-//! configurations; where these vanish though Y is regular, N = Y' (Y Y')^-1. A coordinate in closed form is no state. With a speed of its own it takes part like
-//! one: its rate is that speed, a dependent one, and constraint rows give it where they are shorter than
-//! the derivative of the form. Without, its rate follows from the coordinates that it is a function of.
+//! In: every speed as the rate of a coordinate or as a linear combination u = Y(q) q_dot. Out: the rates as linear
+//! forms in the speeds, N = Y^-1 by sparse elimination with pivots screened at random configurations; if these vanish
+//! where Y is regular, N = Y' (Y Y')^-1. A coordinate in closed form is not part of the state. If it has a speed of its
+//! own, its rate is that speed, a dependent one, which constraint rows determine where they are shorter than the
+//! derivative of the form. Otherwise its rate follows by the chain rule.
 
 use super::linear_form::LinearForm;
 use super::quantities::{Kinematics, Rate};
@@ -24,13 +24,13 @@ use std::collections::BTreeMap;
 
 /// Random configurations, besides the nominal one, at which pivots are screened.
 const SCREENED: usize = 16;
-/// A pivot of this size at the nominal configuration means: the rates do not follow.
+/// If a pivot is not larger than this at the nominal configuration, the rates do not follow from the speeds.
 const SINGULAR: f64 = 1e-9;
 
-/// What differs by less than this part of its terms, everywhere, is equal.
+/// Expressions that differ by less than this share of their terms at all points are taken as equal.
 const IDENTICAL: f64 = 1e-12;
 
-/// The kinematics with the rates of all coordinates.
+/// Adds the rates of all coordinates.
 pub(super) fn derive(alg: &mut Algebra, model: &Model, mut k: Kinematics) -> Result<Kinematics, Diagnostics> {
     let (zero, one) = (alg.dag.zero(), alg.dag.one());
     k.rates =
@@ -53,13 +53,13 @@ fn has_combinations(model: &Model) -> bool {
     model.speeds.iter().any(|s| matches!(s.meaning, SpeedMeaning::Combination(_)))
 }
 
-/// Does a coordinate in closed form have a rate that is an unknown of its own?
+/// Is the rate of this coordinate, if it is in closed form, an unknown of its own?
 pub(super) fn is_variable(model: &Model, coordinate: CoordinateId) -> bool {
     let own = |s: &Speed| matches!(s.meaning, SpeedMeaning::RateOf(of) if of == coordinate);
     model.speeds.iter().any(own) && !has_combinations(model)
 }
 
-/// The kinematics with the rates of coordinates in closed form, by the chain rule.
+/// Adds the rates of coordinates in closed form, by the chain rule.
 fn closed_forms(alg: &mut Algebra, model: &Model, mut k: Kinematics) -> Kinematics {
     for id in model.coordinates.ids() {
         if k.variable(&alg.dag, id).is_none() {
@@ -69,7 +69,7 @@ fn closed_forms(alg: &mut Algebra, model: &Model, mut k: Kinematics) -> Kinemati
     k
 }
 
-/// N = Y^-1, row by row; then the part of q'' that is quadratic in the speeds.
+/// N = Y^-1, row by row; then the bias of q'', quadratic in the speeds.
 fn invert(alg: &mut Algebra, model: &Model, mut k: Kinematics) -> Result<Kinematics, Diagnostics> {
     let equations = equations(alg, model, &k)?;
     let states: Vec<CoordinateId> = model.coordinates.ids().filter(|&c| k.is_state[c]).collect();
@@ -101,8 +101,8 @@ fn invert(alg: &mut Algebra, model: &Model, mut k: Kinematics) -> Result<Kinemat
     Ok(k)
 }
 
-/// Do the pivots vanish only where Y does? Where one has two signs and their product, det Y but for its sign, has one,
-/// the pivot vanishes in between, and Y does not.
+/// Do the pivots vanish only where Y is singular? If a pivot changes its sign but the product of all pivots (det Y up
+/// to its sign) does not, that pivot vanishes in between where Y is regular.
 fn is_regular(alg: &Algebra, model: &Model, k: &Kinematics, pivots: &[ExprId]) -> bool {
     let mut table = screening_table(alg, model, k);
     let mut signs = |p: &ExprId| -> Vec<bool> {
@@ -116,8 +116,8 @@ fn is_regular(alg: &Algebra, model: &Model, k: &Kinematics, pivots: &[ExprId]) -
     signs.iter().all(|signs| one_sign(signs)) || !one_sign(&product)
 }
 
-/// N = Y' (Y Y')^-1: the pivots of the symmetric Y Y' vanish only where Y is singular. Rows of Y at right angles to one
-/// another, as those of Euler parameters, leave a diagonal.
+/// N = Y' (Y Y')^-1: the pivots of the symmetric Y Y' vanish only where Y is singular. If the rows of Y are orthogonal,
+/// as for Euler parameters, Y Y' is diagonal.
 fn least_norm(
     alg: &mut Algebra,
     model: &Model,
@@ -204,7 +204,7 @@ fn equations(alg: &mut Algebra, model: &Model, k: &Kinematics) -> Result<Vec<Equ
     found.finish(equations)
 }
 
-/// The same kinematics with the rates of the coordinates for unknowns, and with the definitions that need no more.
+/// The same kinematics with the rates of the coordinates as unknowns, and with definitions that depend on nothing else.
 fn with_rates_as_unknowns(alg: &mut Algebra, model: &Model, k: &Kinematics) -> Kinematics {
     let one = alg.dag.one();
     let mut by_rates = Kinematics { unknowns: Unknowns::default(), ..k.clone() };
@@ -242,7 +242,7 @@ fn needs_speeds(k: &Kinematics, expr: &Expr) -> bool {
     found
 }
 
-/// Coefficients of the rates; `None` if something remains when all of them are 0.
+/// Coefficients of the rates; `None` if the expression does not vanish when all rates are 0.
 fn coefficients(alg: &mut Algebra, value: ExprId, symbols: &Unknowns) -> Option<LinearForm> {
     let zero = alg.dag.zero();
     let mut result = LinearForm::default();
@@ -259,7 +259,7 @@ fn coefficients(alg: &mut Algebra, value: ExprId, symbols: &Unknowns) -> Option<
     alg.dag.is_zero(remains).then_some(result)
 }
 
-/// Coordinates at the nominal and at random places of their ranges, constraints or not.
+/// Values of the coordinates at nominal and at random points of their ranges, which need not satisfy the constraints.
 pub(super) fn screening_table(alg: &Algebra, model: &Model, k: &Kinematics) -> SampleTable {
     let mut random = Random(0x5CA1_AB1E);
     let mut symbols: HashMap<SymbolId, Vec<f64>> = HashMap::default();
@@ -278,7 +278,7 @@ pub(super) fn screening_table(alg: &Algebra, model: &Model, k: &Kinematics) -> S
     SampleTable::new(symbols, 1 + SCREENED)
 }
 
-/// [`screening_table`] with other parameters at every place: what is equal there is equal for all parameters.
+/// [`screening_table`] with different parameters at every point: expressions equal there are equal for all parameters.
 fn identity_table(alg: &Algebra, model: &Model, k: &Kinematics) -> SampleTable {
     let mut random = Random(0x1DE7_717E);
     let table = screening_table(alg, model, k);

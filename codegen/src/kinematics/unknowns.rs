@@ -6,7 +6,7 @@ use crate::model::SpeedId;
 use std::ops::Index;
 
 ids! {
-    /// An unknown of the velocity level: a speed, or a component of a lifted twist.
+    /// An unknown of the velocity level: a speed, a component of a lifted twist, or the clock.
     UnknownId,
 }
 
@@ -17,20 +17,21 @@ pub struct Unknown {
     pub name: String,
     /// The symbol that stands for its value until the constraints are solved.
     pub value: ExprId,
-    /// What it is.
+    /// Its kind.
     pub kind: UnknownKind,
 }
 
-/// What an unknown is.
+/// The kinds of unknowns.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum UnknownKind {
-    /// An independent speed: known to the elimination.
+    /// An independent speed, known in the elimination.
     Independent(SpeedId),
     /// A dependent speed.
     Dependent(SpeedId),
     /// A component of the velocity or angular velocity of a body that closes a loop.
     Lifted,
-    /// Time as a coordinate: its rate is 1, its partial velocities are what velocities have without speeds.
+    /// Time as a coordinate: its rate is 1, its partial velocities are the parts of velocities without speeds (Kane's
+    /// v_t).
     Clock,
 }
 
@@ -70,25 +71,25 @@ impl Unknowns {
         self.clock
     }
 
-    /// The unknown of a speed.
+    /// The unknown that belongs to a speed.
     #[must_use]
     pub fn of(&self, speed: SpeedId) -> UnknownId {
         UnknownId::from_index(speed.index())
     }
 
-    /// Those that are independent speeds.
+    /// The independent speeds.
     #[must_use]
     pub fn independent(&self) -> Vec<UnknownId> {
         self.those(|kind| matches!(kind, UnknownKind::Independent(_)))
     }
 
-    /// Those that the constraints give: dependent speeds and lifted twists.
+    /// The unknowns that the constraints determine: dependent speeds and lifted twists.
     #[must_use]
     pub fn dependent(&self) -> Vec<UnknownId> {
         self.those(|kind| matches!(kind, UnknownKind::Dependent(_) | UnknownKind::Lifted))
     }
 
-    /// Those that move: all but the clock.
+    /// All unknowns but the clock.
     #[must_use]
     pub fn moving(&self) -> Vec<UnknownId> {
         self.those(|kind| kind != UnknownKind::Clock)
@@ -100,13 +101,13 @@ impl Unknowns {
         self.iter().all(|unknown| matches!(unknown.kind, UnknownKind::Independent(_)))
     }
 
-    /// Is the speed independent, or one of redundant ones?
+    /// Is the speed independent? Redundant speeds count as independent.
     #[must_use]
     pub fn is_independent(&self, speed: SpeedId) -> bool {
         matches!(self[self.of(speed)].kind, UnknownKind::Independent(_))
     }
 
-    /// The same with every speed counted as independent.
+    /// The same unknowns with every dependent speed declared independent.
     pub(super) fn all_speeds_independent(mut self) -> Self {
         for id in self.all.ids().collect::<Vec<_>>() {
             if let UnknownKind::Dependent(speed) = self.all[id].kind {

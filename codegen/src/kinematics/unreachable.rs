@@ -1,13 +1,13 @@
-//! Why dependent coordinates could not be found, in words.
+//! The reason why dependent coordinates could not be found, in words.
 
 use std::fmt;
 
-/// The dependent coordinates could not be found, or leave nothing free.
+/// The dependent coordinates could not be found, or the mechanism is locked at them.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Unreachable {
     /// Smallest residual reached.
     pub residual: f64,
-    /// The constraint that has it.
+    /// The constraint with that residual.
     pub constraint: Option<String>,
     /// A constraint that followed from the others at the default parameters no longer does: the mechanism is locked.
     pub locked: bool,

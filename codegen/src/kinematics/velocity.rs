@@ -1,7 +1,7 @@
-//! Velocities of points, angular velocities of triads, and the definitions that read them, in the model's order.
+//! Velocities of points, angular velocities of triads, and the definitions that depend on them, in the model's order.
 //!
-//! In: positions and triads. Out: their motions as linear forms in the unknowns (`rate`); bodies that close loops get
-//! unknown twists of their own.
+//! In: positions and triads. Out: their motions as linear forms in the unknowns (`rate`). Bodies that close loops get
+//! the components of their twists as unknowns.
 
 use super::angular::angular_velocity;
 use super::quantities::{Kinematics, Motion, Value};
@@ -15,7 +15,7 @@ use crate::section::Section;
 use crate::vector::{Algebra, TriadId, Vector};
 use std::collections::BTreeSet;
 
-/// The kinematics with angular velocities, velocities and the definitions that need them.
+/// Adds angular velocities, velocities, and the definitions that depend on them.
 pub(super) fn derive(alg: &mut Algebra, model: &Model, mut k: Kinematics) -> Kinematics {
     k.angular = (0..alg.triads.len()).map(|_| Motion::default()).collect();
     k.velocities = model.points.iter().map(|_| Motion::default()).collect();
@@ -52,7 +52,7 @@ pub(super) fn derive(alg: &mut Algebra, model: &Model, mut k: Kinematics) -> Kin
     k
 }
 
-/// The value of a definition, lowered now if it has waited for velocities.
+/// The value of a definition; lowers it now if it had to wait for velocities.
 fn definition(alg: &mut Algebra, model: &Model, k: &Kinematics, id: DefinitionId) -> Value {
     if let Some(known) = &k.definitions[id] {
         return known.clone();
@@ -75,7 +75,7 @@ pub(crate) fn is_lifted_triad(model: &Model, k: &Kinematics, triad: TriadId) -> 
     lifted_frames(model).any(|f| k.frame_triad[f] == triad)
 }
 
-/// The kinematics with unknown twist components of bodies that close loops.
+/// Adds the unknown twist components of bodies that close loops.
 fn lift(alg: &mut Algebra, model: &Model, mut k: Kinematics) -> Kinematics {
     for frame in lifted_frames(model) {
         let triad = k.frame_triad[frame];
@@ -90,13 +90,13 @@ fn lift(alg: &mut Algebra, model: &Model, mut k: Kinematics) -> Kinematics {
     k
 }
 
-/// The triad whose axes resolve a lifted point's velocity: that of the body centred there, if any.
+/// The triad in which a lifted point's velocity is resolved: that of the body centred there, if any.
 fn home_of(model: &Model, k: &Kinematics, point: PointId) -> TriadId {
     let body = model.bodies.iter().find(|b| b.centre == point && b.frame.is_some());
     body.and_then(|b| b.frame).map_or(TriadId::INERTIAL, |f| k.frame_triad[f])
 }
 
-/// A vector whose components are three unknowns more.
+/// A vector whose three components are new unknowns.
 fn unknown_vector(alg: &mut Algebra, unknowns: &mut Unknowns, triad: TriadId, name: &str) -> Motion {
     let mut motion = Motion::default();
     for (axis, letter) in [(Axis::X, 'x'), (Axis::Y, 'y'), (Axis::Z, 'z')] {

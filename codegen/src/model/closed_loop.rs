@@ -1,7 +1,7 @@
-//! A mechanism together with its laws: inputs that have one are no longer asked for.
+//! Closes the loop: replaces every input that has a law by that law.
 //!
-//! In: a model with `[law]`. Out: the model whose loads and outputs read the laws in place of these inputs. The inputs
-//! keep their places and do nothing. Linearised, it is the closed loop.
+//! In: a model with `[law]`. Out: the model whose loads and outputs read the laws instead of these inputs. The inputs
+//! keep their places and have no effect any more. Its linearisation is that of the closed loop.
 
 use super::data::*;
 use super::expression::{Expr, ExprKind};
@@ -27,7 +27,7 @@ impl Model {
         model
     }
 
-    /// The expression with laws for inputs; definitions that read such inputs are written out.
+    /// The expression with laws for inputs; definitions that depend on such inputs are written out in full.
     fn commanded(&self, expr: &Expr) -> Expr {
         expr.replaced(&|e| match &e.kind {
             ExprKind::Input(id) => {
@@ -41,7 +41,7 @@ impl Model {
         })
     }
 
-    /// Does the expression, or a definition in it, read an input that has a law?
+    /// Does the expression, or a definition in it, depend on an input that has a law?
     fn is_commanded(&self, expr: &Expr) -> bool {
         let mut found = false;
         expr.visit(&mut |e| match e.kind {

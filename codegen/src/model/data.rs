@@ -1,11 +1,11 @@
-//! The data of a model: what each section says, names resolved to ids, every place in the text kept.
+//! The data of a model: what each section states, with names resolved to ids and every place in the text kept.
 
 use super::expression::{Axis, Expr};
 use super::ids::*;
 use crate::id::IdVec;
 use crate::source::{Source, Span};
 
-/// Everything a model file says.
+/// The contents of a model file.
 #[derive(Clone, Debug)]
 pub struct Model {
     /// The text it was read from.
@@ -50,7 +50,7 @@ pub struct Model {
     pub order: Vec<Entity>,
     /// `[start]`: values of independent coordinates and speeds (dependent ones are start guesses).
     pub start: Vec<(StartRef, f64)>,
-    /// The same as they are written.
+    /// The values of `start` as expressions, as the author wrote them.
     pub start_written: Vec<(StartRef, Expr)>,
     /// `[law]`: inputs as expressions of t, q, u and parameters.
     pub laws: Vec<(InputId, Expr)>,
@@ -80,7 +80,7 @@ pub enum Entity {
 pub struct Parameter {
     /// Its name.
     pub name: String,
-    /// What it is, for documentation.
+    /// Description, for documentation.
     pub doc: String,
     /// Unit as written, e.g. `kg m^2`.
     pub unit: String,
@@ -99,11 +99,11 @@ pub struct Parameter {
 pub struct Coordinate {
     /// Its name.
     pub name: String,
-    /// What it is.
+    /// Description.
     pub doc: String,
     /// Coherent SI unit, such as `m` or `rad`.
     pub unit: String,
-    /// Unit as written, such as `mm` or `deg`, and how many of `unit` make one of it.
+    /// Unit as written, such as `mm` or `deg`, and its value in `unit`.
     pub written_unit: (String, f64),
     /// Independent (state) or solved from the configuration constraints.
     pub independent: bool,
@@ -111,9 +111,9 @@ pub struct Coordinate {
     pub nominal: f64,
     /// Range for sampling (independent) or plausible range (dependent), SI.
     pub range: (f64, f64),
-    /// Nominal value and ends of the range as they are written.
+    /// Nominal value and ends of the range as expressions, as the author wrote them.
     pub written: [Option<Expr>; 3],
-    /// Closed form of a dependent coordinate; it is then not state.
+    /// Closed form of a dependent coordinate, which then is not part of the state.
     pub closed_form: Option<Expr>,
     /// Where it is declared.
     pub span: Span,
@@ -156,7 +156,7 @@ impl Coordinate {
 pub struct Input {
     /// Its name.
     pub name: String,
-    /// What it is.
+    /// Description.
     pub doc: String,
     /// Unit as written.
     pub unit: String,
@@ -182,8 +182,8 @@ pub struct Frame {
     pub name: String,
     /// How it is oriented.
     pub orientation: Orientation,
-    /// Vectors stated to be constant in this frame: (vector, its x, y, z components here).
-    /// A consequence of the constraints that the derivation may use; checked at the samples.
+    /// Vectors stated to be constant in this frame: (vector, its x, y, z components here). A consequence of the
+    /// constraints that the derivation may use; checked at the sampled configurations.
     pub fixed_vectors: Vec<FixedVector>,
     /// Where it is declared.
     pub span: Span,
@@ -227,7 +227,7 @@ pub enum Orientation {
     },
 }
 
-/// What an expression of an [`Orientation`] is; all are numbers without unit, or vectors of such.
+/// The role of an expression of an [`Orientation`]: a number without unit, or a vector of such.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct OrientationPart {
     /// In words.
@@ -243,7 +243,7 @@ impl OrientationPart {
 }
 
 impl Orientation {
-    /// The frame that it starts from, whatever its expressions name.
+    /// The frame from which the rotations start, whatever frames the expressions name.
     #[must_use]
     pub fn parent(&self) -> Option<FrameId> {
         match self {
@@ -322,7 +322,7 @@ pub struct Constraint {
 pub struct Load {
     /// Its name.
     pub name: String,
-    /// What acts where.
+    /// Its kind, and where it acts.
     pub kind: LoadKind,
     /// Where it is declared.
     pub span: Span,
@@ -378,7 +378,7 @@ pub enum LoadKind {
 pub struct Port {
     /// Its name.
     pub name: String,
-    /// What it is.
+    /// Description.
     pub doc: String,
     /// The frame that attached parts turn with.
     pub frame: FrameId,
@@ -430,7 +430,7 @@ pub struct Run {
     pub step: f64,
     /// Method by name.
     pub method: String,
-    /// Every how many steps a row is written.
+    /// Steps per row written.
     pub every: usize,
 }
 
@@ -440,34 +440,34 @@ impl Default for Run {
     }
 }
 
-/// `[view]`: what pictures show. No equation reads it.
+/// `[view]`: options of pictures. No equation depends on it.
 #[derive(Clone, Default, Debug)]
 pub struct View {
     /// Shapes in place of inertia ellipsoids.
     pub shapes: Vec<(BodyId, Shape)>,
     /// Colours (red, green, blue).
     pub colours: Vec<(Shown, [u8; 3])>,
-    /// What is left out.
+    /// Items that are left out.
     pub hidden: Vec<Shown>,
-    /// Rods between points, in place of those that the points' expressions suggest.
+    /// Rods between points; `None` for those that the points' expressions suggest.
     pub links: Option<Vec<[PointId; 2]>>,
 }
 
-/// Something that pictures show.
+/// An item of a picture.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Shown {
     /// A body.
     Body(BodyId),
     /// A point.
     Point(PointId),
-    /// A spring, by its place among the loads.
+    /// A spring, by its index among the loads.
     Spring(usize),
 }
 
 /// The shape of a body, along the axes of its frame.
 #[derive(Clone, Debug)]
 pub struct Shape {
-    /// Which.
+    /// Its kind.
     pub kind: ShapeKind,
     /// Its lengths (m), in the order of [`ShapeKind`].
     pub sizes: Vec<Expr>,

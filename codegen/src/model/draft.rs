@@ -11,7 +11,7 @@ use crate::source::Source;
 pub struct Units {
     /// Of parameters.
     pub parameters: IdVec<ParameterId, Unit>,
-    /// Of coordinates: plain numbers in ranges, configurations and starts are multiples of it.
+    /// Of coordinates: plain numbers in ranges, configurations and starts are multiples of this unit.
     pub coordinates: IdVec<CoordinateId, Scale>,
     /// Of speeds.
     pub speeds: IdVec<SpeedId, Scale>,

@@ -15,7 +15,7 @@ pub struct Expr {
     pub unit: Unit,
 }
 
-/// What an expression may be. Scalar or vector by its parts; checked before it gets here.
+/// The kinds of expressions. Whether one is a scalar or a vector follows from its parts and has been checked.
 #[derive(Clone, Debug)]
 pub enum ExprKind {
     /// A literal, already in SI units.
@@ -122,7 +122,7 @@ impl Expr {
         Self { kind: ExprKind::Power(Box::new(self), exponent), span, unit: Unit::NONE }
     }
 
-    /// What joins two expressions, at the place of the first.
+    /// Joins two expressions by `kind`, at the place of the first.
     fn joined(self, other: Self, kind: fn(Box<Self>, Box<Self>) -> ExprKind) -> Self {
         let span = self.span;
         Self { kind: kind(Box::new(self), Box::new(other)), span, unit: Unit::NONE }
@@ -144,7 +144,7 @@ impl Expr {
         }
     }
 
-    /// The expression with parts replaced: `f` gives what stands in a node's place, or nothing where it stays.
+    /// The expression with nodes replaced: `f` returns the replacement of a node, or `None` to keep it.
     #[must_use]
     pub fn replaced(&self, f: &dyn Fn(&Self) -> Option<Self>) -> Self {
         if let Some(other) = f(self) {

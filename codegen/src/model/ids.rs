@@ -1,4 +1,4 @@
-//! Numbers that stand for the named things of a model.
+//! Ids: indices of the named things of a model, one type for each kind.
 
 use crate::id::ids;
 

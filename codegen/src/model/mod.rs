@@ -1,10 +1,10 @@
 //! A validated model: names resolved to ids, units checked, every place in the text kept.
 //!
-//! In: TOML with expression strings. Out: a [`Model`], data only. `text` reads, `check` judges by the one
-//! list of expressions (`walk`), `read` is the list of stages. Expressions are still trees over the model's own names ([`expression::Expr`]); the
-//! kinematics stage lowers them, in the order [`Model::order`], into the shared expression DAG.
-//! Invariants: every id is in range; every expression has been checked for type (scalar or
-//! vector) and unit; `order` is topological, so an entity refers only to earlier ones.
+//! In: TOML with expression strings. Out: a [`Model`], data only. `read` is the list of stages: `text` reads, `check`
+//! judges every expression that `walk` lists. Expressions are still trees over the model's own names
+//! ([`expression::Expr`]); the kinematics stage lowers them into the shared expression DAG, in the order
+//! [`Model::order`]. Invariants: every id is in range; every expression has been checked for type (scalar or vector)
+//! and unit; `order` is topological, so an entity refers only to earlier ones.
 
 mod check;
 mod closed_loop;

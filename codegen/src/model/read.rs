@@ -1,4 +1,4 @@
-//! Model text -> [`Model`]: the stages in order, each ending with all its errors at once.
+//! Model text -> [`Model`]: runs the stages in order; each reports all its errors before the next one starts.
 
 use std::io::Read;
 use std::path::{Path, PathBuf};
@@ -16,10 +16,10 @@ use crate::source::{Source, Span};
 
 /// Largest model text in bytes.
 const LARGEST_TEXT: usize = 1 << 20;
-/// Most marks of values, keys and lines in it: some eight for each of the entries that are allowed.
+/// Most marks (of values, keys and lines) in a text: some eight for each of the entries that are allowed.
 const MOST_MARKS: usize = 80_000;
 
-/// A model may extend a model that extends a model ... at most this often.
+/// Longest chain of models that extend one another.
 const LONGEST_CHAIN: usize = 8;
 
 /// Gives the text of the file at a path, or says why it cannot.
@@ -57,7 +57,7 @@ pub fn read_in(folder: &Path, path: &Path) -> Result<Model, Diagnostics> {
     }
 }
 
-/// The text of a file, a little more than [`LARGEST_TEXT`] at most: a pipe or a device would never end.
+/// The text of a file, read to just beyond [`LARGEST_TEXT`] at most, because a pipe or a device may never end.
 fn text_of(path: &Path) -> Result<String, String> {
     let is_file = std::fs::metadata(path).map_err(|e| e.to_string())?.is_file();
     if !is_file {
@@ -78,7 +78,7 @@ pub fn parse_with(path: &str, text: &str, load: Loader<'_>) -> Result<Model, Dia
     if found.has_errors() {
         return Err(found);
     }
-    // The last of the chain is the base of all.
+    // The chain is read from its end, the model that extends no other.
     let mut sections = None;
     for table in tables.iter().rev() {
         sections = Some(extend::extend(sections, repeat::expand(table, &mut found)));
@@ -98,7 +98,7 @@ pub fn parse_with(path: &str, text: &str, load: Loader<'_>) -> Result<Model, Dia
     found.finish(model)
 }
 
-/// The model's own table and those of the models it extends, with all texts.
+/// The tables of the model and of those it extends, with all texts.
 fn chain(path: &str, text: &str, load: Loader<'_>) -> (Source, Vec<Table>, Diagnostics) {
     let mut files = vec![File { path: path.to_owned(), text: text.to_owned() }];
     let (mut tables, mut items) = (Vec::new(), Vec::new());
@@ -166,7 +166,7 @@ fn chain(path: &str, text: &str, load: Loader<'_>) -> (Source, Vec<Table>, Diagn
     (source.clone(), tables, Diagnostics { source, items })
 }
 
-/// Goes on if no error was found.
+/// Ends a stage: passes on the warnings if no error was found.
 fn next_stage(found: Diagnostics) -> Result<Diagnostics, Diagnostics> {
     if found.has_errors() { Err(found) } else { Ok(found) }
 }

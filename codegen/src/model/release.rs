@@ -1,8 +1,9 @@
-//! A joint opened: the model in which what hangs on the outer side of a cut may move against the inner side.
+//! Releases components of a joint, so that the force they transmit appears in an equation of motion.
 //!
-//! In: a model, a cut, the components to be released. Out: the model with one coordinate more a component, which is and
-//! stays 0. The generalised force that keeps its speed at 0 is that component of what the joint transmits: Kane's
-//! auxiliary speeds (Kane and Levinson 1985, section 4.9). All that follows derives it as any other model.
+//! In: a model, a cut, the components to release. Out: the model with one coordinate more per component, by which the
+//! outer side of the cut could move against the inner side; the coordinate stays 0. The generalised force that its
+//! speed would need to stay 0 is that component of the joint's reaction: Kane's auxiliary speeds (Kane and Levinson
+//! 1985, section 4.9). All later stages derive it like any other model.
 
 use super::data::*;
 use super::expression::{Axis, Expr, ExprKind};
@@ -17,27 +18,27 @@ pub const COMPONENTS: usize = 6;
 const AXES: [Axis; 3] = [Axis::X, Axis::Y, Axis::Z];
 const ORIGIN: usize = 0;
 
-/// Where a mechanism is cut: at a point, what hangs on it being the outer side; with a frame, what turns with it.
+/// Where a mechanism is cut. Everything reached from `point`, or that turns with `frame`, is the outer side.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Cut {
-    /// Where the force acts, and what moments are about.
+    /// The point where the force acts and about which moments are taken.
     pub point: PointId,
-    /// What turns on the outer side; none where no moment is asked for.
+    /// The frame that turns with the outer side; `None` if no moment is asked for.
     pub frame: Option<FrameId>,
 }
 
-/// What an expression reads of the two sides.
+/// How an expression depends on the two sides of the cut.
 #[derive(Clone, Copy, Default)]
 struct Reads {
-    /// An axis that turns with the outer side.
+    /// It contains an axis that turns with the outer side.
     turning: bool,
-    /// The point of the cut.
+    /// It contains the point of the cut.
     cut: bool,
-    /// Any point.
+    /// It contains any point.
     point: bool,
-    /// A point of the outer side.
+    /// It contains a point of the outer side.
     outer: bool,
-    /// A point whose place depends on how the outer side turns.
+    /// It contains a point whose position depends on the attitude of the outer side.
     swept: bool,
 }
 
@@ -51,20 +52,21 @@ struct Sides<'m> {
     /// By point: is it on the outer side?
     outer: IdVec<PointId, bool>,
     swept: IdVec<PointId, bool>,
-    /// Ways to points that begin at the cut: the point and the way's place among its own.
+    /// Expressions of points that lead from the cut to the outer side: the point, and the number of the expression
+    /// among those that its declaration gives.
     starts: Vec<(PointId, usize)>,
-    /// Bodies of the outer side whose centres both sides share.
+    /// Bodies of the outer side whose mass centre is a point that both sides share.
     sharing: Vec<BodyId>,
-    /// The first point that turns with the outer side though it is reached otherwise.
+    /// The first point that turns with the outer side but is not reached from the cut.
     stray: Option<PointId>,
 }
 
 impl Model {
-    /// The model with so many components of the joint released; 0 to 2 displace, 3 to 5 turn, along the frame's axes or,
-    /// without a frame, along N's.
+    /// The model with these components of the joint released: 0 to 2 are displacements, 3 to 5 rotations, along the
+    /// axes of the frame of the cut or, without a frame, along those of N.
     ///
     /// # Errors
-    /// If the cut does not part the model in two sides.
+    /// If the cut does not separate the model into two sides.
     pub(crate) fn released(&self, cut: Cut, components: &[usize]) -> Result<Self, Diagnostic> {
         let sides = Sides::new(self, cut)?;
         let mut model = self.clone();
@@ -103,7 +105,8 @@ impl Model {
         Ok(model)
     }
 
-    /// An independent coordinate that never leaves 0, and its speed. No name of a model has a space.
+    /// Adds an independent coordinate that stays 0, and its speed. Its name has a space, so that it equals no name of a
+    /// model.
     fn add_locked(&mut self, component: usize, span: Span) -> CoordinateId {
         let unit = if component < 3 { "m" } else { "rad" };
         let name = format!("released {component}");
@@ -231,7 +234,7 @@ impl<'m> Sides<'m> {
         self.swept[id] |= velocity.is_some_and(|reads| reads.turning || reads.swept);
     }
 
-    /// A body that turns with the outer side belongs to it, though its centre may be the joint's own point.
+    /// Collects the bodies that turn with the outer side although their mass centre is the joint's own point.
     fn bodies(&mut self) -> Result<(), Diagnostic> {
         for (id, body) in self.model.bodies.enumerate() {
             let turns = body.frame.is_some_and(|frame| self.turning[frame]);
@@ -247,12 +250,12 @@ impl<'m> Sides<'m> {
         Ok(())
     }
 
-    /// At the point of the cut, or at O where no point is named.
+    /// Does the expression start at the point of the cut? For a cut at O it does if it names no point.
     fn begins_at_cut(&self, reads: Reads) -> bool {
         reads.cut || (self.cut.point.index() == ORIGIN && !reads.point)
     }
 
-    /// Displaces the outer side.
+    /// Adds the displacement `by` to everything on the outer side.
     fn displace(&self, model: &mut Model, by: &Expr) {
         if self.cut.frame.is_none() {
             let position = &mut model.points[self.cut.point].position;
@@ -296,7 +299,7 @@ impl<'m> Sides<'m> {
     }
 }
 
-/// Every way to a point that its declaration states.
+/// All expressions for a point that its declaration gives: its position, and its closures.
 fn ways(point: &Point) -> impl Iterator<Item = &Expr> {
     std::iter::once(&point.position).chain(&point.closures)
 }

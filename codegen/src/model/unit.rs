@@ -97,7 +97,7 @@ impl Unit {
         Some(Self { exponents })
     }
 
-    /// Unit of a product; none beyond all bounds.
+    /// Unit of a product; `None` if an exponent becomes too large.
     #[must_use]
     pub fn times(self, other: Self) -> Option<Self> {
         self.combine(other, 1)
@@ -120,7 +120,7 @@ impl Unit {
     }
 }
 
-/// Units with a name of their own in messages.
+/// Units that have a name of their own in messages.
 const NAMED: [(&str, Unit); 6] = [
     ("N", Unit::FORCE),
     ("Pa", Unit::integers([1, -1, -2, 0, 0])),
@@ -162,7 +162,7 @@ impl fmt::Display for Unit {
 pub struct Scale {
     /// Its dimension.
     pub unit: Unit,
-    /// SI value of one of it.
+    /// Its value in SI units.
     pub factor: f64,
 }
 
@@ -212,7 +212,7 @@ pub fn names() -> impl Iterator<Item = &'static str> {
     NAMES.iter().map(|(name, ..)| *name)
 }
 
-/// What an unknown name stands for elsewhere: two units without a space, or a unit in full.
+/// What an unknown name probably means: two units without a space between them, or a unit written out.
 #[must_use]
 pub fn meant(name: &str) -> Option<String> {
     const WORDS: [(&str, &str); 11] = [

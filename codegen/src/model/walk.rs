@@ -1,14 +1,14 @@
-//! Every expression of a model with its role: the one list that all checks and passes go through.
+//! Lists every expression of a model with its role; all checks and passes use this one list.
 //!
-//! In: a [`Model`]. Out: pairs of [`Role`] and [`Expr`]. Each record is taken apart field by field, so that a field
-//! that is added does not compile until it is said here whether it holds an expression; a role that is added does
-//! not compile until units and dependences say what they ask of it.
+//! In: a [`Model`]. Out: pairs of [`Role`] and [`Expr`]. Every struct is destructured field by field, so that a new
+//! field does not compile until this file says whether it holds an expression; a new role does not compile until the
+//! checks of units and dependences say what they require of it.
 
 use super::data::*;
 use super::expression::Expr;
 use super::ids::*;
 
-/// What an expression is the value of.
+/// What an expression states in the model.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Role {
     /// A parameter's default.
@@ -17,15 +17,15 @@ pub enum Role {
     Definition(DefinitionId),
     /// A part of a frame's orientation: an angle, a unit vector.
     Orientation(FrameId, OrientationPart),
-    /// A vector fixed in a frame, by its place among them.
+    /// A vector fixed in a frame, by its index among them.
     FixedVector(FrameId, usize),
     /// A component of that vector.
     FixedComponent(FrameId, usize),
     /// A point's position.
     Position(PointId),
-    /// Another way to a point.
+    /// Another expression for a point's position, which closes a loop.
     Closure(PointId),
-    /// A point's velocity where it is stated.
+    /// A point's velocity, where the model states it.
     StatedVelocity(PointId),
     /// A body's mass.
     Mass(BodyId),
@@ -55,23 +55,23 @@ pub enum Role {
     Torque,
     /// Stiffness of a spring between points.
     Stiffness,
-    /// Its length without tension.
+    /// Its rest length.
     RestLength,
     /// Its damping.
     Damping,
     /// Stiffness of a spring on a coordinate.
     CoordinateStiffness(CoordinateId),
-    /// Its value without force.
+    /// Its value at rest.
     CoordinateRest(CoordinateId),
     /// Its damping.
     CoordinateDamping(CoordinateId),
-    /// An output, by its place among them.
+    /// An output, by its index.
     Output(usize),
     /// A length of a shape that pictures show.
     Size,
 }
 
-/// The list as it grows.
+/// The list under construction.
 type List<'m> = Vec<(Role, &'m Expr)>;
 
 impl Model {

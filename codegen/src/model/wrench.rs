@@ -1,7 +1,7 @@
-//! The wrench on a port as six inputs: a force at its point and a moment about it, along N's axes.
+//! Adds the wrench at a port as six inputs: a force at its point and a moment about it, along the axes of N.
 //!
-//! In: a model and one of its ports. Out: the model with the inputs, and the force and the torque that they are. All
-//! that follows derives them as any other load.
+//! In: a model and one of its ports. Out: the model with these inputs and the force and torque that they command. All
+//! later stages derive them like any other load.
 
 use super::data::*;
 use super::expression::{Axis, Expr, ExprKind};
@@ -10,7 +10,7 @@ use super::unit::Unit;
 use crate::diagnostic::Diagnostic;
 use crate::id::Id;
 
-/// Components of a wrench: how the inputs end, unit, what they are.
+/// The two halves of a wrench: the ending of the inputs' names, and their unit.
 const COMPONENTS: [(&str, &str); 2] = [("force", "N"), ("moment", "N m")];
 const AXES: [(&str, Axis); 3] = [("x", Axis::X), ("y", Axis::Y), ("z", Axis::Z)];
 

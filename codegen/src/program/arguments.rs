@@ -1,13 +1,13 @@
-//! The arguments of a program's answers in their order: t, q, u, inputs, given u', prepared values.
+//! The arguments of a program's answers, in order: t, q, u, inputs, given u', prepared values.
 //!
-//! In: slices of the state. Out: one list, or [`Fault::Shape`] where a slice has not the program's length.
-//! Interpreter and compiled code take them from here, so that they refuse the same calls.
+//! In: slices of the state. Out: one list, or [`Fault::Shape`] if a slice does not have the program's length.
+//! Interpreter and compiled code both use this, so that they reject the same calls.
 
 use super::derived::Program;
 use smartbed_runtime::mechanism::Fault;
 use smartbed_runtime::real::Real;
 
-/// Values of t, q, u, inputs, of u' where answers take it as given, and of what depends on parameters alone.
+/// Values of t, q, u, inputs, of u' if an answer takes it, and of everything that depends on parameters alone.
 #[derive(Clone, Debug)]
 pub struct Arguments<S> {
     n_q: usize,
@@ -18,7 +18,7 @@ pub struct Arguments<S> {
 }
 
 impl<S: Real> Arguments<S> {
-    /// Zeros; `n_prepared` values come last.
+    /// All zeros; the last `n_prepared` values are the prepared ones.
     #[must_use]
     pub fn new(program: &Program, n_prepared: usize) -> Self {
         let (n_q, n_u, n_inputs) = (program.q.len(), program.u.len(), program.inputs.len());
@@ -51,7 +51,7 @@ impl<S: Real> Arguments<S> {
         &self.values
     }
 
-    /// Where the prepared values go.
+    /// The prepared values, to be filled in.
     pub fn prepared_mut(&mut self) -> &mut [S] {
         let first = 1 + self.n_q + self.n_u + self.n_inputs + self.n_u_dot;
         &mut self.values[first..]
@@ -72,7 +72,7 @@ impl<S: Real> Arguments<S> {
         Ok(())
     }
 
-    /// Sets given derivatives of the speeds; none are taken where no answer reads them.
+    /// Sets given derivatives of the speeds; the slice must be empty if no answer takes them.
     ///
     /// # Errors
     /// [`Fault::Shape`] if the slice has not the stated length.
@@ -85,12 +85,12 @@ impl<S: Real> Arguments<S> {
         Ok(())
     }
 
-    /// Sets the time; all else stays.
+    /// Sets the time and nothing else.
     pub fn set_time(&mut self, t: S) {
         self.values[0] = t;
     }
 
-    /// Sets the state; time and inputs stay.
+    /// Sets the state; time and inputs are kept.
     ///
     /// # Errors
     /// [`Fault::Shape`] if a slice has not the stated length.
@@ -103,7 +103,7 @@ impl<S: Real> Arguments<S> {
         Ok(())
     }
 
-    /// Sets the coordinates; all else stays.
+    /// Sets the coordinates and nothing else.
     ///
     /// # Errors
     /// [`Fault::Shape`] if the slice has not the stated length.
@@ -115,7 +115,7 @@ impl<S: Real> Arguments<S> {
         Ok(())
     }
 
-    /// Takes the answer `rates` apart: q', u', and the worst pivot, which is returned.
+    /// Splits the results of `rates` into q' and u'; returns the worst pivot.
     ///
     /// # Errors
     /// [`Fault::Shape`] if a slice has not the stated length.

@@ -1,4 +1,4 @@
-//! A program from what the stages have found: constraints solved, dynamics, answers.
+//! Builds a program from the results of the stages: solved constraints, dynamics, answers.
 
 use super::answer::Answered;
 use super::derived::{Origin, Program, Quantity, Rates};
@@ -12,11 +12,11 @@ use crate::kinematics::eliminate::{self, Pivot, Solution};
 use crate::kinematics::{self, Algebra, Assembly, Kinematics, projection, redundant};
 use crate::model::{CoordinateId, Model, Speed, SpeedMeaning};
 
-/// The constraints solved, with the algebra, the kinematics and the samples in which they are.
+/// The solution of the constraints, with the algebra, kinematics and samples to which it refers.
 pub(super) type Solved = (Algebra, Kinematics, SampleTable, Solution);
 
-/// Every dependent unknown from the independent speeds; or, where the motion passes dead points of these and some mass
-/// moves with it there, all speeds as state.
+/// Solves the constraints for the dependent unknowns. If the motion passes dead points of the independent speeds, and
+/// every motion there moves some mass, all speeds become state instead.
 pub(super) fn constraints(
     mut alg: Algebra,
     model: &Model,
@@ -55,7 +55,7 @@ pub(super) fn assemble(
     let q_dot: Vec<ExprId> = state.iter().map(|&c| k.rates[c].value(&mut alg, &k)).collect();
     let outputs: Vec<ExprId> =
         model.outputs.iter().map(|o| kinematics::lower_scalar(&mut alg, &k, &o.value)).collect();
-    // Velocity symbols become their values in terms of the independent speeds.
+    // Replaces the symbols of dependent unknowns by their values in the independent speeds.
     let speed_values: Vec<ExprId> = speeds.iter().map(|(_, e)| *e).collect();
     let q_dot = alg.dag.substitute(&q_dot, &dynamics.values);
     let outputs = alg.dag.substitute(&outputs, &dynamics.values);
@@ -105,9 +105,9 @@ pub(super) fn assemble(
     program
 }
 
-/// min over the pivots of |pivot| / nominal; pivots of one nominal size share the scaling.
+/// The minimum over the pivots of |pivot| / nominal; pivots with the same nominal value share the scaling.
 ///
-/// A sine or cosine is left out where its square is a pivot of the same nominal size: the square is never larger.
+/// A sine or cosine is omitted if its square is a pivot of the same nominal value, because the square is never larger.
 fn worst_pivot(dag: &mut Dag, pivots: &[Pivot]) -> ExprId {
     let smaller_square = |pivot: &Pivot| {
         let square = Node::Binary(Binary::Mul, pivot.value, pivot.value);
@@ -140,9 +140,9 @@ fn largest(dag: &mut Dag, residuals: &[ExprId]) -> ExprId {
     })
 }
 
-/// Corrections of the coordinates: those of the unknowns, which are 0 for independent speeds, through q_dot = N u.
+/// Corrections of the coordinates: those of the unknowns (0 for independent speeds), mapped by q_dot = N u.
 ///
-/// Coordinates that share a dependent speed move together (Euler parameters along their own direction).
+/// Coordinates that share a dependent speed move together, as Euler parameters do along their own direction.
 fn correction(
     alg: &mut Algebra,
     k: &Kinematics,
@@ -166,7 +166,7 @@ fn correction(
     corrections
 }
 
-/// The range of what has none.
+/// The range of a quantity for which none is stated.
 const ANY: (f64, f64) = (f64::NEG_INFINITY, f64::INFINITY);
 
 /// Given derivatives of the independent speeds, in their order.
@@ -241,8 +241,8 @@ fn quantities(alg: &Algebra, model: &Model, k: &Kinematics, state: &[CoordinateI
     [q, u, inputs, parameters]
 }
 
-/// A coordinate that is read only by sines and cosines, as it is or in sums and differences that are read
-/// only by them, may be wrapped by whole turns.
+/// Marks coordinates that may be wrapped by whole turns: those used only in sines and cosines, directly or in sums and
+/// differences that are themselves used only there.
 pub(super) fn mark_angles(program: &mut Program) {
     let roots = program.all_roots();
     let dag = &program.dag;

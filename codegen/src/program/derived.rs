@@ -1,4 +1,4 @@
-//! A program as data: its quantities, its answers, and how it was derived.
+//! The data of a program: its quantities, its answers, and how it was derived.
 
 use super::answer::part::Answer;
 use super::answer::request::Function;
@@ -20,7 +20,7 @@ pub struct Program {
     pub doc: String,
     /// Path of the model text as given.
     pub path: String,
-    /// From which text it was derived, and how.
+    /// The model's text and the settings from which it was derived.
     pub origin: Origin,
     /// The expressions of all answers.
     pub dag: Dag,
@@ -38,52 +38,53 @@ pub struct Program {
     pub rates: Rates,
     /// Kinetic and potential energy (J).
     pub energy: [ExprId; 2],
-    /// Power (W) that the drive puts in, where the mechanism follows time or stated velocities.
+    /// Power (W) supplied by the drive, if the model prescribes a motion by time or stated velocities.
     pub drive: Option<ExprId>,
     /// All speeds of the model by name, dependent ones in terms of the independent.
     pub speeds: Vec<(String, ExprId)>,
     /// Requested outputs.
     pub outputs: Vec<(String, ExprId)>,
-    /// Unit and declaration of each of them.
+    /// Unit and place of declaration of each output.
     pub output_facts: Vec<[String; 2]>,
     /// Newton's correction of the dependent coordinates: (index into q, correction).
     pub correction: Vec<(usize, ExprId)>,
-    /// Correction of the speeds where they are redundant: all of them are state, tied by the constraints. Else empty.
+    /// Correction of redundant speeds, which are all state and tied by the constraints; empty if the speeds are
+    /// independent.
     pub speed_correction: Vec<ExprId>,
     /// Largest constraint residual before the correction, implied constraints included.
     pub residual: ExprId,
-    /// Are there constraints that follow from the others at the default parameters, but perhaps not at others?
+    /// Are there constraints that follow from the others at the default parameters but perhaps not at other ones?
     pub has_implied: bool,
-    /// The equations before the elimination, with multipliers; empty unless they are asked for.
+    /// The equations before the elimination, with multipliers; empty unless asked for.
     pub augmented: Augmented,
     /// Given derivatives of the speeds; empty unless an answer takes them.
     pub u_dot: Vec<Quantity>,
-    /// Answers on request.
+    /// The answers that were asked for.
     pub answers: Vec<Answer>,
-    /// Functions that give them, besides those that every program has.
+    /// The functions that return them.
     pub functions: Vec<Function>,
     /// Pivots of all eliminations.
     pub pivots: Vec<Pivot>,
-    /// Number of configurations at which they were screened.
+    /// Number of configurations at which the pivots were screened.
     pub n_samples: usize,
-    /// Solver of dependent coordinates at the start.
+    /// Solver for the dependent coordinates at the start.
     pub assembly: Assembly,
     /// The nominal configuration.
     pub nominal: Vec<f64>,
-    /// Names and values of `[start]`; [`Program::start`] makes a state of them.
+    /// Names and values of `[start]`; [`Program::start`] turns them into a state.
     pub stated_start: Vec<(String, f64)>,
-    /// What only numbers show and is no error: redundant constraints that were dropped.
+    /// Warnings that only numbers show, such as redundant constraints that were dropped.
     pub warnings: Diagnostics,
 }
 
-/// From which text a program was derived, and how.
+/// The model's text and the settings from which a program was derived.
 #[derive(Clone, Debug)]
 pub struct Origin {
     /// Name of the model's file, without its folder.
     pub file: String,
     /// Fingerprint of the model's text, with the files that it extends.
     pub fingerprint: u64,
-    /// Parameters kept and changed.
+    /// Parameters that were kept tunable or changed.
     pub choice: ParameterChoice,
     /// How the equations were derived.
     pub settings: Settings,
@@ -104,7 +105,7 @@ pub struct Rates {
     pub q_dot: Vec<ExprId>,
     /// One per independent speed.
     pub u_dot: Vec<ExprId>,
-    /// Smallest pivot relative to nominal; 1 where nothing is divided by.
+    /// Smallest pivot relative to nominal; 1 if there are no pivots.
     pub worst_pivot: ExprId,
 }
 
@@ -125,16 +126,16 @@ pub struct Quantity {
     pub range: (f64, f64),
     /// File and line of the declaration.
     pub place: String,
-    /// Appears only inside sine and cosine: may be wrapped by whole turns.
+    /// Is it used only in sines and cosines, so that it may be wrapped by whole turns?
     pub is_angle: bool,
 }
 
-/// How a program is derived; the equations are the same whatever is set.
+/// How a program is derived; no setting changes the values that the equations define.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct Settings {
-    /// How hard to look for fewer operations.
+    /// Effort spent on reducing the number of operations.
     pub effort: Effort,
-    /// What the choice between forms of the equations goes by.
+    /// What is minimised when one of several forms of the equations is chosen.
     pub optimise: Optimise,
 }
 

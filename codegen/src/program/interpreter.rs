@@ -1,4 +1,4 @@
-//! A program run by the interpreter: the same operations as the emitted Rust, hence the same bits.
+//! Runs a program by the interpreter: the same operations as the emitted Rust, hence the same bits.
 
 use super::arguments::Arguments;
 use super::derived::{Program, Quantity};
@@ -7,11 +7,11 @@ use crate::expr::{ExprId, Node, SymbolId};
 use smartbed_runtime::mechanism::{Fault, Mechanism};
 use smartbed_runtime::real::Real;
 
-/// A mechanism without a compiler in between.
+/// A mechanism that runs without a compiler.
 #[derive(Clone, Debug)]
 pub struct Interpreted<S> {
     arguments: Arguments<S>,
-    /// From the parameters to the prepared values.
+    /// Computes the prepared values from the parameters.
     prepare: Tape<S>,
     results: Vec<S>,
     corrected: Vec<usize>,
@@ -23,7 +23,7 @@ pub struct Interpreted<S> {
     outputs: Tape<S>,
     drive: Tape<S>,
     speed_projection: Tape<S>,
-    /// One a function on request.
+    /// One tape per requested function.
     functions: Vec<Tape<S>>,
 }
 
@@ -107,7 +107,7 @@ impl<S: Real> Interpreted<S> {
         Ok(values)
     }
 
-    /// The power (W) that the drive puts in; 0 where nothing is driven.
+    /// The power (W) supplied by the drive; 0 if the model is not driven.
     ///
     /// # Errors
     /// [`Fault::Shape`] if a slice has not the stated length.
@@ -118,8 +118,8 @@ impl<S: Real> Interpreted<S> {
         Ok(power[0])
     }
 
-    /// The results of a function on request, by its place in [`Program::functions`]: all parts of all its answers, one
-    /// after the other. `u_dot` is empty where no answer of the program takes it.
+    /// The results of a requested function, by its index in [`Program::functions`]: all parts of all its answers in
+    /// order. `u_dot` is empty if no answer of the program takes it.
     ///
     /// # Errors
     /// [`Fault::Shape`] if a slice has not the stated length, or there is no such function.

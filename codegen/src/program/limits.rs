@@ -1,10 +1,10 @@
-//! What a program's numbers must keep to: the range of single precision, and angles whose sine is known.
+//! Limits on the numbers of a program: the range of single precision, and the angles of its sines and cosines.
 
 use super::derived::Program;
 use crate::expr::{ExprId, Node, Unary};
 use std::collections::BTreeSet;
 
-/// May the number be rounded to single precision: neither infinite there, nor 0 if it is not 0?
+/// Can the number be rounded to single precision without becoming infinite, or 0 if it is not 0?
 #[must_use]
 pub fn fits_single(x: f64) -> bool {
     let rounded = x as f32;
@@ -23,7 +23,7 @@ impl Program {
                 found.name, found.value
             ));
         }
-        // A constant that is too small drops out of a sum; one that is too large makes everything infinite.
+        // A constant that is too small only drops out of a sum; one that is too large makes results infinite.
         let constants =
             self.dag.reachable(&self.all_roots()).into_iter().filter_map(|id| match self.dag.node(id) {
                 Node::Number(number) => Some(number.to_f64()),
@@ -33,8 +33,8 @@ impl Program {
         Some(format!("a constant of the equations, {found:e}, is beyond single precision ({range})"))
     }
 
-    /// The same program with the arguments of all its sines, cosines and tangents as its outputs, each named after
-    /// the coordinates in it.
+    /// The same program whose outputs are the arguments of all its sines, cosines and tangents, each named after the
+    /// coordinates that it contains.
     #[must_use]
     pub fn angles(&self) -> Program {
         let reached = self.dag.reachable(&self.all_roots());

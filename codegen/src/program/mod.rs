@@ -1,7 +1,8 @@
 //! A program: what a mechanism's equations compute, as named answers over one expression DAG.
 //!
-//! In: kinematics and dynamics. Out: for each answer a list of named results; inputs in a fixed
-//! order (t, q, u, inputs, parameters). Both the interpreter and the emitter run exactly these nodes.
+//! In: a model and requests. Out: for each answer a list of named results; arguments in a fixed order (t, q, u, inputs,
+//! parameters). [`derive()`] runs all stages in order. Interpreter and emitter both execute exactly the nodes of this
+//! DAG.
 
 pub mod answer;
 pub mod arguments;
@@ -36,7 +37,7 @@ pub use start::Start;
 /// Derives the program of `model`.
 ///
 /// # Errors
-/// What only numbers show: see the stages.
+/// Faults that only numbers show; see the stages.
 pub fn derive(model: &Model, choice: &ParameterChoice) -> Result<Program, Diagnostics> {
     derive_with(model, choice, Settings::default())
 }
@@ -53,10 +54,10 @@ pub fn derive_with(
     derive_asked(model, choice, settings, &Asked::default())
 }
 
-/// [`derive()`] with answers on request.
+/// [`derive()`] with requests for further answers.
 ///
 /// # Errors
-/// As for [`derive()`]; a request for what is not there.
+/// As for [`derive()`]; also a request for something that does not exist.
 pub fn derive_asked(
     model: &Model,
     choice: &ParameterChoice,
@@ -69,10 +70,11 @@ pub fn derive_asked(
     derive_stages(model, (choice, settings.into()), (asked, &requests), masses)
 }
 
-/// Derives speeds, outputs, projection of a model whose masses are unknown or missing: what needs no mass.
+/// Derives the answers that need no mass (speeds, outputs, projection), for a model whose masses are unknown or
+/// missing.
 ///
 /// # Errors
-/// What only numbers show: frames that are none, constraints that are singular or do not fit.
+/// Faults that only numbers show: frames that are not orthonormal, constraints that are singular or inconsistent.
 pub fn derive_kinematic(
     model: &Model,
     choice: &ParameterChoice,
@@ -85,11 +87,11 @@ pub fn derive_kinematic(
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Masses {
     Read,
-    /// No: they may be unknown or missing.
+    /// No: masses may be unknown or missing.
     Unread,
 }
 
-/// All stages, one after the other.
+/// Runs all stages in order.
 fn derive_stages(
     model: &Model,
     (choice, settings): (&ParameterChoice, Settings),
@@ -112,7 +114,7 @@ fn derive_stages(
     let (k, found) = kinematics::diagnose::check(&mut alg, model, k, &mut table)?;
     warnings.items.extend(found.items);
     let (mut alg, k, mut table, solution) = constraints(alg, model, k, table)?;
-    // The values of the rows have served: their memory is used again.
+    // The values of the rows are not needed any more; their memory is reused.
     table.clear();
     stage::begin(Stage::Dynamics);
     let with_augmented = requests.iter().any(|request| request.kind.name == "augmented");
@@ -144,10 +146,10 @@ fn derive_stages(
     Ok(program)
 }
 
-/// Warnings of what no mechanism has, and of bodies that nothing moves.
+/// Warns of implausible numbers and of bodies that do not move.
 ///
 /// # Errors
-/// Numbers that make the equations meaningless.
+/// Numbers for which the equations are meaningless.
 fn implausible(model: &Model, k: &Kinematics) -> Result<Diagnostics, Diagnostics> {
     let mut found = Diagnostics::new(model.source.clone());
     model.implausible(&k.parameter_values).into_iter().for_each(|item| found.push(item));

@@ -1,14 +1,14 @@
-//! What depends on parameters alone: computed once, and again when a parameter changes.
+//! Prepared values: what depends on parameters alone, computed once and again when a parameter changes.
 //!
-//! An evaluation reads the values at the border: those that depend on parameters only and are used
-//! by something that depends on the state. All operations below that border are `prepare()`'s.
+//! An evaluation uses the values at the border: those that depend on parameters only and are operands of something that
+//! depends on the state. All operations below that border belong to `prepare()`.
 
 use super::derived::Program;
 use crate::expr::{Dag, Dependence, ExprId, Node, NodeSet};
 
 impl Program {
-    /// The values that `roots` need prepared, tunable parameters that are read as they are included,
-    /// in ascending order.
+    /// The values that must be prepared for `roots`, including tunable parameters that are used directly, in ascending
+    /// order.
     #[must_use]
     pub fn prepared(&self, roots: &[ExprId]) -> Vec<ExprId> {
         let dag = &self.dag;
@@ -23,7 +23,7 @@ impl Program {
     }
 }
 
-/// The node below negations, which are free.
+/// The node without its negations, which are free.
 fn unsigned(dag: &Dag, mut id: ExprId) -> ExprId {
     while let Node::Negate(a) = dag.node(id) {
         id = a;

@@ -1,8 +1,8 @@
-//! Shared reciprocals: x/d, y/d -> r = 1/d, x r, y r.
+//! Shares reciprocals: x/d, y/d -> r = 1/d, x r, y r.
 //!
-//! A division costs ten to fifteen multiplications on the targets; one more operation in the count
-//! buys all but one of the divisions by the same divisor. The reciprocal of what depends on parameters
-//! alone is prepared: every division by it is bought.
+//! A division takes as long as ten to fifteen multiplications on the targets; one more operation in the count replaces
+//! all but one of the divisions by the same divisor. The reciprocal of a divisor that depends on parameters alone is
+//! prepared, so that every division by it is replaced.
 
 use super::derived::Program;
 use crate::expr::{Binary, Dependence, ExprId, Node};

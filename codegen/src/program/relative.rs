@@ -1,14 +1,15 @@
-//! The worst pivot relative to the parameters that the mechanism has, not to those it was derived with.
+//! Makes the worst pivot relative to its size at the parameters that are set, instead of those used in the derivation.
 //!
-//! In: the smallest of several pivots, each over its size at the nominal parameters. Out: the same over the sizes that
-//! follow the parameters (`kinematics/sizes.rs`). They are prepared: an evaluation takes no operation more.
+//! In: the smallest of several pivots, each divided by its size at the nominal parameters. Out: the same divided by
+//! sizes that follow the parameters (`kinematics/sizes.rs`). These are prepared, so that an evaluation takes no
+//! additional operation.
 
 use super::derived::Program;
 use crate::expr::number::Number;
 use crate::expr::{Binary, Dag, ExprId, Node, Unary};
 use crate::kinematics::sizes::Sizes;
 
-/// Takes the worst pivot of a program relative to its parameters.
+/// Makes the worst pivot of a program relative to its parameters.
 pub(super) fn to_parameters(program: &mut Program, sizes: &Sizes) {
     let (dag, worst) = (&mut program.dag, program.rates.worst_pivot);
     let (numbers, pivots): (Vec<Number>, Vec<ExprId>) = pivots(dag, worst).into_iter().unzip();
@@ -24,7 +25,7 @@ pub(super) fn to_parameters(program: &mut Program, sizes: &Sizes) {
         let number = dag.number(number);
         let scale = dag.div(number, growth);
         match dag.node(smallest) {
-            // The size last: what compares sizes needs none formed.
+            // Takes the absolute value last: code that compares sizes then need not form it.
             Node::Unary(Unary::Abs, pivot) => {
                 let scaled = dag.mul(scale, pivot);
                 dag.unary(Unary::Abs, scaled)
@@ -33,12 +34,12 @@ pub(super) fn to_parameters(program: &mut Program, sizes: &Sizes) {
         }
     };
     let scaled: Vec<ExprId> = groups.into_iter().map(&mut relative).collect();
-    // The last pivots innermost: ten instructions fewer of the tile's 962 on a Cortex-M4.
+    // Innermost the last pivots: ten instructions fewer of the tile's 962 on a Cortex-M4.
     let smallest = scaled.into_iter().rev().reduce(|a, b| dag.binary(Binary::Min, a, b));
     program.rates.worst_pivot = smallest.unwrap_or(worst);
 }
 
-/// The pivots that an expression is the smallest of, each with the number that it is multiplied with.
+/// The pivots of which an expression is the minimum, each with its numeric factor.
 fn pivots(dag: &mut Dag, worst: ExprId) -> Vec<(Number, ExprId)> {
     let (mut open, mut pivots) = (vec![(Number::ONE, worst)], Vec::new());
     while let Some((number, expr)) = open.pop() {

@@ -1,29 +1,29 @@
-//! Sums of three and more terms, added in the order that rounds least.
+//! Reorders sums of three and more terms so that they round least.
 //!
-//! (a + b) + c = a + (b + c): the error of a sum is at most the sum of its partial sums' sizes times the rounding,
-//! so those that are small, because their terms are or because they cancel, come first. Greedy: always the two whose sum is
-//! smallest over the sampled states. As many operations as before, in any scalar.
+//! (a + b) + c = a + (b + c): the error of a sum is at most one rounding times the sum of the sizes of its partial
+//! sums. So small partial sums come first, those of small terms and those that cancel. Greedy: each time the two terms
+//! are added whose sum is smallest over the sampled states. As many operations as before, in any scalar.
 
 use super::derived::Program;
 use crate::expr::tape::SampleTable;
 use crate::expr::{Binary, Dag, Dependence, ExprId, Node};
 use crate::id::Id;
 
-/// Longer sums stay: every pair of terms is tried.
+/// Sums with more terms are left alone, because every pair of terms is tried.
 const MOST_TERMS: usize = 40;
-/// Programs with more values over all samples stay: they would fill the memory.
+/// Programs with more values over all samples are left alone, because they would fill the memory.
 const MOST_VALUES: usize = 4_000_000;
-/// A new order must have partial sums this much smaller than the old one.
+/// A new order is used only if its partial sums are smaller than the old ones by this factor.
 const WORTH: f64 = 0.9;
 
-/// Reorders the sums of all answers; nothing happens where that would take more operations.
+/// Reorders the sums of all answers, unless that would take more operations.
 pub(super) fn sums(program: &mut Program, table: &mut SampleTable) {
     let roots = program.groups().concat();
     if program.dag.reachable(&roots).len() * table.points() > MOST_VALUES {
         return;
     }
     let inner = inner_sums(&program.dag, &roots);
-    // Few nodes of the equations are left: their values would only take up fresh memory beside those of the program.
+    // Few nodes of the equations remain in use: their values would occupy memory beside those of the program.
     table.clear();
     let image = program.dag.rebuild(&roots, |dag, id, image| {
         if inner[id.index()] {
@@ -32,7 +32,7 @@ pub(super) fn sums(program: &mut Program, table: &mut SampleTable) {
         let (terms, partial_sums) = taken_apart(dag, id, &inner)?;
         let old: f64 = partial_sums.into_iter().map(|sum| size(table.values(dag, sum).iter().copied())).sum();
         let (order, new) = order(terms.iter().map(|term| term.values(dag, table)).collect());
-        // Not-a-number, where a sample lies outside a function's domain, is no reason to reorder.
+        // NaN, which occurs if a sample lies outside a function's domain, is no reason to reorder.
         if old.is_nan() || new > WORTH * old {
             return None;
         }
@@ -50,7 +50,7 @@ pub(super) fn sums(program: &mut Program, table: &mut SampleTable) {
     }
 }
 
-/// Sums that stand inside one other sum only and are read nowhere else.
+/// Sums that are operands of exactly one other sum and of nothing else.
 fn inner_sums(dag: &Dag, roots: &[ExprId]) -> Vec<bool> {
     let order = dag.reachable(roots);
     let n = order.last().map_or(0, |id| id.index() + 1);
@@ -68,7 +68,7 @@ fn inner_sums(dag: &Dag, roots: &[ExprId]) -> Vec<bool> {
     inner
 }
 
-/// A sum without a label of its own.
+/// Is it a sum without a label?
 fn is_sum(dag: &Dag, id: ExprId) -> bool {
     dag.label_of(id).is_none() && has_terms(dag, id)
 }
@@ -101,7 +101,7 @@ impl Term {
     }
 }
 
-/// The terms of a sum, if they are three or more and not too many, and the partial sums that stand, the total left out.
+/// The terms of a sum, if there are at least three and not too many, and the existing partial sums except the total.
 fn taken_apart(dag: &Dag, sum: ExprId, inner: &[bool]) -> Option<(Vec<Term>, Vec<ExprId>)> {
     if !has_terms(dag, sum) {
         return None;
@@ -130,7 +130,8 @@ fn size(values: impl ExactSizeIterator<Item = f64>) -> f64 {
     (values.map(|x| x * x).sum::<f64>() / n).sqrt()
 }
 
-/// Which sum takes in which, in order, and the sizes of the partial sums, the total left out.
+/// The order of the additions, as pairs of indices (the sum replaces the first), and the total size of the partial
+/// sums, without the final sum.
 fn order(mut sums: Vec<Vec<f64>>) -> (Vec<(usize, usize)>, f64) {
     let size_of = |a: &[f64], b: &[f64]| size(a.iter().zip(b).map(|(a, b)| a + b));
     let mut pairs: Vec<(usize, usize, f64)> = Vec::new();
@@ -140,7 +141,7 @@ fn order(mut sums: Vec<Vec<f64>>) -> (Vec<(usize, usize)>, f64) {
     pairs.sort_by_key(|&(i, j, _)| (i, j));
     let (mut order, mut total) = (Vec::new(), 0.0);
     while let Some(&(first, second, _)) = pairs.first() {
-        // Where no sum is a number, the first two.
+        // If no sum is a number, the first two terms.
         let mut best = (first, second, f64::INFINITY);
         for &pair in &pairs {
             best = if pair.2 < best.2 { pair } else { best };

@@ -1,4 +1,4 @@
-//! The results of a program as roots of its DAG, and what replaces them all.
+//! The results of a program as roots of its DAG, and functions that replace all of them.
 
 use super::answer::Answer;
 use super::derived::Program;
@@ -23,7 +23,7 @@ impl Program {
         roots
     }
 
-    /// The results of all answers on request.
+    /// The results of all requested answers.
     fn asked_roots(&self) -> Vec<ExprId> {
         self.answers.iter().flat_map(Answer::roots).collect()
     }
@@ -34,13 +34,13 @@ impl Program {
         self.rates.q_dot.iter().chain(&self.rates.u_dot).copied().collect()
     }
 
-    /// Operations of one evaluation of q' and u', parameters at run time and prepared.
+    /// Operations in one evaluation of q' and u': at run time, and of parameters alone.
     #[must_use]
     pub fn operations(&self) -> usize {
         self.dag.state_cost(&self.forward_dynamics())
     }
 
-    /// Puts expressions in the place of symbols, in every result.
+    /// Substitutes expressions for symbols in every result.
     pub(super) fn substitute(&mut self, replacement: &HashMap<SymbolId, ExprId>) {
         if replacement.is_empty() {
             return;
@@ -53,7 +53,7 @@ impl Program {
         }
     }
 
-    /// Replaces every result by its image (results keep their meaning).
+    /// Replaces every result by its image, which must have the same value.
     pub(super) fn map_roots(&mut self, mut image: impl FnMut(ExprId) -> ExprId) {
         self.map_answers(&mut image);
         let augmented = &mut self.augmented;
@@ -64,8 +64,8 @@ impl Program {
         }
     }
 
-    /// All results but those of the augmented form: forward dynamics with the worst pivot, then the others, then those
-    /// on request.
+    /// All results except those of the augmented form, in groups: forward dynamics with the worst pivot, then the other
+    /// answers of every program, then the requested answers.
     pub(super) fn groups(&self) -> Vec<Vec<ExprId>> {
         let mut rates = self.forward_dynamics();
         rates.push(self.rates.worst_pivot);

@@ -1,4 +1,4 @@
-//! All answers expressed anew by the value graph, forward dynamics first.
+//! Shortens all answers by the value graph, forward dynamics first.
 
 use super::derived::Program;
 use crate::expr::tape::SampleTable;
@@ -6,16 +6,16 @@ use crate::expr::{ExprId, Node, SymbolId};
 use crate::value::{self, Effort, Search, States};
 use rustc_hash::FxHashMap as HashMap;
 
-/// Samples at the end of the table that are watched besides the nominal and the worst ones.
+/// Number of samples at the end of the table at which round-off is watched, besides the nominal and the worst ones.
 const RANDOM: usize = 2;
-/// Pivots, the weakest first, at whose worst samples round-off is watched.
+/// Number of pivots, the weakest first, at whose worst samples round-off is watched.
 const PIVOTS: usize = 4;
 
-/// Place of the answers on request among the groups: who asks for one waits for it, and it may take thousands of
-/// operations, so that a search over pairs of values is worth its time at the default effort too.
+/// Index of the requested answers among the groups. They may take thousands of operations, so that a search over pairs
+/// of values is worth its time even at the default effort.
 const ON_REQUEST: usize = 2;
 
-/// Rewrites the answers of a program; the augmented form stays as it is.
+/// Rewrites the answers of a program; the augmented form is left alone.
 pub(super) fn answers(program: &mut Program, table: &mut SampleTable, effort: Effort) {
     let n = table.points();
     let chosen = watched(program, table);
@@ -32,7 +32,7 @@ pub(super) fn answers(program: &mut Program, table: &mut SampleTable, effort: Ef
     program.map_answers(|e| image[&e]);
 }
 
-/// Nominal, where the weakest pivots are smallest, and some random samples.
+/// Indices of the watched samples: the nominal one, those where the weakest pivots are smallest, and some random ones.
 fn watched(program: &Program, table: &mut SampleTable) -> Vec<usize> {
     let n = table.points();
     let mut watched: Vec<usize> = vec![0];
@@ -48,7 +48,7 @@ fn watched(program: &Program, table: &mut SampleTable) -> Vec<usize> {
     watched
 }
 
-/// The chosen samples of the table, with its random speeds and inputs.
+/// The values of all symbols at the chosen samples, including random speeds and inputs.
 fn states(program: &Program, table: &mut SampleTable, chosen: &[usize]) -> States {
     let mut symbols: HashMap<SymbolId, Vec<f64>> = HashMap::default();
     let groups = [&program.q, &program.u, &program.inputs, &program.u_dot, &program.parameters];
@@ -56,7 +56,8 @@ fn states(program: &Program, table: &mut SampleTable, chosen: &[usize]) -> State
     for symbol in quantities.chain([program.time]) {
         if let Some(expr) = program.dag.find(Node::Symbol(symbol)) {
             let values = table.values(&program.dag, expr);
-            // Without values, where every sample is at time 0, time counts as 1: loads that begin at 0 are watched too.
+            // If all samples are at time 0, the time is left out and counts as 1, so that loads that begin at 0 are
+            // watched too.
             if symbol == program.time && values.iter().all(|&t| t == 0.0) {
                 continue;
             }

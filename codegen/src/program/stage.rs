@@ -1,4 +1,4 @@
-//! What a derivation is at: told to whoever shows it while it takes long. Nothing that is derived depends on it.
+//! The stage that a derivation is in, for a progress display. Nothing that is derived depends on it.
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -13,7 +13,7 @@ pub(crate) enum Stage {
     Sums,
 }
 
-/// In words.
+/// The stages in words.
 const NAMES: [&str; 6] = [
     "positions and velocities",
     "constraints",
@@ -23,7 +23,7 @@ const NAMES: [&str; 6] = [
     "order of sums",
 ];
 
-/// The stage begun last, of whichever derivation of the process.
+/// The stage begun last, by any derivation in this process.
 static LAST: AtomicUsize = AtomicUsize::new(0);
 
 /// Begins a stage.

@@ -1,7 +1,7 @@
-//! Where a motion starts: the model's `[start]` as coordinates and speeds.
+//! The start of a motion: the model's `[start]` as coordinates and speeds.
 //!
-//! In: what `[start]` states. Out: a configuration that meets the constraints, on the branch of the nominal one, and the
-//! independent speeds; what is not stated is nominal, or 0.
+//! In: what `[start]` states. Out: a configuration that satisfies the constraints, on the branch of the nominal one,
+//! and the independent speeds. Coordinates that are not stated are nominal, speeds 0.
 
 use super::derived::Program;
 use crate::model::{Model, StartRef};
@@ -28,7 +28,7 @@ impl Program {
     /// The model's start.
     ///
     /// # Errors
-    /// Why there is none: it cannot be assembled, or it states some of several speeds that the constraints tie.
+    /// The configuration cannot be assembled, or `[start]` states only some of several speeds that the constraints tie.
     pub fn start(&self) -> Result<Start, String> {
         let stated =
             |name: &str| self.stated_start.iter().find(|(of, _)| of == name).map(|(_, value)| *value);

@@ -1,8 +1,8 @@
-//! Functions of the emitted file and what they return.
+//! Functions of the emitted file and their return types.
 //!
-//! In: functions as they are asked for. Out: their names, types and values in Rust. An answer that every program has is a
-//! tuple of its parts; one on request is a struct with a field for each part; several asked together are a struct with a
-//! field for each answer.
+//! In: the requested functions. Out: their names, types and values in Rust. An answer that every program has is
+//! returned as a tuple of its parts, a requested one as a struct with a field per part; a function with several answers
+//! returns a struct with a field per answer.
 
 use super::layout::{self, PLAIN_STRUCT, UNREAD};
 use super::name::{self, NEAR, Scope};
@@ -12,42 +12,42 @@ use crate::program::Program;
 use crate::program::answer::{Answer, Function, Part, Request, Shape};
 use std::collections::BTreeMap;
 
-/// Operations by kind.
+/// Number of operations by kind.
 pub(super) type Cost = BTreeMap<&'static str, usize>;
 
 /// A function to be emitted.
 pub(super) struct Emitted {
     /// Its name.
     pub name: String,
-    /// What it gives.
+    /// What it returns, for its documentation.
     pub doc: String,
     answers: Vec<Field>,
-    /// What it does with the sines and cosines that the functions of a step share.
+    /// How it treats the sines and cosines that the functions of a step share.
     pub role: Role,
-    /// The struct that several answers are fields of.
+    /// The struct with a field per answer, if there are several.
     together: Option<String>,
 }
 
-/// The part that a function has in a step.
+/// The role of a function in a step with shared sines and cosines.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Role {
-    /// None.
+    /// It shares nothing.
     Alone,
-    /// It is the first, and hands on its sines and cosines.
+    /// The first evaluation: it returns its sines and cosines.
     First,
-    /// It goes on from them.
+    /// A later evaluation at angles close by: it starts from those sines and cosines.
     Close,
 }
 
-/// An answer and what it is called.
+/// An answer and its name in Rust.
 struct Field {
     answer: Answer,
     name: String,
-    /// Its struct, unless it is a tuple.
+    /// The name of its struct; `None` if it is a tuple.
     structure: Option<String>,
 }
 
-/// The functions of a file, in its order; an answer that the program does not have is left out.
+/// The functions of a file, in order; answers that the program does not have are omitted.
 pub(super) fn functions(program: &Program, options: &EmitOptions) -> Vec<Emitted> {
     let mut asked: Vec<(Function, Role)> = Vec::new();
     if options.functions.is_empty() {
@@ -90,7 +90,7 @@ pub(super) fn functions(program: &Program, options: &EmitOptions) -> Vec<Emitted
     emitted
 }
 
-/// The first evaluation of a step with the correction beside it, and the others.
+/// The functions of a step: the first evaluation together with the correction, and the later evaluations.
 fn functions_of_a_step() -> [(Function, Role); 2] {
     let requests = |names: &[&str]| names.iter().map(|name| Request::new(name)).collect();
     let first = requests(&["rates", "projection", "speed_projection"]);
@@ -106,17 +106,17 @@ impl Emitted {
         self.answers.iter().flat_map(|field| field.answer.roots()).collect()
     }
 
-    /// Does it take derivatives of the speeds?
+    /// Does it take derivatives of the speeds as an argument?
     pub fn takes_u_dot(&self) -> bool {
         self.answers.iter().any(|field| field.answer.takes_u_dot)
     }
 
-    /// Does it answer this?
+    /// Does it return this answer?
     pub fn gives(&self, answer: &str) -> bool {
         self.answers.iter().any(|field| field.answer.name == answer)
     }
 
-    /// The structs of its answers that are not among `defined` yet, and its own.
+    /// The structs of its answers that are not in `defined` yet, and its own.
     pub fn structures(&self, defined: &mut Vec<String>, handed_on: usize, runtime: &str) -> String {
         let mut text = String::new();
         for field in &self.answers {
@@ -156,7 +156,7 @@ impl Emitted {
         }
     }
 
-    /// The expression of what it returns, from those of all results.
+    /// The expression of its return value, from the expressions of all results.
     pub fn result(&self, results: &[String], near: Option<String>) -> String {
         let mut rest = results;
         let mut values = self.answers.iter().map(|field| field.value(&mut rest)).collect::<Vec<_>>();
@@ -184,7 +184,7 @@ impl Field {
         }
     }
 
-    /// Takes its results off the list.
+    /// The expression of this answer, whose results are removed from the front of the list.
     fn value(&self, results: &mut &[String]) -> String {
         let mut values: Vec<String> = Vec::new();
         for part in &self.answer.parts {
@@ -194,7 +194,7 @@ impl Field {
             values.push(match part.shape {
                 Shape::Number => own.concat(),
                 Shape::List(_) => list(own),
-                // A row may be empty: of a Jacobian, where nothing but time moves.
+                // A row may be empty, as in the Jacobian of a mechanism that moves with time alone.
                 Shape::Matrix(rows, columns) => list(
                     &(0..rows).map(|row| list(&own[row * columns..(row + 1) * columns])).collect::<Vec<_>>(),
                 ),
@@ -220,7 +220,7 @@ fn type_of(part: &Part) -> String {
     }
 }
 
-/// What a part is, with what its entries belong to.
+/// The documentation of a part, including the names of its entries.
 fn sentence(part: &Part) -> String {
     match part.labels.is_empty() {
         true => name::sentence(&part.doc, part.name),

@@ -1,7 +1,7 @@
-//! What a function costs before any compiler has seen it.
+//! Cost of a function, independent of any compiler.
 //!
-//! In: a program and a function of it. Out: operations of an evaluation, and how many values wait at once: what finds no
-//! register goes through the stack.
+//! In: a program and a function of it. Out: operations per evaluation, and the largest number of values alive at once
+//! (register pressure): values that find no register go through the stack.
 
 use super::options::EmitOptions;
 use super::prepared::Prepared;
@@ -14,11 +14,11 @@ use crate::program::answer::Function;
 pub struct FunctionCost {
     /// Operations of an evaluation.
     pub operations: usize,
-    /// Most values that wait for a reader at once, arguments from their first reader on and results to the end.
+    /// Largest number of values alive at once; arguments count from their first use, results to the end.
     pub values_alive: usize,
 }
 
-/// Cost of a function, its statements in the order that `options` ask for.
+/// Cost of a function whose statements are in the order for `options`.
 #[must_use]
 pub fn cost(program: &Program, function: &Function, options: &EmitOptions) -> FunctionCost {
     let roots = program.function_roots(function);

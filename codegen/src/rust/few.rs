@@ -1,4 +1,4 @@
-//! A list of a few elements without a heap.
+//! A list of at most a few elements, without heap allocation.
 
 use std::ops::{Deref, DerefMut};
 
@@ -19,7 +19,7 @@ impl<T, const N: usize> Few<T, N> {
     /// Appends an element.
     ///
     /// # Panics
-    /// If there is no room: a fault of the emitter.
+    /// If the list is full: a fault of the emitter.
     pub fn push(&mut self, item: T) {
         self.items[self.n] = item;
         self.n += 1;

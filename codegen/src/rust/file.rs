@@ -1,4 +1,4 @@
-//! The emitted file, from its first line to its last.
+//! Assembles the emitted file, from its first line to its last.
 
 use super::answer::{self, Cost, Role};
 use super::options::EmitOptions;
@@ -8,7 +8,7 @@ use super::{function, glue, header, items, name};
 use crate::expr::{Dependence, ExprId};
 use crate::program::Program;
 
-/// The formatted source text; answers that the program does not have are left out.
+/// The formatted source text; answers that the program does not have are omitted.
 #[must_use]
 pub fn emit(program: &Program, options: &EmitOptions) -> String {
     let functions = answer::functions(program, options);

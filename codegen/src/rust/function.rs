@@ -1,4 +1,4 @@
-//! Functions of the emitted file: one an answer, and the one that prepares what depends on parameters alone.
+//! Emits functions: one per answer or group of answers, and the one that computes the prepared values.
 
 use super::answer::{Cost, Emitted};
 use super::layout::{self, PLAIN_STRUCT, STRAIGHT_LINE};
@@ -40,7 +40,7 @@ pub(super) fn prepare(
     )
 }
 
-/// One answer, or several together, as a function.
+/// Emits one answer, or several together, as a function.
 pub(super) fn answer(
     program: &Program,
     (function, sines): (&Emitted, Sines),
@@ -62,7 +62,7 @@ pub(super) fn answer(
     )
 }
 
-/// What the arguments are, as lines of documentation.
+/// The documentation of the arguments.
 fn arguments(takes_u_dot: bool, sines: Sines) -> String {
     let mut text = "\
 /// - `t`: time (s)

@@ -1,4 +1,4 @@
-//! The struct that joins an emitted file to the runtime's `Mechanism` trait.
+//! Emits the struct that implements the runtime's `Mechanism` trait for a program.
 
 use super::options::ScalarType;
 use super::{layout, name};
@@ -131,7 +131,7 @@ $speed_projection$energy        let (Ok(q), Ok(u)) = (<&[S; NQ]>::try_from(q), <
 }
 ";
 
-/// What stands for the placeholders of time: nothing is kept where projection and energy do not read it.
+/// Replacements for the placeholders of time; empty if neither projection nor energy depends on time.
 const TIME: [(&str, &str, &str); 5] = [
     ("$time_field", "    time: S,\n", ""),
     ("$time_start", "            time: <S as Real>::ZERO,\n", ""),
@@ -140,8 +140,8 @@ const TIME: [(&str, &str, &str); 5] = [
     ("$time", "self.time", "<S as Real>::ZERO"),
 ];
 
-/// What stands for the placeholders of constraints that follow from the others at the default parameters: at other
-/// ones they may not, which comparing scalars find out.
+/// Replacements for the placeholders of constraints that follow from the others at the default parameters. At other
+/// parameters they may not; scalars that can be compared detect that.
 const IMPLIED: [(&str, &str); 4] = [
     ("$refusal", ",\n    /// and where the constraints can no longer be met: all is then as it was"),
     ("$before", "        let before = *self;\n"),
@@ -205,8 +205,8 @@ $speeds_head        let (Ok(q), Ok(u)) = (<&[S; NQ]>::try_from(q), <&mut [S; NU]
     }
 ";
 
-/// The residual that counts as none: half of the scalar's digits; none for scalars that do not compare, and without
-/// such constraints.
+/// The residual below which a constraint counts as satisfied: half of the scalar's digits. `None` for scalars that
+/// cannot be compared, and for programs without such constraints.
 fn satisfied(program: &Program, scalar: &ScalarType) -> Option<String> {
     let epsilon = match scalar {
         ScalarType::F32 => f64::from(f32::EPSILON),
@@ -216,7 +216,7 @@ fn satisfied(program: &Program, scalar: &ScalarType) -> Option<String> {
     program.has_implied.then(|| scalar.literal(epsilon.sqrt() * program.assembly.size()))
 }
 
-/// Do projection or energy read time?
+/// Do projection or energy depend on time?
 fn keeps_time(program: &Program) -> bool {
     let roots = ["projection", "energy", "speed_projection"].map(|answer| program.roots_of(answer)).concat();
     roots.into_iter().any(|root| program.dag.symbols_of(root).contains(&program.time))

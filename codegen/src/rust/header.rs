@@ -1,4 +1,4 @@
-//! The comment that an emitted file opens with: provenance and cost.
+//! Emits the comment at the top of a file: provenance and cost.
 
 use super::answer::Cost;
 use super::options::EmitOptions;
@@ -54,7 +54,7 @@ pub(super) fn text<'a>(
     text
 }
 
-/// How the equations were derived, and what was changed of the model.
+/// How the equations were derived, and which parameters were changed.
 fn choices(origin: &Origin) -> String {
     let effort = match origin.settings.effort {
         Effort::None => "effort none",

@@ -1,4 +1,4 @@
-//! Constants of the emitted file and the struct of its parameters.
+//! Emits the constants of the file and the struct of its parameters.
 
 use super::layout::{NUMBERS, PLAIN_STRUCT, UNREAD};
 use super::options::ScalarType;
@@ -22,7 +22,7 @@ fn marked(attribute: &str, declared: &str, doc: &str, elements: &[String]) -> St
     layout::doc(doc) + attribute + &layout::array(&format!("pub const {declared} = "), elements, "")
 }
 
-/// Sizes, names, and what is known of the coordinates.
+/// Sizes, names, and facts about the coordinates.
 pub(super) fn constants(program: &Program, scalar: &ScalarType) -> String {
     let of = |list: &[Quantity]| list.iter().map(|x| x.name.clone()).collect::<Vec<_>>();
     let firsts = |list: &[(String, ExprId)]| list.iter().map(|(n, _)| n.clone()).collect::<Vec<_>>();
@@ -71,7 +71,7 @@ pub(super) fn constants(program: &Program, scalar: &ScalarType) -> String {
     text
 }
 
-/// A list of numbers: of the file's scalar, in f64 where it is no number of Rust's own.
+/// A list of numbers: of the file's scalar, or in f64 if the scalar is not a primitive type.
 fn numbers(name: &str, doc: &str, values: &[f64], scalar: &ScalarType) -> String {
     let (scalar, values): (_, Vec<String>) = match scalar {
         ScalarType::F32 => ("f32", values.iter().map(|x| format!("{}f32", *x as f32)).collect()),
@@ -80,7 +80,7 @@ fn numbers(name: &str, doc: &str, values: &[f64], scalar: &ScalarType) -> String
     marked(NUMBERS, &format!("{name}: [{scalar}; {}usize]", values.len()), doc, &values)
 }
 
-/// The struct of tunable parameters, with these names for its fields, and its defaults.
+/// The struct of tunable parameters, with these field names, and its defaults.
 pub(super) fn parameters(program: &Program, names: &[String], scalar: &ScalarType, runtime: &str) -> String {
     let named = || program.parameters.iter().zip(names);
     let fields = named().map(|(p, name)| {
@@ -92,7 +92,7 @@ pub(super) fn parameters(program: &Program, names: &[String], scalar: &ScalarTyp
     let values = layout::block("Self", defaults, "        ");
     let check = match scalar {
         ScalarType::F32 | ScalarType::F64 => check(program, names, scalar, runtime),
-        // Lanes hold several mechanisms and do not compare.
+        // Lanes hold several mechanisms and cannot be compared.
         ScalarType::Path(_) => String::new(),
     };
     format!(
@@ -101,7 +101,7 @@ pub(super) fn parameters(program: &Program, names: &[String], scalar: &ScalarTyp
     )
 }
 
-/// The ranges of the parameters, and the method that compares.
+/// The ranges of the parameters, and the method that checks them.
 fn check(program: &Program, names: &[String], scalar: &ScalarType, runtime: &str) -> String {
     let ends = |p: &Quantity| format!("[{}, {}]", scalar.literal(p.range.0), scalar.literal(p.range.1));
     let ranges: Vec<String> = program.parameters.iter().map(ends).collect();

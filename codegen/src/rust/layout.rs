@@ -1,5 +1,5 @@
-//! Lines of emitted items as rustfmt lays them out: a list stands on one line where it fits, else short elements share
-//! lines, and long ones have one each.
+//! Lays out emitted items as rustfmt would: a list stands on one line if it fits, otherwise short elements share lines
+//! and long ones have one each.
 
 /// Columns of a line, rustfmt's `max_width`.
 const WIDTH: usize = 100;
@@ -8,7 +8,7 @@ const LIST_WIDTH: usize = 60;
 /// Widest element that shares a line, rustfmt's `short_array_element_width_threshold`.
 const SHORT: usize = 10;
 
-/// Of a function: statements stay one a line, however long.
+/// Attributes of a straight-line function, whose statements stay on one line each, however long.
 pub(super) const STRAIGHT_LINE: &str = "\
 #[rustfmt::skip]
 #[allow(
@@ -20,17 +20,17 @@ pub(super) const STRAIGHT_LINE: &str = "\
 )]
 #[must_use]
 ";
-/// Of structs whose fields are the model's.
+/// Attributes of structs whose fields have the model's names.
 pub(super) const PLAIN_STRUCT: &str = "\
 #[derive(Clone, Copy, Debug)]
 #[repr(C)]
 #[allow(dead_code, non_snake_case, reason = \"names are the model's\")]
 ";
 
-/// Of what a program may leave aside: a constant, a method.
+/// Attribute of items that a program need not use: a constant, a method.
 pub(super) const UNREAD: &str = "#[allow(dead_code, reason = \"a program reads what it needs\")]\n";
 
-/// Of a list of numbers, among which a quarter of a turn may stand.
+/// Attribute of a list of numbers, which may contain pi/2.
 pub(super) const NUMBERS: &str =
     "#[allow(dead_code, clippy::approx_constant, reason = \"numbers of the model\")]\n";
 
@@ -60,7 +60,7 @@ pub(super) fn signature(head: &str, arguments: &[String], output: &str, indent: 
     format!("{indent}{head}(\n{arguments}{indent}) -> {output} {{\n")
 }
 
-/// All elements on one line, else as many a line as fit beside a last column that rustfmt leaves free.
+/// All elements on one line, otherwise as many per line as fit; rustfmt leaves the last column free.
 fn filled(elements: &[String], indent: &str) -> String {
     let line = format!("{indent}{},\n", elements.join(", "));
     if line.len() <= WIDTH + "\n".len() {
@@ -93,7 +93,7 @@ pub(super) fn block(head: &str, elements: impl IntoIterator<Item = String>, inde
     format!("{indent}{head} {{\n{elements}{indent}}}\n")
 }
 
-/// A doc comment; one line a line of the text.
+/// A doc comment, with one line per line of the text.
 pub(super) fn doc(text: &str) -> String {
     let marked = |line: &str| if line.is_empty() { "///\n".to_owned() } else { format!("/// {line}\n") };
     text.lines().map(marked).collect()

@@ -1,8 +1,8 @@
 //! Program -> Rust: straight-line functions, one per answer, and the glue to the runtime's trait.
 //!
 //! In: a [`Program`](crate::Program). Out: formatted source text, the same bytes for the same input. Knows names and
-//! layout, no mechanics. Every node with more than one use is one `let`; sine and cosine of an
-//! angle are one call, in f64 of two angles; constants are rounded once, from f64, to the file's scalar.
+//! layout, no mechanics. Every node that is used more than once becomes one `let`; sine and cosine of an angle are one
+//! call, on a host for f64 even those of two angles; constants are rounded once, from f64 to the file's scalar.
 
 mod answer;
 mod cost;

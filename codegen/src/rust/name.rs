@@ -1,13 +1,13 @@
-//! Names of emitted items: every name of a model becomes one of Rust that nothing else in its place has.
+//! Names of emitted items: turns every name of a model into a Rust identifier that is unique where it stands.
 //!
 //! In: names of a model. Out: identifiers. A [`Scope`] is a place in which names must differ: the fields of a struct,
-//! the values of a function, the types of the file. It starts with the names that the emitted text itself has
-//! there and gives every name out once, so that no two can collide, whatever the model says.
+//! the values of a function, the types of the file. It starts with the names that the emitted text itself uses there
+//! and gives out every name once, so that no two can collide, whatever the model contains.
 
 use crate::program::Program;
 use rustc_hash::FxHashSet as HashSet;
 
-/// Words that Rust does not take for names, of all editions.
+/// Words that Rust does not accept as names, in any edition.
 const KEYWORDS: [&str; 53] = [
     "as", "async", "await", "break", "const", "continue", "crate", "dyn", "else", "enum", "extern", "false",
     "fn", "for", "if", "impl", "in", "let", "loop", "match", "mod", "move", "mut", "pub", "ref", "return",
@@ -16,14 +16,14 @@ const KEYWORDS: [&str; 53] = [
     "unsized", "virtual", "yield", "_",
 ];
 
-/// Arguments of the emitted functions: time, coordinates, speeds, inputs, given derivatives of the speeds, and what
-/// depends on parameters.
+/// Arguments of the emitted functions: time, coordinates, speeds, inputs, given derivatives of the speeds, prepared
+/// values.
 pub(super) const ARGUMENTS: [&str; 6] = ["t", "q", "u", "inputs", "u_dot", "p"];
 
-/// Argument of the functions that go on from sines and cosines of angles close by, and the field that hands these on.
+/// The argument, and the field of the return value, that hold sines and cosines of angles close by.
 pub(super) const NEAR: &str = "near";
 
-/// Constants of the emitted file. A `let` with such a name would compare with the constant.
+/// Constants of the emitted file. A `let` pattern with such a name would match against the constant.
 const CONSTANTS: [&str; 17] = [
     "N_NEAR",
     "NQ",
@@ -44,11 +44,11 @@ const CONSTANTS: [&str; 17] = [
     "PARAMETER_RANGES",
 ];
 
-/// Types and traits of the emitted file and of the module that it reads.
+/// Types and traits of the emitted file and of the runtime module that it uses.
 const TYPES: [&str; 7] = ["S", "Real", "Parameters", "Prepared", "Mechanism", "Fault", "Model"];
 
-/// Types, traits and variants that every Rust file has in scope: a type of that name would hide them in the
-/// emitted file and in the module that includes it, and a `let` cannot have the name of a variant.
+/// Types, traits and variants that every Rust file has in scope. A type with such a name would hide them in the emitted
+/// file and in the module that includes it, and a `let` cannot have the name of a variant.
 const PRELUDE: [&str; 41] = [
     "Option",
     "Some",
@@ -93,7 +93,7 @@ const PRELUDE: [&str; 41] = [
     "Hash",
 ];
 
-/// A name as an identifier: other characters become underscores, and no keyword remains.
+/// A name as an identifier: other characters become underscores, and keywords are changed.
 fn identifier(name: &str) -> String {
     let mut text: String =
         name.chars().map(|c| if c.is_ascii_alphanumeric() || c == '_' { c } else { '_' }).collect();
@@ -106,7 +106,7 @@ fn identifier(name: &str) -> String {
     text
 }
 
-/// `my_tile` -> `MyTile`, by a name that no other type of the file or of the prelude has.
+/// `my_tile` -> `MyTile`, or another name if a type of the file or of the prelude has that one.
 #[must_use]
 pub(super) fn type_name(name: &str) -> String {
     let camel: String = identifier(name)
@@ -128,7 +128,7 @@ pub(super) fn fields(program: &Program) -> Vec<String> {
     program.parameters.iter().map(|p| fields.unique(&p.name)).collect()
 }
 
-/// The description with a capital, or the name where there is none.
+/// The description, capitalised, or the name if there is none.
 #[must_use]
 pub(super) fn sentence(doc: &str, name: &str) -> String {
     let text = if doc.is_empty() { name } else { doc };
@@ -136,16 +136,16 @@ pub(super) fn sentence(doc: &str, name: &str) -> String {
     letters.next().map_or(String::new(), |c| c.to_uppercase().chain(letters).collect())
 }
 
-/// Names of one place: the fields of a struct, the values of a function.
+/// The names in use at one place: the fields of a struct, the values of a function.
 #[derive(Default)]
 pub(super) struct Scope {
-    /// All but those of temporaries, which are many and need no list.
+    /// All names except those of temporaries, which are numbered and need no list.
     taken: HashSet<String>,
     temporaries: usize,
 }
 
 impl Scope {
-    /// A place that has these names already.
+    /// A place in which these names are in use.
     fn of<'n>(names: impl Iterator<Item = &'n &'n str>) -> Self {
         Self { taken: names.map(|&name| name.to_owned()).collect(), temporaries: 0 }
     }
@@ -162,7 +162,7 @@ impl Scope {
         scope
     }
 
-    /// The wished name of a type, or with the first free number behind it.
+    /// The wished name for a type, with the first free number appended if it is taken.
     pub fn unique_type(&mut self, wished: &str) -> String {
         let mut number = 2;
         let mut name = wished.to_owned();
@@ -178,7 +178,7 @@ impl Scope {
         Self::of(ARGUMENTS.iter().chain(&[NEAR]).chain(&CONSTANTS).chain(&TYPES).chain(&PRELUDE))
     }
 
-    /// The wished name, or with the first free numeric suffix.
+    /// The wished name, with the first free number appended if it is taken.
     pub fn unique(&mut self, wished: &str) -> String {
         self.free(identifier(wished))
     }
@@ -198,13 +198,13 @@ impl Scope {
         self.taken.contains(name) || self.is_temporary(name)
     }
 
-    /// One of t1, t2, ... that have been given out?
+    /// Is it one of the temporaries t1, t2, ... given out so far?
     fn is_temporary(&self, name: &str) -> bool {
         let number = name.strip_prefix('t').filter(|digits| digits.starts_with(|c| matches!(c, '1'..='9')));
         number.and_then(|digits| digits.parse().ok()).is_some_and(|n: usize| n <= self.temporaries)
     }
 
-    /// A temporary without a name from the model.
+    /// A new temporary, for a value without a name in the model.
     pub fn temporary(&mut self) -> String {
         let mut name = String::with_capacity(8);
         name.push('t');
@@ -215,7 +215,7 @@ impl Scope {
     }
 }
 
-/// In decimal digits; the formatter takes as long as the rest of a short statement.
+/// Appends decimal digits. The standard formatter would take as long as the rest of a short statement.
 fn push_number(text: &mut String, n: usize) {
     if n >= 10 {
         push_number(text, n / 10);

@@ -1,4 +1,4 @@
-//! What is emitted: the scalar, the functions, the processor that the order of statements is meant for.
+//! Options of an emitted file: the scalar, the functions, the processor for which statements are ordered.
 
 use crate::program::answer::Function;
 
@@ -10,12 +10,12 @@ pub enum ScalarType {
     /// 64-bit floating point.
     #[default]
     F64,
-    /// Any type that implements the runtime's `Real`, by its path: lanes, a counting scalar.
+    /// Any type that implements the runtime's `Real`, by its path, such as lanes or a counting scalar.
     Path(String),
 }
 
 impl ScalarType {
-    /// Single precision, or lanes of it?
+    /// Is it single precision, or lanes of it?
     #[must_use]
     pub fn is_single(&self) -> bool {
         match self {
@@ -31,15 +31,14 @@ impl ScalarType {
 pub struct EmitOptions {
     /// The scalar.
     pub scalar: ScalarType,
-    /// Path of the runtime crate or of the module that carries its numbers.
+    /// Path of the runtime crate, or of the module that provides its numbers.
     pub runtime: String,
-    /// Only these functions, and no glue; all that the program has, with glue, if empty.
+    /// Only these functions, without glue; if empty, all functions of the program, with glue.
     pub functions: Vec<Function>,
-    /// What runs the code, if not what usually computes with the scalar: a host with f64, a microcontroller with
-    /// any other.
+    /// The processor that will run the code. By default a host for f64, a microcontroller for any other scalar.
     pub core: Option<Core>,
-    /// Two functions more in a complete file, for steps whose evaluations share work (`ode::shared_work` of the runtime):
-    /// `begin_step` and `rates_near`.
+    /// Adds two functions to a complete file, `begin_step` and `rates_near`, for steps whose evaluations share work
+    /// (`ode::shared_work` of the runtime).
     pub shared_work: bool,
 }
 
@@ -55,17 +54,17 @@ impl Default for EmitOptions {
     }
 }
 
-/// What runs the emitted code: it decides the order of statements, never a bit of a result.
+/// The processor that runs the emitted code. It determines the order of statements, never a bit of a result.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Core {
-    /// A microcontroller: one instruction after the other, few registers, no vector instructions.
+    /// A microcontroller: in-order execution, few registers, no vector instructions.
     CortexM4,
-    /// A host: whatever is ready, within a window; two sines in the time of one.
+    /// A host: out-of-order execution within a window; two sines in the time of one.
     Host,
 }
 
 impl EmitOptions {
-    /// The processor that the statements are ordered for.
+    /// The processor for which the statements are ordered.
     #[must_use]
     pub fn core(&self) -> Core {
         let usual = if self.scalar == ScalarType::F64 { Core::Host } else { Core::CortexM4 };
@@ -74,7 +73,7 @@ impl EmitOptions {
 }
 
 impl ScalarType {
-    /// Its path in Rust.
+    /// The scalar's path in Rust.
     pub(super) fn path(&self) -> &str {
         match self {
             Self::F32 => "f32",
@@ -93,7 +92,7 @@ impl ScalarType {
         };
         let text = match (self, special) {
             (Self::F32 | Self::F64, Some(name)) => name.to_owned(),
-            // Rounded once to f32; the shortest text that reads back as that number.
+            // Rounded once to f32; printed as the shortest text that reads back as the same number.
             (Self::F32, None) => format!("{:?}_f32", value as f32),
             (Self::F64, None) => format!("{value:?}_f64"),
             (Self::Path(_), None) => format!("<S as Real>::from_f64({value:?}_f64)"),

@@ -1,15 +1,15 @@
-//! Which sines and cosines are computed two at a time.
+//! Decides which sines and cosines are computed two at a time.
 //!
-//! A host computes sine and cosine of two f64 angles in little more than the time of one
-//! (`Real::sin_cos_of_two`), if neither has to wait for the other: both are sums and products of what the
-//! function reads. The chip has no such instructions, and there a value that is needed late had better be late.
+//! A host computes sine and cosine of two f64 angles in little more than the time of one (`Real::sin_cos_of_two`),
+//! provided neither has to wait for the other: both angles must be sums and products of the function's arguments. The
+//! microcontroller has no such instructions, and there a value that is needed late should be computed late.
 
 use crate::expr::{Binary, Dag, ExprId, Node, NodeSet, Unary};
 use crate::id::Id;
 use rustc_hash::FxHashMap as HashMap;
 
-/// The other angle of each pair. `order`: the nodes that are computed or read, operands first; `is_read`: those
-/// that are read.
+/// By angle: the other angle of its pair. `order` holds the nodes that are computed or used, operands first; `is_read`
+/// tells those that are used.
 pub(super) fn pair_angles(
     dag: &Dag,
     order: &[ExprId],
@@ -31,7 +31,7 @@ pub(super) fn pair_angles(
             angles.push(angle);
         }
     }
-    // Like with like: a difference takes two arguments.
+    // Pairs only like with like, because a difference takes two arguments.
     let (differences, plain): (Vec<_>, Vec<_>) =
         angles.into_iter().partition(|&angle| dag.as_difference(angle).is_some() && !is_read(angle));
     let pairs = plain.chunks_exact(2).chain(differences.chunks_exact(2));

@@ -1,7 +1,7 @@
-//! Places of named numbers in lists, as constants: `q[q::hA]` instead of `q[0]`.
+//! Indices of named quantities in arrays, as constants: `q[q::hA]` instead of `q[0]`.
 //!
-//! In: a program. Out: a module each of coordinates, speeds, inputs and outputs, with what every number is, its unit, its
-//! range and where the model declares it.
+//! In: a program. Out: one module each for coordinates, speeds, inputs and outputs; every constant is documented by
+//! description, unit, range and the model's line.
 
 use super::name::{self, Scope};
 use crate::escape;
@@ -31,7 +31,7 @@ fn described(list: &[Quantity]) -> impl Iterator<Item = (&str, String)> {
     })
 }
 
-/// To six digits.
+/// Rounds to six digits.
 fn short(x: f64) -> f64 {
     format!("{x:.5e}").parse().unwrap_or(x)
 }

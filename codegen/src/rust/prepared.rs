@@ -1,19 +1,19 @@
-//! What the answers need of the parameters: the fields of `Prepared`.
+//! The fields of the emitted struct `Prepared`: the values of parameters alone that the answers use.
 
 use super::answer::Cost;
 use super::name::Scope;
 use crate::expr::{Dependence, ExprId, NodeSet};
 use crate::program::Program;
 
-/// The fields of `Prepared`: their nodes and names, in order.
+/// Nodes and names of the fields, in order.
 pub(super) struct Prepared {
     pub fields: Vec<(ExprId, String)>,
-    /// The nodes of the fields: most nodes that are asked for have none.
+    /// The nodes of the fields, as a set: most queries are about nodes that have no field.
     nodes: NodeSet,
 }
 
 impl Prepared {
-    /// What `roots` need: parameters under their own names, other values under those of the model or numbered.
+    /// The fields for `roots`: parameters under their own names, other values under names of the model or numbered.
     pub fn new(program: &Program, roots: &[ExprId]) -> Self {
         let mut scope = Scope::default();
         let mut fields: Vec<(ExprId, String)> = Vec::new();

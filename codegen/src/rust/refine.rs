@@ -1,35 +1,36 @@
-//! Fewer values that wait at once, by moving single steps of an order.
+//! Reduces register pressure by moving single steps of an order.
 //!
-//! In: an order of steps, each after those whose values it reads. Out: one that overfills the registers less, if one is found.
-//! A step moves past its neighbours, one after the other, until it meets one that it needs or that needs it; each exchange of two
-//! neighbours changes how many values wait at one place alone. A move that is worse by no more than a threshold is kept, and
-//! the threshold falls to nothing (threshold accepting: Dueck & Scheuer 1990). The same moves on every machine.
+//! In: an order of steps, each after those whose values it uses. Out: an order with less register overflow, if one is
+//! found. A step is moved past its neighbours, one after the other, until it meets one that it depends on or that
+//! depends on it; an exchange of two neighbours changes the number of live values at one place only. A move that is
+//! worse by no more than a threshold is kept, and the threshold falls to zero (threshold accepting: Dueck & Scheuer
+//! 1990). Deterministic: the same moves on every machine.
 
-/// Values that may wait before it counts: the compiler needs some of 32 registers for what stands inside a statement.
+/// Number of live values that costs nothing: of 32 registers the compiler needs some for values inside a statement.
 const ROOM: usize = 24;
-/// Moves tried, by step.
+/// Number of moves tried, per step.
 const MOVES: usize = 200;
-/// By how much a move may be worse at first.
+/// By how much a move may be worse at the beginning.
 const THRESHOLD: usize = 4;
-/// No place yet.
+/// Stands for "no place".
 const NEVER: usize = usize::MAX;
 
-/// An order with what is known of it.
+/// An order, with the lifetimes of its values.
 struct Walk<'s> {
     makes: Vec<&'s [usize]>,
     reads: Vec<&'s [usize]>,
     order: Vec<usize>,
-    /// By value: its first and its last reader's place in the order.
+    /// By value: the places in the order where it is used first and last.
     first: Vec<usize>,
     last: Vec<usize>,
-    /// By value: is it made by no step?
+    /// By value: is it an argument, made by no step?
     is_argument: Vec<bool>,
-    /// By place: how many values wait behind it.
+    /// By place: number of values alive after it.
     waiting: Vec<usize>,
 }
 
-/// A better order than `order`, or the same; `steps` are the values that each makes and those that it reads, `values` how many
-/// there are. Arguments wait from their first reader on, results are written at once.
+/// A better order than `order`, or the same one. `steps` gives for each step the values that it makes and those that it
+/// uses; `values` is their number. Arguments are alive from their first use on; results are written out at once.
 pub(super) fn refine(order: &[usize], steps: &[(&[usize], &[usize])], values: usize) -> Vec<usize> {
     let mut walk = Walk::new(order.to_vec(), steps, values);
     let n = order.len();
@@ -80,7 +81,7 @@ impl<'s> Walk<'s> {
         walk
     }
 
-    /// How many values wait behind a place, from how many do before it.
+    /// Number of values alive after a place, from that before it.
     fn waiting_behind(&self, place: usize) -> usize {
         let step = self.order[place];
         let before = place.checked_sub(1).map_or(0, |before| self.waiting[before]);
@@ -91,7 +92,7 @@ impl<'s> Walk<'s> {
         before + made + begun - done
     }
 
-    /// Moves a step so many places at most; where it then stands, and by how much the registers are overfilled more.
+    /// Moves a step by at most `most` places; returns its new place and the change of the register overflow.
     fn move_on(&mut self, from: usize, is_forward: bool, most: usize) -> (usize, isize) {
         let (mut place, mut change) = (from, 0);
         for _ in 0..most {
@@ -103,7 +104,8 @@ impl<'s> Walk<'s> {
         (place, change)
     }
 
-    /// Exchanges the steps at a place and behind it, unless the second needs the first.
+    /// Exchanges the steps at a place and after it, unless the second depends on the first; returns the change of the
+    /// overflow.
     fn exchange(&mut self, place: usize) -> Option<isize> {
         let (a, b) = (self.order[place], *self.order.get(place + 1)?);
         if self.makes[a].iter().any(|made| self.reads[b].contains(made)) {

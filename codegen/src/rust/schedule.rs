@@ -1,15 +1,15 @@
-//! The order in which a function computes its values, for one of two kinds of core.
+//! Instruction scheduling: the order in which a function computes its values, for one of two kinds of core.
 //!
-//! In: steps, each after those that it needs. Out: an order of them. An in-order core has no others to choose
-//! from, and its compiler keeps the order of the text: few values shall wait at a time, so that few go through
-//! memory. Three orders are tried and the one that overfills the registers least is kept: depth first, the
-//! operand that needs more registers before the other (Sethi & Ullman, The generation of optimal code for
-//! arithmetic expressions, 1970); from the first step on, always what frees most; from the last step back, always
-//! what frees most (Goodman & Hsu, Code scheduling and register allocation in large basic blocks, 1988). On request a search
-//! goes on from there (`refine.rs`).
+//! In: steps, each after those that it depends on. Out: an order of them. An in-order core executes the order of the
+//! text, which its compiler mostly keeps: few values shall be alive at a time, so that few go through memory. Three
+//! orders are tried, and the one with the least register overflow is kept: depth first, with the operand that needs
+//! more registers first (Sethi & Ullman, The generation of optimal code for arithmetic expressions, 1970); from the
+//! first step forwards, always the step that frees most registers; from the last step backwards, likewise (Goodman &
+//! Hsu, Code scheduling and register allocation in large basic blocks, 1988). On request a search improves the order
+//! (`refine.rs`).
 //!
-//! An out-of-order core looks a few hundred instructions ahead, and moves to memory and back are cheap for it. There the
-//! longest chain of dependent operations comes first (Hu, Parallel sequencing and assembly line problems, 1961).
+//! An out-of-order core looks a few hundred instructions ahead, and moves to memory and back are cheap for it. There
+//! the longest chain of dependent operations comes first (Hu, Parallel sequencing and assembly line problems, 1961).
 
 use super::few::Few;
 use super::options::Core;
@@ -22,32 +22,32 @@ use std::collections::BTreeSet;
 /// Registers of single precision on a Cortex-M4F.
 const REGISTERS: usize = 32;
 
-/// Values that a step makes: one, or sine and cosine of an angle or two.
+/// Values that a step makes: one, or sine and cosine of one or two angles.
 pub(super) type Makes<T> = Few<T, 4>;
-/// Values that a step reads: two operands, or the angles of two differences.
+/// Values that a step uses: two operands, or the angles of two differences.
 pub(super) type Reads<T> = Few<T, 4>;
 
-/// What is computed at once: one value, or sine and cosine of an angle or two.
+/// A step: the values that are computed at once, either one, or sine and cosine of one or two angles.
 #[derive(Clone, Copy)]
 pub(super) struct Step {
     /// Values that it makes.
     pub makes: Makes<ExprId>,
-    /// Values that it reads, each once, in the order of the operands; constants left out.
+    /// Values that it uses, each once, in the order of the operands; constants are omitted.
     pub reads: Reads<ExprId>,
-    /// Cycles of a host until what it makes can be read.
+    /// Latency on a host, in cycles.
     pub latency: usize,
 }
 
-/// Which order is wanted.
+/// The kind of order that is wanted.
 #[derive(Clone, Copy)]
 pub(super) struct Order {
-    /// For whom.
+    /// The core that it is for.
     pub core: Core,
-    /// Is a chip's order refined by a search?
+    /// Shall an order for a microcontroller be improved by a search?
     pub is_refined: bool,
 }
 
-/// An order of the steps, by position; `results` are needed to the end.
+/// An order of the steps, as indices; `results` stay alive to the end.
 pub(super) fn order(steps: &[Step], results: &[ExprId], order: Order) -> Vec<usize> {
     let graph = Graph::new(steps, results);
     if order.core == Core::Host {
@@ -57,7 +57,7 @@ pub(super) fn order(steps: &[Step], results: &[ExprId], order: Order) -> Vec<usi
     let forward = graph.forward(&ranks(&depth_first));
     let backward = graph.backward(&ranks(&forward));
     let tried = [depth_first, forward, backward];
-    // Of equals the first: the easiest to read.
+    // Of equally good orders the first, which is the easiest to read.
     let best = tried.into_iter().min_by_key(|order| graph.overfull(order)).unwrap_or_default();
     if !order.is_refined {
         return best;
@@ -67,7 +67,7 @@ pub(super) fn order(steps: &[Step], results: &[ExprId], order: Order) -> Vec<usi
     refine(&best, &values, graph.maker.len())
 }
 
-/// How many values wait at once, at most, in the order of [`order()`].
+/// Largest number of values alive at once in the order of [`order()`].
 pub(super) fn most_waiting(steps: &[Step], results: &[ExprId], order: Order) -> usize {
     Graph::new(steps, results).waiting(&self::order(steps, results, order)).max().unwrap_or(0)
 }
@@ -79,20 +79,20 @@ fn ranks(order: &[usize]) -> Vec<usize> {
     ranks
 }
 
-/// Steps and values by numbers.
+/// Steps and values as indices.
 struct Graph {
     makes: Vec<Makes<usize>>,
     reads: Vec<Reads<usize>>,
-    /// The step that makes a value; none of what is an argument.
+    /// By value: the step that makes it; `None` for an argument.
     maker: Vec<Option<usize>>,
     readers: Readers,
     results: Vec<usize>,
     is_result: Vec<bool>,
 }
 
-/// By value: the steps that read it, in order.
+/// By value: the steps that use it, in order.
 struct Readers {
-    /// By value: where its readers end, and with them begin those of the next.
+    /// By value: the end of its range in `steps`, which is the beginning of the next value's.
     ends: Vec<usize>,
     steps: Vec<usize>,
 }
@@ -117,7 +117,7 @@ impl Readers {
         &self.steps[start..self.ends[value]]
     }
 
-    /// How many steps read each value.
+    /// Number of steps that use each value.
     fn counts(&self, values: usize) -> Vec<usize> {
         (0..values).map(|value| self.of(value).len()).collect()
     }
@@ -126,7 +126,7 @@ impl Readers {
 impl Graph {
     fn new(steps: &[Step], results: &[ExprId]) -> Self {
         let ids = || steps.iter().flat_map(|step| step.makes.iter().chain(step.reads.iter())).chain(results);
-        // By node: the number of its value and 1; 0 for what is no value.
+        // By node: the index of its value plus 1; 0 if it is no value.
         let mut number = vec![0_u32; ids().map(|id| id.index() + 1).max().unwrap_or(0)];
         let mut n = 0;
         let mut value = |id: &ExprId| {
@@ -151,7 +151,7 @@ impl Graph {
         Self { readers: Readers::new(&reads, n), makes, reads, maker, results, is_result }
     }
 
-    /// Operands before their users, the operand that needs more registers first.
+    /// Operands before their users, the operand that needs more registers first (Sethi & Ullman).
     fn depth_first(&self) -> Vec<usize> {
         let mut need = vec![1; self.maker.len()];
         let mut operands: Vec<Reads<usize>> = Vec::with_capacity(self.reads.len());
@@ -178,7 +178,7 @@ impl Graph {
         order
     }
 
-    /// From the first step on: of those that are ready the one after which fewest values wait; if equal, by rank.
+    /// Forwards: of the ready steps the one after which the fewest values are alive; among equals by rank.
     fn forward(&self, ranks: &[usize]) -> Vec<usize> {
         let mut readers_left = self.readers.counts(self.maker.len());
         self.results.iter().for_each(|&value| readers_left[value] += 1);
@@ -220,7 +220,7 @@ impl Graph {
         order
     }
 
-    /// First what the longest way to a result leads on from; of equals the one that depth first comes first.
+    /// The step with the longest path to a result first; among equals in depth-first order.
     fn critical_path_first(&self, steps: &[Step]) -> Vec<usize> {
         let mut order = self.depth_first();
         let mut way = vec![0; steps.len()];
@@ -232,8 +232,8 @@ impl Graph {
         order
     }
 
-    /// From the last step back: of those whose results have all their readers the one before which fewest values
-    /// wait; if equal, the last by rank.
+    /// Backwards: of the steps whose users are all placed, the one before which the fewest values are alive; among
+    /// equals the last by rank.
     fn backward(&self, ranks: &[usize]) -> Vec<usize> {
         let n = self.reads.len();
         let from_the_end: Vec<usize> = ranks.iter().map(|rank| n - rank).collect();
@@ -269,12 +269,12 @@ impl Graph {
         order
     }
 
-    /// Values that find no register, summed over the steps.
+    /// Register overflow: live values beyond the number of registers, summed over the steps.
     fn overfull(&self, order: &[usize]) -> usize {
         self.waiting(order).map(|waiting| waiting.saturating_sub(REGISTERS)).sum()
     }
 
-    /// How many values wait for a reader after each step; arguments from their first reader on.
+    /// Number of values alive after each step; arguments count from their first use on.
     fn waiting(&self, order: &[usize]) -> impl Iterator<Item = usize> {
         let mut left = self.readers.counts(self.maker.len());
         self.results.iter().for_each(|&value| left[value] += 1);
@@ -295,12 +295,12 @@ impl Graph {
     }
 }
 
-/// Steps that may come next, by growth and rank.
+/// The steps that may come next, ordered by growth (the change in the number of live values) and rank.
 struct Ready<'r> {
     ranks: &'r [usize],
     growth: Vec<Option<isize>>,
     queue: BTreeSet<(isize, usize, usize)>,
-    /// Steps whose growth has changed, or that have become ready.
+    /// Steps whose growth must be recomputed: it has changed, or they have become ready.
     refresh: Vec<usize>,
 }
 
@@ -309,7 +309,7 @@ impl<'r> Ready<'r> {
         Self { ranks, growth: vec![None; ranks.len()], queue: BTreeSet::new(), refresh: Vec::new() }
     }
 
-    /// The growth of those of the steps that are ready has changed.
+    /// Records that the growth of those of the steps that are ready has changed.
     fn touch(&mut self, steps: &[usize]) {
         self.refresh.extend(steps.iter().filter(|&&step| self.growth[step].is_some()));
     }

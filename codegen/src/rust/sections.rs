@@ -1,14 +1,14 @@
-//! Which section of the equations each value of a function belongs to.
+//! Assigns each value of a function to a section of the equations.
 //!
-//! In: the nodes of a function, some of which the derivation has labelled. Out: a section a node: a value belongs to the
-//! first section that needs it. Statements stand in the order that suits the processor, so that sections mix: a comment says
-//! where the first statement of each stands.
+//! In: the nodes of a function, some of which the derivation has labelled. Out: one section per node: a value belongs
+//! to the first section that uses it. Statements stand in the order that suits the processor, so that sections
+//! interleave; a comment marks the first statement of each.
 
 use crate::expr::{Dag, ExprId, Node, Unary};
 use crate::id::Id;
 use crate::section::Section;
 
-/// Sections of nodes, and those that have begun.
+/// Sections of the nodes, and which sections have begun.
 pub(super) struct Sections {
     /// By node.
     of: Vec<Section>,
@@ -16,7 +16,7 @@ pub(super) struct Sections {
 }
 
 impl Sections {
-    /// Of what `roots` need; operands are older than what reads them.
+    /// The sections of everything that `roots` depend on. Operands have smaller ids than their users.
     pub fn new(dag: &Dag, roots: &[ExprId]) -> Self {
         let nodes = dag.reachable(roots);
         let size = nodes.last().map_or(0, |id| id.index() + 1);

@@ -1,36 +1,37 @@
 //! Sines and cosines that the functions of one step share.
 //!
-//! In: a program. Out: the angles whose sines and cosines `begin_step` hands on and `rates_near` turns on from
-//! ([`Real::sin_cos_near`](https://docs.rs/smartbed-runtime)): sin(x + d) = s cos d + c sin d with d small.
+//! In: a program. Out: the angles whose sines and cosines `begin_step` returns and from which `rates_near` computes
+//! those of angles close by ([`Real::sin_cos_near`](https://docs.rs/smartbed-runtime)): sin(x + d) = s cos d + c sin d
+//! with d small.
 
 use super::prepared::Prepared;
 use crate::expr::{ExprId, Node, Unary};
 use crate::program::Program;
 
-/// Where a function has the sines and cosines of such angles from.
+/// The source of these sines and cosines in a function.
 #[derive(Clone, Copy)]
 pub(super) enum Sines<'p> {
     /// It computes them.
     Own,
-    /// It computes them and hands them on.
+    /// It computes them and returns them too.
     HandedOn(&'p [ExprId]),
-    /// It is given those of angles close by.
+    /// It computes them from those of angles close by, which are an argument.
     Near(&'p [ExprId]),
 }
 
 impl<'p> Sines<'p> {
-    /// The angles that it hands on.
+    /// The angles whose sines and cosines it returns.
     pub fn handed_on(self) -> &'p [ExprId] {
         if let Self::HandedOn(angles) = self { angles } else { &[] }
     }
 
-    /// The angles that it is given.
+    /// The angles whose sines and cosines it is given.
     pub fn given(self) -> &'p [ExprId] {
         if let Self::Near(angles) = self { angles } else { &[] }
     }
 }
 
-/// The angles of whose sines and cosines an evaluation of the rates makes use; not the unrounded differences of two.
+/// The angles whose sines and cosines an evaluation of the rates uses, except unrounded differences of two angles.
 pub(super) fn angles(program: &Program, prepared: &Prepared) -> Vec<ExprId> {
     let dag = &program.dag;
     let reached = dag.reachable_above(&program.roots_of("rates"), |id| prepared.field(id).is_some());

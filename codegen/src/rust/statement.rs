@@ -1,11 +1,10 @@
-//! The body of one emitted function: `let` statements.
+//! Emits the body of one function: `let` statements.
 //!
-//! Written as text, one statement a line: a thousand straight-line statements through a token
-//! parser and a general formatter took twenty times as long as the derivation's last stage.
-//! A node gets a `let` if it is used more than once, has a name from the model, or would make its
-//! statement too long; other nodes are written inside their only user, where that leaves every operation at the
-//! place that [`schedule`] gives it for the [`Core`](super::options::Core) that is meant. Arguments are read before
-//! their first use.
+//! Written as text, one statement per line: passing a thousand straight-line statements through a token parser and a
+//! general formatter took twenty times as long as the derivation's last stage. A node gets a `let` if it is used more
+//! than once, has a name from the model, or would make its user's statement too long. Other nodes are written inside
+//! their only user, provided that every operation keeps the place that [`schedule`] gives it for the
+//! [`Core`](super::options::Core). Arguments are read before their first use.
 
 mod steps;
 
@@ -23,20 +22,20 @@ use crate::program::{Effort, Program};
 use rustc_hash::FxHashMap as HashMap;
 use std::fmt::Write;
 
-/// Operations in one statement before it is broken up.
+/// Most operations in one statement.
 const LONGEST_STATEMENT: usize = 8;
 
-/// Where a function reads values of parameters.
+/// Where a function finds the values of parameters.
 #[derive(Clone, Copy)]
 pub(super) enum Parameters<'p> {
-    /// An answer: in `p: &Prepared`.
+    /// In an answer: in `p: &Prepared`.
     Prepared {
         /// Its fields.
         prepared: &'p Prepared,
-        /// Are derivatives of the speeds an argument too?
+        /// Are derivatives of the speeds an argument as well?
         takes_u_dot: bool,
     },
-    /// `prepare`: in `p: &Parameters`, whose fields have these names.
+    /// In `prepare`: in `p: &Parameters`, whose fields have these names.
     Given(&'p [String]),
 }
 
@@ -46,25 +45,25 @@ pub(super) struct Body<'p> {
     options: &'p EmitOptions,
     parameters: Parameters<'p>,
     sines: Sines<'p>,
-    /// By angle that is handed on: the angle, its sine and its cosine.
+    /// By angle whose sine and cosine are returned: the text of the angle, its sine and its cosine.
     handed_on: Vec<String>,
-    /// Statements in order, one a line.
+    /// Statements in order, one per line.
     pub statements: String,
     n_statements: usize,
-    /// Expressions of the results.
+    /// The text of each result.
     pub results: Vec<String>,
-    /// By node: how often it is read.
+    /// By node: number of uses.
     uses: Vec<u32>,
-    /// Nodes that get a statement.
+    /// Nodes that get a statement of their own.
     own_statement: NodeSet,
-    /// Angles whose sine and cosine are computed together with another's.
+    /// By angle: the angle whose sine and cosine are computed in the same call.
     pairs: HashMap<ExprId, ExprId>,
-    /// By node: 1 and the place of its name among `idents`; 0 if it has none.
+    /// By node: index of its name in `idents` plus 1; 0 if it has none.
     named: Vec<u32>,
     idents: Vec<String>,
     scope: Scope,
     read: [bool; 6],
-    /// Scratch of [`Body::read_arguments`].
+    /// Working memory of [`Body::read_arguments`].
     stack: Vec<ExprId>,
 }
 
@@ -84,7 +83,7 @@ impl<'p> Body<'p> {
         body
     }
 
-    /// How many values wait at once, at most, while `roots` are computed.
+    /// Largest number of values alive at once while `roots` are computed.
     pub fn most_waiting(
         program: &'p Program,
         roots: &[ExprId],
@@ -158,7 +157,8 @@ impl<'p> Body<'p> {
         }
     }
 
-    /// Operands that the body computes: none of what it reads. Sine and cosine of a difference take its two angles.
+    /// Operands that the body computes; none for values that it reads. Sine and cosine of a difference have its two
+    /// angles as operands.
     fn operands(&self, id: ExprId) -> [Option<ExprId>; 2] {
         match self.dag().node(id) {
             _ if self.field(id).is_some() => [None, None],
@@ -167,7 +167,7 @@ impl<'p> Body<'p> {
         }
     }
 
-    /// What sine and cosine of an angle are computed of: its value, or the two of whose it is the difference.
+    /// The operands of the sine and cosine of an angle: its value, or the two angles of which it is the difference.
     fn angles(&self, angle: ExprId) -> [Option<ExprId>; 2] {
         match self.dag().as_difference(angle) {
             Some(of) if self.field(angle).is_none() => of.map(Some),
@@ -192,13 +192,13 @@ impl<'p> Body<'p> {
         self.n_statements += 1;
     }
 
-    /// Says behind the last statement where the model declares its value.
+    /// Appends to the last statement the place where the model declares its value.
     fn note(&mut self, place: &str) {
         self.statements.truncate(self.statements.trim_end().len());
         let _ = writeln!(self.statements, " // {}", escape::line(place));
     }
 
-    /// Reads the arguments of a statement that have not been read yet.
+    /// Writes statements that read those arguments of `id` that have not been read yet.
     fn read_arguments(&mut self, id: ExprId) {
         let dag = self.dag();
         let mut stack = std::mem::take(&mut self.stack);
@@ -275,8 +275,8 @@ impl<'p> Body<'p> {
         self.name(id, ident);
     }
 
-    /// `let (sin_psiA, cos_psiA) = Real::sin_cos(psiA);`, or of two angles at once, or of their difference, or turned on
-    /// from those of an angle close by.
+    /// `let (sin_psiA, cos_psiA) = Real::sin_cos(psiA);`, or the call for two angles at once, for a difference of
+    /// angles, or for an angle close to one whose sine and cosine are given.
     fn sin_cos(&mut self, angle: ExprId) {
         if let Some(place) = self.sines.given().iter().position(|&given| given == angle) {
             let (argument, names) = (self.operand(angle), self.name_sin_cos(angle));
@@ -298,7 +298,7 @@ impl<'p> Body<'p> {
         self.push(&names, format_args!("Real::{function}({arguments})"));
     }
 
-    /// `(sin_psiA, cos_psiA)`; what is not read gets no name.
+    /// `(sin_psiA, cos_psiA)`; a value that is not used is written `_`.
     fn name_sin_cos(&mut self, angle: ExprId) -> String {
         let of = match self.ident(angle) {
             Some(name) => name.to_owned(),
@@ -326,7 +326,7 @@ impl<'p> Body<'p> {
         format!("({})", names.join(", "))
     }
 
-    /// The node as an operand: its name, or its expression.
+    /// The text of a node as an operand: its name, or its expression.
     fn operand(&self, id: ExprId) -> String {
         let mut text = String::new();
         self.write_operand(&mut text, id);
@@ -363,7 +363,8 @@ impl<'p> Body<'p> {
         }
     }
 
-    /// Parentheses keep the DAG's own order of operations: a + (b + c) is not (a + b) + c.
+    /// Writes a binary operation with parentheses that keep the DAG's order of operations: a + (b + c) is not (a + b) +
+    /// c.
     fn write_binary(&self, text: &mut String, operator: Binary, a: ExprId, b: ExprId) {
         let sum_or_negation = |n: Node| is_sum(n) || matches!(n, Node::Negate(_));
         let any = |n: Node| sum_or_negation(n) || matches!(n, Node::Binary(Binary::Mul | Binary::Div, ..));
@@ -393,7 +394,7 @@ impl<'p> Body<'p> {
         }
     }
 
-    /// In parentheses if it is written out here and `needs` says so of its node.
+    /// Writes an operand, in parentheses if it has no name and its node satisfies `needs`.
     fn write_wrapped(&self, text: &mut String, id: ExprId, needs: impl Fn(Node) -> bool) {
         let inline = self.ident(id).is_none() && !self.dag().is_constant(id);
         if inline && needs(self.dag().node(id)) {
@@ -405,12 +406,12 @@ impl<'p> Body<'p> {
         }
     }
 
-    /// `near: [Turn { .. }, ..]`, where the sines and cosines are handed on.
+    /// `near: [Turn { .. }, ..]`, if the function returns its sines and cosines.
     pub fn handed_on(&self) -> Option<String> {
         matches!(self.sines, Sines::HandedOn(_)).then(|| format!("{NEAR}: [{}]", self.handed_on.join(", ")))
     }
 
-    /// The arguments of the signature; what is not read gets an underscore.
+    /// The arguments of the signature; names of unused ones begin with an underscore.
     pub fn arguments(&self) -> Vec<String> {
         let program = self.program;
         let underscore = |read: bool| if read { "" } else { "_" };
@@ -432,7 +433,7 @@ impl<'p> Body<'p> {
     }
 }
 
-/// Who names the chip and asks for all effort gets an order that is searched for.
+/// The kind of order for a program: refined by a search if the microcontroller is named and all effort is asked for.
 fn order_for(program: &Program, options: &EmitOptions) -> Order {
     let is_refined = options.core == Some(Core::CortexM4) && program.origin.settings.effort == Effort::All;
     Order { core: options.core(), is_refined }

@@ -1,22 +1,25 @@
-//! The check behind the guard: programs in f64 against the original in twice the digits.
+//! Final check of accuracy: the new program in f64 against the original one in twice the digits.
+//!
+//! In: the original expressions and sampled states. Out: whether the errors of a new program are about as small as
+//! those of the original in f64.
 
 use super::double_double::{self, Double2};
 use super::states::States;
 use crate::expr::{Dag, ExprId};
 
-/// How many times the original's error a new program's may be: the median over the states,
+/// Limits of a new program's error relative to the original's: for the median over the states,
 const MEDIAN_WORSE: f64 = 1.5;
-/// the largest over the states, of which chance alone makes a few times more or less,
+/// for the largest over the states, which varies by a factor of a few by chance,
 const WORST_WORSE: f64 = 4.0;
-/// and the error at a single state, where the original's may be small by luck.
+/// and for the error at a single state, where the original's may be small by chance.
 const STATE_WORSE: f64 = 64.0;
-/// Errors below this many roundings count as none.
+/// Errors below this many roundings count as zero.
 const ROUNDINGS: f64 = 4.0 * f64::EPSILON;
 
-/// Original values of groups of results at every state, and the original's own errors.
+/// Accurate values of groups of results at every state, and the errors of the original program.
 pub(super) struct Check<'s> {
     states: &'s States,
-    /// By state, then by result, groups one after the other.
+    /// By state, then by result, with the groups one after the other.
     exact: Vec<Vec<Double2>>,
     /// Lengths of the groups.
     lengths: Vec<usize>,
@@ -35,7 +38,7 @@ impl<'s> Check<'s> {
         check
     }
 
-    /// Errors by group and state: relative to the largest result of the group at the state.
+    /// Errors by group and state, relative to the largest result of the group at that state.
     fn errors(&self, dag: &Dag, groups: &[Vec<ExprId>]) -> Vec<Vec<f64>> {
         let roots = groups.concat();
         let mut errors = vec![Vec::with_capacity(self.states.points); groups.len()];
@@ -61,7 +64,7 @@ impl<'s> Check<'s> {
     }
 }
 
-/// Compares errors at the same states; where the original has a pole the new program may have it too.
+/// Compares errors at the same states. At a pole of the original the new program may have one too.
 fn as_accurate(old: &[f64], new: &[f64]) -> bool {
     let pairs = || old.iter().zip(new).filter(|(old, _)| old.is_finite());
     let (mut old, mut new): (Vec<f64>, Vec<f64>) = pairs().unzip();
@@ -79,7 +82,7 @@ fn as_accurate(old: &[f64], new: &[f64]) -> bool {
 mod tests {
     use super::*;
 
-    /// Two forms of one function near x = 0, and the states that show the difference.
+    /// Two forms of the same function near x = 0, and states at which they differ in accuracy.
     fn one_less_cosine(x: f64) -> (Dag, ExprId, ExprId, States) {
         let mut dag = Dag::default();
         let symbol = dag.symbol("x");

@@ -1,7 +1,7 @@
-//! Numbers of twice the digits of f64, for the reference values of the end-to-end check.
+//! Double-double arithmetic: twice the digits of f64, for the reference values of the final check.
 //!
-//! A value is the unevaluated sum of two f64, the second below the spacing of the first: 106 bits.
-//! Algorithms of Dekker (1971) and Knuth; relative error of an operation some 1e-31.
+//! A value is the unevaluated sum of two f64, the second smaller than the spacing of the first: 106 bits. Algorithms of
+//! Dekker (1971) and Knuth; relative error of an operation about 1e-31.
 
 use crate::expr::number::Number;
 use crate::expr::{Binary, Dag, ExprId, Node, SymbolId, Unary, evaluate};
@@ -17,7 +17,7 @@ pub(crate) struct Double2 {
 
 /// pi/2.
 const QUARTER_TURN: Double2 = Double2 { high: std::f64::consts::FRAC_PI_2, low: 6.123_233_995_736_766e-17 };
-/// Terms of the series of sine and cosine on a quarter turn: 0.8^29/29! is 1e-34.
+/// Number of terms in the series of sine and cosine up to a quarter turn: 0.8^29/29! is 1e-34.
 const TERMS: u32 = 29;
 
 impl Double2 {
@@ -67,7 +67,7 @@ impl Double2 {
         Self::new(0.5) * (x + self / x)
     }
 
-    /// Sine and cosine: series after whole quarter turns are taken off.
+    /// Sine and cosine: reduction by whole quarter turns, then power series.
     pub fn sin_cos(self) -> (Self, Self) {
         let turns = (self.high / QUARTER_TURN.high).round();
         let x = self - QUARTER_TURN * Self::new(turns);
@@ -101,7 +101,7 @@ impl Double2 {
         (0..HALVINGS).fold(sum, |power, _| power * power)
     }
 
-    /// A function of one argument; inverse functions by one Newton step from f64.
+    /// A function of one argument; inverse functions by one Newton step from the f64 value.
     pub fn unary(function: Unary, x: Self) -> Self {
         let start = Self::new(evaluate::unary(function, x.high));
         match function {
@@ -145,7 +145,7 @@ impl Double2 {
             Binary::Mul => a * b,
             Binary::Div => a / b,
             Binary::Atan2 => {
-                // Turn the point back by the f64 angle; what is left is small.
+                // Rotates the point back by the f64 angle; the remaining angle is small.
                 let start = Self::new(evaluate::binary(operator, a.high, b.high));
                 let (sin, cos) = start.sin_cos();
                 start + (a * cos - b * sin) / (a * sin + b * cos)
@@ -167,7 +167,7 @@ impl Double2 {
         }
     }
 
-    /// A constant; surds to all digits.
+    /// A constant; square roots to all digits.
     pub fn number(number: Number) -> Self {
         match number {
             Number::Exact { numerator, denominator, root } => {
@@ -221,7 +221,7 @@ impl Div for Double2 {
     }
 }
 
-/// Values of `roots` at so many points, symbols' values there from `value_of`.
+/// Values of `roots` at several points; `value_of` gives the symbols' values there.
 pub(super) fn evaluate_at(
     dag: &Dag,
     roots: &[ExprId],
@@ -231,7 +231,7 @@ pub(super) fn evaluate_at(
     let order = dag.reachable(roots);
     let mut values = vec![Double2::ZERO; order.last().map_or(0, |id| id.index() + 1)];
     let mut at = |point: usize| {
-        // Sine and cosine of an angle, which mostly follow each other.
+        // Sine and cosine of an angle usually follow each other and are computed together.
         let mut turned: Option<(ExprId, (Double2, Double2))> = None;
         for &id in &order {
             let of = |a: ExprId| values[a.index()];

@@ -1,11 +1,11 @@
-//! Classes -> expressions: the definitions in use, as nodes of the DAG.
+//! Classes -> expressions: builds the chosen definitions as nodes of the DAG.
 
 use super::graph::{ClassId, Graph, Operation, Signed};
 use crate::expr::{Dag, ExprId, Label, Node};
 use crate::id::IdVec;
 use rustc_hash::FxHashMap as HashMap;
 
-/// An expression that is a class's value, or its negative.
+/// The expression built for a class: its value, or the negative of its value.
 #[derive(Clone, Copy)]
 struct Made {
     expr: ExprId,
@@ -14,7 +14,7 @@ struct Made {
 
 /// Builds the live classes (operands first) and returns the roots' expressions.
 ///
-/// `labels` says which classes have a label in the generated code, and with which sign.
+/// `labels` gives the classes that have a label in the generated code, and whether the label is for the negative value.
 pub(super) fn roots(
     graph: &Graph,
     dag: &mut Dag,
@@ -41,7 +41,7 @@ pub(super) fn roots(
     roots.iter().map(&mut root).collect()
 }
 
-/// `expr` is `negative` times the class; of the two orders of a difference the wanted sign decides.
+/// Builds a class from its definition in use. A difference is built in the order that gives the sign `wanted`.
 fn build(graph: &Graph, dag: &mut Dag, class: ClassId, made: &IdVec<ClassId, Made>, wanted: bool) -> Made {
     let definition = graph.classes[class].current;
     let [x, y] = definition.operands;

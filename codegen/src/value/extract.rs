@@ -1,48 +1,49 @@
-//! Which definition each class uses: a local search over definitions with counted references.
+//! Chooses one definition per class so that the program is cheap: local search with reference counts.
 //!
-//! A class that nothing reads costs nothing. Another definition of a class frees what only the old one
-//! read and adds what only the new one reads; it is taken if it frees more. Moves that change nothing are
-//! taken now and then, by a fixed sequence, to leave a dead end; the best found is kept.
+//! A class that nothing uses costs nothing. Switching a class to another definition frees what only the old one used
+//! and adds what only the new one uses; the switch is made if it frees more. Switches that change nothing are made now
+//! and then, by a deterministic sequence, to leave local minima; the best state found is kept.
 
 use super::field::mix;
 use super::graph::{ClassId, Definition, Graph, Signed};
 use crate::id::Id;
 
-/// Of five moves that change nothing two are taken.
+/// Two of five switches that change nothing are made.
 const IDLE_MOVES: (u64, u64) = (2, 5);
-/// A move that changes nothing may make the round-off bound this many times larger.
+/// Such a switch may increase the round-off bound by at most this factor.
 const IDLE_ERROR: f64 = 1.1;
-/// Not in the order of evaluation.
+/// Position of a class that is not in the order of evaluation.
 const NOWHERE: u64 = u64::MAX;
-/// Distance between neighbours after sorting: room for classes that come to life in between.
+/// Distance between neighbours after sorting: leaves room for classes that come into use in between.
 const SPACING: u64 = 1 << 32;
 
-/// The search.
+/// State of the search.
 pub(super) struct Extraction<'g> {
     pub graph: &'g mut Graph,
     roots: Vec<ClassId>,
-    /// How many definitions in use, and roots, read a class.
+    /// By class: number of definitions in use, and roots, that use it.
     uses: Vec<u32>,
-    /// Position in an order of evaluation: above those of the operands.
+    /// By class: position in an order of evaluation, greater than those of its operands.
     position: Vec<u64>,
-    /// Length of the longest chain of weights below a live class.
+    /// By class in use: weight of the longest chain of operations that ends in it.
     depth: Vec<u32>,
-    /// Classes whose definition is settled.
+    /// By class: whether its definition may not change any more.
     locked: Vec<bool>,
     seen: Vec<u32>,
     round: u32,
     stack: Vec<ClassId>,
-    /// Classes whose uses a trial has raised.
+    /// Classes whose use count a trial has raised.
     tried: Vec<ClassId>,
     random: u64,
     cost: u32,
-    /// The live classes as last sorted.
+    /// The classes in use, as last sorted.
     order: Vec<ClassId>,
-    /// Classes that have got positions of their own since.
+    /// Classes that were given positions since then.
     placed: Vec<ClassId>,
-    /// Has a definition changed since?
+    /// Has a definition changed since then?
     changed: bool,
-    /// Is everything sorted, and its depth measured, anew where a class must move? Else that class moves alone.
+    /// If a class in use must move in the order, sort everything and recompute all depths? Otherwise that class alone
+    /// moves.
     pub keeps_depths: bool,
 }
 
@@ -78,7 +79,7 @@ impl<'g> Extraction<'g> {
         search
     }
 
-    /// Makes room for classes that the graph has got since: nothing reads them yet.
+    /// Makes room for classes that were added to the graph; nothing uses them yet.
     pub fn grow(&mut self) {
         let n = self.graph.classes.len();
         self.uses.resize(n, 0);
@@ -94,7 +95,7 @@ impl<'g> Extraction<'g> {
         self.order.clone()
     }
 
-    /// Sweeps so many times over all classes; the graph is left with the cheapest definitions found.
+    /// Makes `passes` sweeps over all classes; the graph is left with the cheapest definitions found.
     pub fn run(&mut self, passes: usize) {
         let mut best = (self.cost, self.snapshot());
         for pass in 0..passes {
@@ -134,7 +135,7 @@ impl<'g> Extraction<'g> {
         }
     }
 
-    /// One more use of a class; the weight that this brings to life.
+    /// Adds a use of a class; returns the cost of everything that comes into use by it.
     fn add_use(&mut self, class: ClassId) -> u32 {
         let mut weight = 0;
         self.stack.push(class);
@@ -149,7 +150,7 @@ impl<'g> Extraction<'g> {
         weight
     }
 
-    /// One use less; the weight that dies with it.
+    /// Removes a use of a class; returns the cost of everything that goes out of use.
     fn drop_use(&mut self, class: ClassId) -> u32 {
         let mut weight = 0;
         self.stack.push(class);
@@ -164,7 +165,7 @@ impl<'g> Extraction<'g> {
         weight
     }
 
-    /// The weight of a definition with what it would bring to life; none if that is above `most`.
+    /// Cost of a definition and of everything it would bring into use; `None` if that exceeds `most`.
     fn weight_of(&mut self, definition: &Definition, most: u32) -> Option<u32> {
         let mut weight = definition.cost();
         self.stack.extend(definition.reads());
@@ -186,7 +187,7 @@ impl<'g> Extraction<'g> {
         (weight <= most).then_some(weight)
     }
 
-    /// Takes a better definition of a live class, or an equal one now and then.
+    /// Switches a class in use to a cheaper definition, or now and then to one of equal cost.
     fn improve(&mut self, class: ClassId, idle_moves: bool) {
         let has_choice = self.graph.classes[class].definition(1).is_some();
         if self.uses[class.index()] == 0 || self.locked[class.index()] || !has_choice {
@@ -200,7 +201,7 @@ impl<'g> Extraction<'g> {
             if new == old {
                 continue;
             }
-            // Most definitions are dearer: only the others are worth the search for a cycle.
+            // Most definitions cost more; only the others are worth the search for a cycle.
             let most = best.map_or(freed, |(gain, _)| freed - gain as u32);
             let Some(added) = self.weight_of(&new, most) else { continue };
             let gain = i64::from(freed) - i64::from(added);
@@ -239,8 +240,8 @@ impl<'g> Extraction<'g> {
         }
     }
 
-    /// Gives positions to what came to life with the definition of `class`, and new ones to what stands behind the class
-    /// that reads it now; false where that takes a new order.
+    /// Gives positions to classes that came into use with the definition of `class`, and new ones to its operands that
+    /// stand after it; false if the whole order must be sorted instead.
     fn place(&mut self, class: ClassId) -> bool {
         let limit = self.position[class.index()];
         let mut stack: Vec<ClassId> = self.graph.classes[class].current.reads().collect();
@@ -272,13 +273,13 @@ impl<'g> Extraction<'g> {
         true
     }
 
-    /// Length of the chain that ends in a definition.
+    /// Weight of the longest chain of operations that ends in a definition.
     fn depth_of(&self, definition: &Definition) -> u32 {
         let below = definition.reads().map(|c| self.depth[c.index()]).max().unwrap_or(0);
         below + definition.operation.weight()
     }
 
-    /// Do the current definitions lead from what `definition` reads back to `class`?
+    /// Would `definition` make `class` depend on itself, through the current definitions?
     fn reaches(&mut self, definition: &Definition, class: ClassId) -> bool {
         self.round += 1;
         let place = self.position[class.index()];
@@ -288,7 +289,7 @@ impl<'g> Extraction<'g> {
                 return true;
             }
             let i = c.index();
-            // What comes earlier in the order of evaluation cannot read the class.
+            // A class earlier in the order of evaluation cannot depend on this one.
             if self.seen[i] != self.round && (self.position[i] == NOWHERE || self.position[i] > place) {
                 stack.extend(self.graph.classes[c].current.reads());
             }
@@ -297,7 +298,7 @@ impl<'g> Extraction<'g> {
         false
     }
 
-    /// Sorts the live classes, operands first, and measures their depth.
+    /// Sorts the classes in use, operands first, and computes their depths.
     fn sort(&mut self) {
         if !self.changed {
             return;

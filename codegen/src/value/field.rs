@@ -1,13 +1,13 @@
-//! Exact arithmetic modulo a prime: an identity test without tolerance.
+//! Exact arithmetic modulo a prime p: tests identities without a tolerance.
 //!
-//! Two rational expressions that agree at a random point of the field are equal as functions, but
-//! for a chance of their degree divided by p, some 1e-15. The prime is chosen so that 2, 3, 5, 7, 11 and 13 have
-//! square roots: surds of the model's directions are elements like any other.
+//! Two rational expressions that agree at a random point of the field are equal as functions, except with a probability
+//! of degree / p, about 1e-15. The prime is chosen such that 2, 3, 5, 7, 11 and 13 have square roots, so that the
+//! square roots in a model's directions are elements of the field.
 
 use crate::expr::number::Number;
 use std::ops::{Add, Mul, Neg, Sub};
 
-/// 2^61 - P is this: small, so that a product is reduced by two folds.
+/// P is 2^61 minus this. Small, so that two folds reduce a product.
 const DEFECT: u64 = 11_913;
 const BITS: u32 = 61;
 /// The prime.
@@ -33,12 +33,12 @@ impl Field {
         self.0
     }
 
-    /// Of x and -x one is the upper: canonical signs are lower.
+    /// One of x and -x is "upper", the other one is the canonical sign.
     pub fn is_upper(self) -> bool {
         self.0 > P / 2
     }
 
-    /// Of x and -x the lower.
+    /// Whichever of x and -x is not "upper".
     pub fn canonical(self) -> Self {
         if self.is_upper() { -self } else { self }
     }
@@ -57,7 +57,7 @@ impl Field {
 
     /// 1/x; `None` for 0.
     pub fn inverse(self) -> Option<Self> {
-        // Extended Euclid: a third of the time of x^(P - 2).
+        // Extended Euclidean algorithm: a third of the time of x^(P - 2).
         let (mut r, mut s) = ((P, self.0), (0_i128, 1_i128));
         while r.1 != 0 {
             let quotient = r.0 / r.1;
@@ -67,7 +67,8 @@ impl Field {
         (r.0 == 1).then(|| Self(s.0.rem_euclid(i128::from(P)) as u64))
     }
 
-    /// 1/x of each, and 0 of 0, by one inversion and three products an element (Montgomery 1987, section 10.3.1).
+    /// 1/x for each element, 0 for 0, by one inversion and three products per element (Montgomery 1987, section
+    /// 10.3.1).
     pub fn inverses(elements: &[Self]) -> Vec<Self> {
         let factor = |x: Self| if x == Self::ZERO { Self::ONE } else { x };
         let mut product = Self::ONE;
@@ -76,7 +77,7 @@ impl Field {
             inverses.push(product);
             product = product * factor(x);
         }
-        // Of all factors up to the element at hand.
+        // The inverse of the product of all elements up to the current one.
         let mut inverse = product.inverse().unwrap_or(Self::ZERO);
         for (before, &x) in inverses.iter_mut().zip(elements).rev() {
             *before = if x == Self::ZERO { Self::ZERO } else { inverse * *before };
@@ -160,7 +161,7 @@ impl Mul for Field {
     fn mul(self, other: Self) -> Self {
         const LOW: u64 = (1 << BITS) - 1;
         let product = u128::from(self.0) * u128::from(other.0);
-        // x = high 2^61 + low = high DEFECT + low (mod P), twice: then below 2 P.
+        // x = high 2^61 + low = high DEFECT + low (mod P); applied twice the result is below 2 P.
         let fold = |x: u128| u128::from((x as u64) & LOW) + (x >> BITS) * u128::from(DEFECT);
         let rest = fold(fold(product)) as u64;
         Self(if rest >= P { rest - P } else { rest })

@@ -1,8 +1,8 @@
 //! The value graph: classes of equal values, each with all its known definitions.
 //!
-//! A class stands for a value up to sign; a definition is one operation on other classes. The value
-//! is known as two elements of a prime field (exact, hence the identity test) and as numbers at the
-//! guard's states.
+//! A class stands for a value up to its sign; a definition is one operation on other classes. The value is stored as
+//! two elements of a prime field (exact, for the identity test) and as f64 at the guard's states (for round-off
+//! bounds).
 
 use super::field::Field;
 use super::guard::{self, Estimate};
@@ -15,7 +15,7 @@ ids! {
     ClassId,
 }
 
-/// Two independent random points: chance equality is out of the question.
+/// The value at two independent random points: equality by chance is practically impossible.
 pub(super) type Value = [Field; 2];
 
 /// A class or its negative; negation is free.
@@ -31,7 +31,7 @@ impl Signed {
     }
 }
 
-/// What a definition does with its operands.
+/// The operation of a definition.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Operation {
     /// A symbol or a constant.
@@ -49,7 +49,7 @@ pub(super) enum Operation {
 }
 
 impl Operation {
-    /// How much time it takes, in additions.
+    /// Estimated time, in additions.
     pub fn weight(self) -> u32 {
         match self {
             Self::Leaf(_) => 0,
@@ -65,26 +65,26 @@ impl Operation {
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) struct Definition {
     pub operation: Operation,
-    /// Is the class the negative of what the operation gives?
+    /// Is the class the negative of the operation's result?
     pub negative: bool,
-    /// The operands; of one operand the second repeats the first, of a leaf both are the class.
+    /// The operands. For one operand the second repeats the first; for a leaf both are the class itself.
     pub operands: [Signed; 2],
-    /// Its round-off bound against the class's own, 1 where it is no larger.
+    /// Its round-off bound relative to that of the class; 1 if it is no larger.
     pub error: f64,
-    /// Reads nothing but parameters: computed when they change.
+    /// Depends on parameters alone, so that it is computed only when they change.
     pub prepared: bool,
 }
 
-/// An operation at every evaluation counts as so many when parameters change.
+/// Weight of an operation of every evaluation relative to one that is done only when parameters change.
 const EVERY_EVALUATION: u32 = 32;
 
 impl Definition {
-    /// The class (or its negative, if `negative`) is a (operation) b.
+    /// Defines the class (or its negative, if `negative`) as a (operation) b.
     pub fn new(operation: Operation, a: Signed, b: Signed, negative: bool) -> Self {
         let commutes = matches!(operation, Operation::Sum | Operation::Product);
         let (a, b) = if commutes && b.class < a.class { (b, a) } else { (a, b) };
         match operation {
-            // A sum carries all signs in its terms, a product or quotient none in its factors.
+            // Canonical signs: a sum has them all in its terms, a product or quotient has none in its factors.
             Operation::Sum => Self {
                 operation,
                 negative: false,
@@ -103,12 +103,12 @@ impl Definition {
         }
     }
 
-    /// Its share of the cost that the search lowers.
+    /// Its contribution to the cost that the search minimises.
     pub fn cost(&self) -> u32 {
         self.operation.weight() * if self.prepared { 1 } else { EVERY_EVALUATION }
     }
 
-    /// Classes that are read.
+    /// The classes that it depends on.
     pub fn reads(&self) -> impl Iterator<Item = ClassId> + use<> {
         let n = match self.operation {
             Operation::Leaf(_) => 0,
@@ -128,12 +128,12 @@ impl Definition {
 #[derive(Clone, Debug)]
 pub(super) struct Class {
     pub value: Value,
-    /// The first definition and those found later; most classes have but one.
+    /// The first definition, and others found later; most classes have only one.
     first: Definition,
     others: Vec<Definition>,
     /// The definition in use.
     pub current: Definition,
-    /// Depends on parameters alone, as first defined.
+    /// Does the class depend on parameters alone, by its first definition?
     pub prepared: bool,
 }
 
@@ -143,7 +143,7 @@ impl Class {
         std::iter::once(&self.first).chain(&self.others)
     }
 
-    /// The k-th definition, if there are as many.
+    /// The k-th definition, if it exists.
     pub fn definition(&self, k: usize) -> Option<Definition> {
         if k == 0 { Some(self.first) } else { self.others.get(k - 1).copied() }
     }
@@ -159,7 +159,7 @@ pub(super) struct Graph {
     pub classes: IdVec<ClassId, Class>,
     index: HashMap<u64, ClassId>,
     points: usize,
-    /// `points` a class.
+    /// Estimates at the guard's states: `points` entries per class.
     estimates: Vec<Estimate>,
 }
 
@@ -168,7 +168,7 @@ impl Graph {
         Self { classes: IdVec::default(), index: HashMap::default(), points, estimates: Vec::new() }
     }
 
-    /// Makes room for so many more classes.
+    /// Reserves memory for this number of additional classes.
     pub fn reserve(&mut self, classes: usize) {
         self.classes.reserve(classes);
         self.index.reserve(classes);
@@ -180,7 +180,7 @@ impl Graph {
         if x.negative { value.map(|v| -v) } else { value }
     }
 
-    /// Values and error bounds of a class at the guard's states.
+    /// Values and round-off bounds of a class at the guard's states.
     pub fn estimates(&self, class: ClassId) -> &[Estimate] {
         let start = class.index() * self.points;
         &self.estimates[start..start + self.points]
@@ -190,7 +190,7 @@ impl Graph {
         self.estimates(x.class).iter().map(move |e| e.signed(x.negative))
     }
 
-    /// The class of a value, if there is one.
+    /// The class with this value, if there is one.
     pub fn find(&self, value: Value) -> Option<Signed> {
         let negative = value[0].is_upper();
         let canonical = if negative { value.map(|v| -v) } else { value };
@@ -198,13 +198,13 @@ impl Graph {
         (self.classes[class].value == canonical).then_some(Signed { class, negative })
     }
 
-    /// The class that has this value at the first point, whatever it has at the second.
+    /// The class with this value at the first point of the field; the second is not compared.
     pub fn find_at_first_point(&self, value: Field) -> Option<Signed> {
         let &class = self.index.get(&value.canonical().bits())?;
         Some(Signed { class, negative: value.is_upper() })
     }
 
-    /// A new class for a (operation) b, whose value is given; the class may be its negative.
+    /// Adds a class for a (operation) b with the given value; the class may stand for the negative.
     pub fn add(&mut self, value: Value, operation: Operation, a: Signed, b: Signed) -> Signed {
         let negative = value[0].is_upper();
         let current = self.prepared(Definition::new(operation, a, b, negative));
@@ -215,7 +215,7 @@ impl Graph {
         self.push(value, current)
     }
 
-    /// A new class by its first definition; the estimates are there.
+    /// Adds a class with its first definition; its estimates have been stored already.
     fn push(&mut self, value: Value, current: Definition) -> Signed {
         let negative = value[0].is_upper();
         let value = if negative { value.map(|v| -v) } else { value };
@@ -230,7 +230,7 @@ impl Graph {
         Signed { class, negative }
     }
 
-    /// A symbol or a constant.
+    /// The class of a symbol or constant.
     pub fn leaf(&mut self, value: Value, expr: ExprId, prepared: bool, estimates: &[Estimate]) -> Signed {
         if let Some(known) = self.find(value) {
             return known;
@@ -243,14 +243,14 @@ impl Graph {
         leaf
     }
 
-    /// The definition with its note whether it reads parameters alone.
+    /// The definition with `prepared` set.
     fn prepared(&self, definition: Definition) -> Definition {
-        // A leaf reads nothing; whether it is a parameter its maker knows.
+        // A leaf depends on no class; whether it is a parameter is set by the caller.
         let prepared = definition.reads().all(|c| self.classes[c].prepared);
         Definition { prepared, ..definition }
     }
 
-    /// What an operation gives in the field; `None` where it divides by zero or is none of + * /.
+    /// The result of an operation in the field; `None` for a division by zero or an operation other than + * /.
     pub fn apply(&self, operation: Operation, a: Signed, b: Signed) -> Option<Value> {
         let (x, y) = (self.value(a), self.value(b));
         Some(match operation {
@@ -261,7 +261,7 @@ impl Graph {
         })
     }
 
-    /// What a definition gives at one of the guard's states.
+    /// Value and round-off bound of a definition at one of the guard's states.
     fn estimate(&self, definition: &Definition, point: usize) -> Estimate {
         let [a, b] = definition
             .operands
@@ -277,17 +277,17 @@ impl Graph {
         value.signed(definition.negative)
     }
 
-    /// What a definition gives at the guard's states.
+    /// Values and round-off bounds of a definition at the guard's states.
     pub fn estimates_of(&self, definition: &Definition) -> impl Iterator<Item = Estimate> {
         (0..self.points).map(move |point| self.estimate(definition, point))
     }
 
-    /// Offers `target` a further definition, which must have its value; true if it is new and admitted.
+    /// Adds a definition to `target`, which must have the same value; true if it is new and the guard admits it.
     pub fn propose(&mut self, target: Signed, operation: Operation, a: Signed, b: Signed) -> bool {
         self.propose_within(target, operation, [a, b], f64::INFINITY)
     }
 
-    /// The same if its round-off bound is at most so many times the class's own.
+    /// [`Self::propose`], but only if the round-off bound is at most `most` times that of the class.
     pub fn propose_within(
         &mut self,
         target: Signed,
@@ -312,8 +312,8 @@ impl Graph {
         true
     }
 
-    /// Gives `target` this definition, which must have its value, in the place of those that it has; false where the
-    /// definition reads the class.
+    /// Replaces all definitions of `target` by this one, which must have the same value; false if the definition
+    /// depends on the class.
     pub fn adopt(&mut self, target: Signed, operation: Operation, a: Signed, b: Signed) -> bool {
         let definition = self.prepared(Definition::new(operation, a, b, target.negative));
         if self.classes[target.class].is_leaf() || self.reads(&definition, target.class) {
@@ -325,7 +325,7 @@ impl Graph {
         true
     }
 
-    /// Do the current definitions lead from what `definition` reads to `class`?
+    /// Does `definition` depend on `class`, through the current definitions?
     fn reads(&self, definition: &Definition, class: ClassId) -> bool {
         let mut seen = vec![false; self.classes.len()];
         let mut stack: Vec<ClassId> = definition.reads().collect();
@@ -340,7 +340,7 @@ impl Graph {
         false
     }
 
-    /// The class of a (operation) b, made if need be; `None` if it is zero or not defined.
+    /// The class of a (operation) b, added if necessary; `None` if the value is zero or undefined.
     pub fn class_of(&mut self, operation: Operation, a: Signed, b: Signed) -> Option<Signed> {
         let value = self.apply(operation, a, b)?;
         if value[0] == Field::ZERO {
@@ -353,7 +353,7 @@ impl Graph {
         Some(self.add(value, operation, a, b))
     }
 
-    /// The more certain of two definitions' bounds is the class's own.
+    /// Takes over bounds of another definition of the same value where they are smaller.
     pub fn sharpen(&mut self, class: ClassId, other: &[Estimate]) {
         let start = class.index() * self.points;
         for (mine, other) in self.estimates[start..start + self.points].iter_mut().zip(other) {

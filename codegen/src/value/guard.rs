@@ -1,28 +1,28 @@
-//! The guard: a new definition may not round off noticeably more than the old one.
+//! The guard: admits a new definition only if it rounds off hardly more than the old one.
 //!
-//! At a list of states every class carries its value and a first-order bound of its round-off, both
-//! in f64. An identity keeps the value; what it may change is the round-off, by cancellation. So a
-//! definition is admitted only if its bound stays near the bound of the class's own definition.
+//! At a list of states every class carries its value and a first-order bound of its round-off error, both in f64. An
+//! identity keeps the value, but may change the round-off error by cancellation. So a definition is admitted only if
+//! its bound stays close to that of the class.
 
 use crate::expr::{Binary, Unary, evaluate};
 
 /// Half the spacing of f64 at 1: relative error of one rounding.
 const ROUNDING: f64 = f64::EPSILON / 2.0;
-/// A new bound may be this many times the old one,
+/// The bound of a new definition may be this many times the old one,
 const WORSE: f64 = 2.0;
 /// plus this many roundings of the value.
 const MORE_ROUNDINGS: f64 = 4.0;
-/// A sum this small against its terms cancels: admitted only if the old definition is no better.
+/// A sum below this share of its terms cancels: admitted only if its bound is no larger than the old one.
 const CANCELS: f64 = 1e-3;
 
-/// A value at one state and the bound of its round-off.
+/// A value at one state, with a bound of its round-off error.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(crate) struct Estimate {
     /// The value in f64.
     pub value: f64,
     /// First-order bound of its absolute error.
     pub error: f64,
-    /// Does the operation that made it cancel most of its operands?
+    /// Is it a sum that cancels most of its terms?
     pub cancels: bool,
 }
 
@@ -37,7 +37,7 @@ impl Estimate {
         Self::computed(value, 0.0)
     }
 
-    /// A result of an operation whose operands contribute `inherited`.
+    /// Result of an operation; `inherited` is the error propagated from the operands.
     fn computed(value: f64, inherited: f64) -> Self {
         Self { value, error: inherited + ROUNDING * value.abs(), cancels: false }
     }
@@ -81,7 +81,7 @@ impl Estimate {
         Self::computed(value, inherited)
     }
 
-    /// May `new` stand where this is? Both are the same function of the state.
+    /// May `new` replace this? Both are the same function of the state.
     pub fn admits(&self, new: &Self) -> bool {
         if !self.error.is_finite() || !self.value.is_finite() {
             return true; // a pole: the old definition is no better there
@@ -91,13 +91,14 @@ impl Estimate {
         } else {
             WORSE * self.error + MORE_ROUNDINGS * ROUNDING * self.value.abs()
         };
-        // Values farther apart than their errors: not the same function after all.
+        // Values that differ by more than their errors do not belong to the same function.
         let apart = (self.value - new.value).abs();
         new.error <= limit && apart <= WORSE * (self.error + new.error)
     }
 }
 
-/// How many times the old bound the new one is where that is most, if it is admitted at every state.
+/// The largest ratio of new to old bound over all states (at least 1), or `None` if some state does not admit the new
+/// one.
 pub(crate) fn admits(
     old: impl Iterator<Item = Estimate>,
     new: impl Iterator<Item = Estimate>,

@@ -1,4 +1,4 @@
-//! Expressions -> classes: equal values merge, zeros and constants drop out, signs are canonical.
+//! Expressions -> classes: merges equal values, removes zeros, makes signs canonical.
 
 use super::field::{Field, mix};
 use super::graph::{ClassId, Definition, Graph, Operation, Signed, Value};
@@ -16,9 +16,9 @@ pub(super) struct Import<'a> {
     states: &'a States,
     /// The node 0 of the DAG.
     zero: ExprId,
-    /// Does a definition that rounds off less take the place of an equal one? Else both stay, for a search over pairs.
+    /// Does a definition with less round-off replace an equal one? Otherwise both are kept, for the search over pairs.
     replaces: bool,
-    /// What nodes have become: a class with a sign, or zero.
+    /// By node: not loaded, or loaded as a class with a sign, or as zero (inner `None`).
     classes: Vec<Option<Option<Signed>>>,
 }
 
@@ -27,7 +27,7 @@ impl<'a> Import<'a> {
         Self { graph, dag, states, zero, replaces, classes: vec![None; dag.len()] }
     }
 
-    /// Loads what `roots` need and returns their classes.
+    /// Loads the nodes that `roots` depend on and returns the classes of the roots.
     pub fn load(&mut self, roots: &[ExprId]) -> Vec<Option<Signed>> {
         let nodes = self.dag.reachable(roots);
         self.graph.reserve(nodes.len());
@@ -44,7 +44,8 @@ impl<'a> Import<'a> {
         self.classes[id.index()].expect("operands are loaded before what reads them")
     }
 
-    /// Labels of the loaded nodes by class; with each whether it is of the class's negative, if all of them are of one sign.
+    /// Labels by class, each with whether it is for the class's negative. A label of the other sign than the first is
+    /// not merged.
     pub fn labels(&self) -> HashMap<ClassId, (bool, Label)> {
         let mut labels: HashMap<ClassId, (bool, Label)> = HashMap::default();
         for (index, class) in self.classes.iter().enumerate() {
@@ -87,7 +88,7 @@ impl<'a> Import<'a> {
         }
     }
 
-    /// The class that has the value of a (operation) b; a new one if the guard admits no other.
+    /// The class with the value of a (operation) b; a new one if the guard admits no definition of the existing class.
     fn merge(&mut self, operation: Operation, a: Signed, b: Signed) -> Option<Signed> {
         let graph = &mut *self.graph;
         let value = graph.apply(operation, a, b).unwrap_or_else(|| opaque(graph, operation, a, b));
@@ -103,7 +104,7 @@ impl<'a> Import<'a> {
                 graph.sharpen(known.class, &estimates);
                 return Some(known);
             }
-            // What is known rounds off more: it gives way.
+            // The known definition rounds off more: the new one replaces it.
             let own: Vec<Estimate> = graph.signed_estimates(known).collect();
             let is_better = guard::admits(own.into_iter(), estimates.iter().copied()).is_some();
             if self.replaces && is_better && graph.adopt(known, operation, a, b) {
@@ -117,7 +118,8 @@ impl<'a> Import<'a> {
     fn constant(&mut self, id: ExprId) -> Signed {
         let number =
             self.dag.as_number(id).unwrap_or_else(|| Number::from_f64(self.dag.evaluate_constant(id)));
-        // A constant is itself at every point; a surd without a root in the field is taken at random.
+        // A constant has the same value at both points; a square root that is not in the field is replaced by a random
+        // element.
         let value = Field::from_number(number).unwrap_or_else(|| Field::new(mix(0xC0 + id.index() as u64)));
         let estimate = match number {
             Number::Exact { denominator, root, .. } if root > 1 || denominator.count_ones() > 1 => {
@@ -138,7 +140,7 @@ impl<'a> Import<'a> {
     }
 }
 
-/// A field element for what is not rational: the same for the same operands.
+/// A pseudo-random value for a result that is not rational in the operands; the same for equal operands.
 fn opaque(graph: &Graph, operation: Operation, a: Signed, b: Signed) -> Value {
     let (x, y) = (graph.value(a), graph.value(b));
     let of_two = |tag: u64, k: usize| random(tag, Field::new(mix(x[k].bits())) + y[k]);
@@ -154,7 +156,8 @@ fn random(tag: u64, x: Field) -> Field {
     Field::new(mix(mix(x.bits()).wrapping_add(tag)))
 }
 
-/// f(x): sine, cosine and tangent from one point of the circle, others at random; odd is odd, even is even.
+/// f(x): sine, cosine and tangent from one point of the unit circle, others pseudo-random. Odd functions are odd in the
+/// field, even ones even.
 fn unary(f: Unary, x: Field) -> Field {
     let (negative, size) = if x.is_upper() { (true, -x) } else { (false, x) };
     let (sin, cos) = Field::circle(random(0, size)).unwrap_or((Field::ZERO, Field::ONE));

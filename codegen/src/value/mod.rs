@@ -1,12 +1,12 @@
-//! The value graph: sub-expressions identified by value and expressed anew with fewer operations.
+//! The value graph: finds sub-expressions of equal value and expresses them with fewer operations.
 //!
-//! In: expressions over one DAG, and states at which round-off is watched. Out: expressions of the same
-//! value that take fewer operations. Knows no mechanics. An identity is tested exactly, at random
-//! points of a prime field (`field`); whether it may be used is decided by round-off (`guard`), and the program
-//! as a whole is measured against twice the digits (`check`).
+//! In: expressions over one DAG, and states at which round-off is watched. Out: expressions of the same values with
+//! fewer operations. Knows no mechanics. An identity is tested exactly, at random points of a prime field (`field`);
+//! whether it may be used depends on its round-off (`guard`); the program as a whole is compared with twice the digits
+//! (`check`).
 //!
-//! `import` (equal values merge) -> `rules`, `multiples`, `near`, `pairs` (further definitions of a value) -> `extract`
-//! (the cheapest choice of definitions) -> `export`.
+//! Stages: `import` (equal values merge) -> `rules`, `multiples`, `near`, `pairs` (further definitions of a value) ->
+//! `extract` (the cheapest choice of definitions) -> `export`.
 
 mod check;
 mod double_double;
@@ -31,24 +31,24 @@ use import::Import;
 use pairs::Pairs;
 pub use states::States;
 
-/// How hard to look for fewer operations.
+/// How much effort is spent on reducing the number of operations.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub enum Effort {
     /// The expressions as derived.
     None,
-    /// Equal values merge, common factors are taken out, constant multiples and neighbours are looked at: two milliseconds.
+    /// Merges equal values, factors sums, tries constant multiples and neighbours: two milliseconds.
     #[default]
     Default,
     /// All rules and the search over all pairs: a tenth of a second, for release builds.
     All,
 }
 
-/// How hard to look, and where.
+/// The effort, and the groups on which more of it is spent.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Search {
     /// How hard.
     pub effort: Effort,
-    /// Groups from this one on are searched over pairs of values at the default effort too.
+    /// Groups from this index on are searched over pairs of values even at the default effort.
     pub paired: usize,
 }
 
@@ -58,22 +58,22 @@ impl From<Effort> for Search {
     }
 }
 
-/// Sweeps of the search in a round of the default effort.
+/// Sweeps of the search in each round at the default effort.
 const PASSES_DEFAULT: usize = 2;
-/// Sweeps in a round of the full effort: more rounds pay better than more sweeps.
+/// Sweeps in each round at full effort: more rounds gain more than more sweeps.
 const PASSES_ALL: usize = 5;
-/// Most rounds of the full effort on the first group alone, and then on all groups.
+/// Most rounds at full effort, first on the first group alone, then on all groups.
 const ROUNDS: (usize, usize) = (6, 2);
-/// Most rounds of the default effort where answers are asked for.
+/// Most rounds at the default effort if answers are asked for.
 const ROUNDS_ON_REQUEST: usize = 3;
 
-/// More values than this are not looked at in pairs at the default effort: the time grows with their square.
+/// Groups with more values than this are not searched over pairs at the default effort: the time is quadratic.
 const MOST_PAIRED: usize = 10_000;
 
-/// Shorter expressions of the same values: `groups[0]` is made as short as can be, the others after it.
+/// Shorter expressions of the same values. `groups[0]` is made as short as possible, then the groups after it.
 ///
-/// The guard watches round-off at the states of `guard`; a program whose errors at the states of `samples`
-/// are noticeably worse than the original's is given up.
+/// The guard bounds round-off at the states of `guard`; a program whose errors at the states of `samples` are
+/// noticeably worse than the original's is discarded.
 #[must_use]
 pub fn shorten(
     dag: &mut Dag,
@@ -103,7 +103,7 @@ pub fn shorten(
             best = next;
         }
     }
-    // What the first group gained the others may have lost: then they stay as they were.
+    // A group may have become longer by what the first group gained: it then keeps its original expressions.
     for (new, old) in best.iter_mut().zip(groups).skip(1) {
         if new != old && dag.costs(new) > dag.costs(old) {
             new.clone_from(old);
@@ -112,7 +112,7 @@ pub fn shorten(
     best
 }
 
-/// Less in the first group, or as much there and less in all.
+/// Fewer operations in the first group, or as many there and fewer in all?
 fn is_shorter(dag: &Dag, old: &[Vec<ExprId>], new: &[Vec<ExprId>]) -> bool {
     let of = |groups: &[Vec<ExprId>]| {
         let costs: Vec<(usize, usize)> = groups.iter().map(|group| dag.costs(group)).collect();
@@ -121,7 +121,8 @@ fn is_shorter(dag: &Dag, old: &[Vec<ExprId>], new: &[Vec<ExprId>]) -> bool {
     of(new) < of(old)
 }
 
-/// One round: import, further definitions, search, export; groups from `searched` on follow the others.
+/// One round: import, further definitions, search, export. Groups from `searched` on reuse what was found for the
+/// others.
 fn round(
     dag: &mut Dag,
     groups: &[Vec<ExprId>],

@@ -1,8 +1,8 @@
-//! Values that are constants times one another.
+//! Values that are constant multiples of one another.
 //!
-//! In: live classes. Out: k x as a further definition of every one that is k times another one, x. A value is a constant
-//! times another exactly if the quotient of the two is the same at both points of the field, so that all that belong
-//! together have one quotient of their own two elements: no pairs are compared.
+//! In: live classes. Out: k x as a further definition of every value that is k times another one, x. A value is a
+//! constant multiple of another exactly if their quotient is the same at both points of the field; then the quotient of
+//! a value's own two field elements is the same for both, so that multiples are found by hashing instead of by pairs.
 
 use super::field::Field;
 use super::graph::{ClassId, Graph, Operation, Signed};
@@ -29,9 +29,9 @@ pub(super) fn propose(graph: &mut Graph, live: &[ClassId]) {
     }
 }
 
-/// The constants of the graph, their products and quotients: what else a factor might be is no round number.
+/// The constants of the graph, their products and quotients. Any other factor is not a simple number.
 struct Constants {
-    /// Of which two a constant, sign canonical, is made.
+    /// By constant (canonical sign): the operation and the two constants that give it.
     made: HashMap<Field, (Operation, [Signed; 2])>,
 }
 
@@ -55,7 +55,7 @@ impl Constants {
         Self { made }
     }
 
-    /// The class of a constant, made if need be: a product of constants is one when expressions are built.
+    /// The class of a constant, added if necessary. A product of constants is folded when expressions are built.
     fn class(&self, graph: &mut Graph, value: Field) -> Option<Signed> {
         if let Some(known) = graph.find([value, value]) {
             return Some(known);

@@ -1,20 +1,21 @@
-//! One-operation resubstitution among neighbours: a value as the sum, difference or product of two others of which one
-//! is near it in the graph.
+//! One-operation resubstitution among neighbours: a value as sum, difference or product of two others, one of which is
+//! near it in the graph.
 //!
-//! In: live classes and their current definitions. Out: further definitions of them. Of all pairs of values (`pairs`)
-//! those are tried whose one member is among the operands of a value, their operands, or what else reads these: the other
-//! member is then looked up by its value. That finds nearly as much in time that grows with the number of values alone.
+//! In: live classes and their current definitions. Out: further definitions. Of all pairs of values (`pairs`) only
+//! those are tried in which one member is an operand of the value, an operand of an operand, or another user of these;
+//! the other member is looked up by its value. That finds nearly as much, in time proportional to the number of values.
 
 use super::field::Field;
 use super::graph::{ClassId, Graph, Operation, Signed};
 use crate::id::Id;
 
-/// Neighbours that are tried.
+/// Number of neighbours that are tried.
 const NEAREST: usize = 12;
-/// What more definitions than this read is near everything: it leads to no neighbours.
+/// A class used by more definitions than this is near everything: its users do not count as neighbours.
 const CROWD: usize = 24;
 
-/// The round-off bound of a new definition against that of the value: many are taken, so that none may add to it.
+/// Limit of the round-off bound of a new definition relative to the class's own: since many are taken, none may add to
+/// it.
 const NO_WORSE: f64 = 1.0;
 
 /// Proposes t = x + y, t = y - x and t = x y for every class t, neighbour x of it, and class y.
@@ -25,8 +26,8 @@ pub(super) fn resubstitute(graph: &mut Graph, live: &[ClassId], targets: &[Class
     let mut search =
         Search { seen: vec![usize::MAX; graph.classes.len()], near: Vec::with_capacity(2 * NEAREST) };
     for (round, &target) in targets.iter().enumerate() {
-        // What is prepared costs nothing. Another definition frees more than one operation only if nothing else reads some
-        // operand of this one.
+        // A prepared value costs nothing. A new definition saves more than one operation only if nothing else uses some
+        // operand of the current one.
         let has_own_operand = graph.classes[target].current.reads().any(|read| readers.of(read).len() == 1);
         if graph.classes[target].is_leaf() || graph.classes[target].prepared || !has_own_operand {
             continue;
@@ -38,7 +39,7 @@ pub(super) fn resubstitute(graph: &mut Graph, live: &[ClassId], targets: &[Class
             let x = Signed { class, negative: false };
             let value = values[class.index()];
             let is_other = |y: &Signed| y.class != target && y.class != class;
-            // Looked up by the first point of the field, compared at both.
+            // Looked up by the value at the first point of the field, compared at both.
             if let Some(y) = graph.find_at_first_point(t[0] - value).filter(is_other)
                 && graph.apply(Operation::Sum, x, y) == Some(t)
             {
@@ -59,7 +60,7 @@ pub(super) fn resubstitute(graph: &mut Graph, live: &[ClassId], targets: &[Class
     }
 }
 
-/// Which current definitions read a class: those of class i stand at `starts[i]..starts[i + 1]`.
+/// By class: the classes whose current definitions use it. Those of class i stand at `starts[i]..starts[i + 1]`.
 struct Readers {
     starts: Vec<usize>,
     classes: Vec<ClassId>,
@@ -89,16 +90,16 @@ impl Readers {
     }
 }
 
-/// The neighbours of one class after the other.
+/// Finds the neighbours of one class after the other.
 struct Search {
-    /// The round in which a class was found.
+    /// By class: the last round in which it was found.
     seen: Vec<usize>,
     /// The class itself, then its neighbours, the nearest first.
     near: Vec<ClassId>,
 }
 
 impl Search {
-    /// Finds the neighbours of a class: what it reads, what that reads and is read by, and so on.
+    /// Finds the neighbours of a class by breadth-first search: its operands, their operands and users, and so on.
     fn look_around(&mut self, graph: &Graph, readers: &Readers, class: ClassId, round: usize) {
         self.near.clear();
         self.near.push(class);

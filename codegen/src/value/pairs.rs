@@ -1,17 +1,17 @@
-//! One-operation resubstitution: a live value that is the sum, difference or product of two others.
+//! One-operation resubstitution over all pairs: a live value as the sum, difference or product of two others.
 
 use super::field::Field;
 use super::graph::{ClassId, Graph, Operation, Signed};
 use crate::id::Id;
 use rustc_hash::FxHashMap as HashMap;
 
-/// Bits of a key that the filter looks at.
+/// Number of bits of a key that index the filter.
 const FILTER_BITS: u32 = 17;
 
 /// Words of the filter.
 const WORDS: usize = 1 << (FILTER_BITS - 6);
 
-/// A set of keys that answers most questions about absent ones from the first-level cache.
+/// A Bloom filter for keys; it answers most questions about absent keys from the first-level cache.
 struct Filter(Box<[u64; WORDS]>);
 
 impl Filter {
@@ -28,14 +28,14 @@ impl Filter {
     }
 }
 
-/// Which sums, differences and products of two values are values too, of all values met so far: what one round
-/// has found the next need not look for.
+/// All values met so far, and all pairs whose sum, difference or product is among them. Kept over the rounds, so that a
+/// pair is tested once.
 pub(super) struct Pairs {
-    /// The values, signs canonical, and their inverses.
+    /// The values, with canonical signs, and their inverses.
     values: Vec<(Field, Field)>,
     place: HashMap<Field, usize>,
     filter: Filter,
-    /// Places of two values whose sum, difference or product is a third.
+    /// Index pairs of values whose sum, difference or product is a third one.
     found: Vec<[usize; 2]>,
 }
 
@@ -44,7 +44,7 @@ impl Pairs {
         Self { values: Vec::new(), place: HashMap::default(), filter: Filter::new(), found: Vec::new() }
     }
 
-    /// Place of a value that is not zero; a new one is looked at with every value met before.
+    /// Index of a non-zero value; a new value is combined with all values met before.
     fn meet(&mut self, x: Field) -> usize {
         let new = self.values.len();
         if let Some(&known) = self.place.get(&x) {
@@ -54,7 +54,7 @@ impl Pairs {
         self.place.insert(x, new);
         self.values.push((x, x.inverse().unwrap_or(Field::ZERO)));
         for (other, &(y, inverse)) in self.values.iter().enumerate() {
-            // No branch but one: that some of the four is there is rare.
+            // A single branch for all four combinations, which is rarely taken.
             let [sum, difference, product, quotient] = [x + y, x - y, x * y, x * inverse];
             let may_hold = |value| self.filter.may_hold(value);
             if may_hold(sum) | may_hold(difference) | may_hold(product) | may_hold(quotient) {
@@ -69,9 +69,9 @@ impl Pairs {
         new
     }
 
-    /// Proposes every sum, difference and product of two classes that is itself among the classes.
+    /// Proposes every sum, difference and product of two classes that is itself a class.
     ///
-    /// Pairs of classes that are not `new` have been proposed before.
+    /// Pairs without a `new` class have been proposed before.
     pub fn resubstitute(&mut self, graph: &mut Graph, classes: &[ClassId], new: &[ClassId]) {
         let mut is_new = vec![false; graph.classes.len()];
         new.iter().for_each(|class| is_new[class.index()] = true);
@@ -80,7 +80,7 @@ impl Pairs {
             is_target[class.index()] = true;
         }
         let places: Vec<usize> = classes.iter().map(|&c| self.meet(graph.classes[c].value[0])).collect();
-        // Where the guard keeps them apart, several classes have one value.
+        // Several classes may have the same value, if the guard keeps them apart.
         let mut with_value: Vec<Vec<usize>> = vec![Vec::new(); self.values.len()];
         places.iter().enumerate().for_each(|(i, &place)| with_value[place].push(i));
         let mut pairs: Vec<(usize, usize)> = Vec::new();
@@ -89,7 +89,7 @@ impl Pairs {
                 pairs.extend(with_value[q].iter().map(|&j| (i.min(j), i.max(j))));
             }
         }
-        // In the order of the classes, whatever was found when.
+        // Sorted by class, so that the result does not depend on the order of discovery.
         pairs.retain(|&(i, j)| is_new[classes[i].index()] || is_new[classes[j].index()]);
         pairs.sort_unstable();
         pairs.dedup();
@@ -99,7 +99,7 @@ impl Pairs {
     }
 }
 
-/// Proposes a b, a + b and a - b for the classes that have their values, as far as they are targets.
+/// Proposes a b, a + b and a - b as definitions of the classes that have their values, if these are targets.
 fn offer(graph: &mut Graph, is_target: &[bool], [a, b]: [ClassId; 2]) {
     for (operation, minus) in [(Operation::Product, false), (Operation::Sum, false), (Operation::Sum, true)] {
         if operation == Operation::Sum && a == b {

@@ -1,18 +1,18 @@
-//! Rules that make new classes and with them new definitions. One identity a function, directed.
+//! Rules that add classes and definitions; one identity per function, applied left to right.
 
 use super::graph::{ClassId, Definition, Graph, Operation, Signed};
 use crate::id::IdVec;
 
-/// Definitions of an operand that a rule looks into.
+/// Number of definitions of an operand that a rule examines.
 const LOOKED_INTO: usize = 6;
-/// Terms of a sum that are looked at together.
+/// Most terms of a sum that are examined together.
 const MOST_TERMS: usize = 12;
 
 /// Applies every rule to every definition of the classes.
 pub(super) fn apply(graph: &mut Graph, classes: &[ClassId], one: Signed) {
     for &class in classes {
         let target = Signed { class, negative: false };
-        // The list grows under the rules; what they add is left to the next round.
+        // The list grows while the rules run; definitions that they add wait for the next round.
         for definition in graph.classes[class].definitions().copied().collect::<Vec<_>>() {
             match definition.operation {
                 Operation::Sum => {
@@ -27,7 +27,7 @@ pub(super) fn apply(graph: &mut Graph, classes: &[ClassId], one: Signed) {
     }
 }
 
-/// Takes common factors out of the classes' sums, the only rule that shortens by itself.
+/// Factors the classes' sums; the only rule that saves operations by itself.
 pub(super) fn factor_sums(graph: &mut Graph, live: &[ClassId], classes: &[ClassId], one: Signed) {
     let readers = readers(graph, live);
     for &class in classes {
@@ -50,7 +50,7 @@ fn readers(graph: &Graph, live: &[ClassId]) -> IdVec<ClassId, u32> {
     readers
 }
 
-/// The terms of a sum, through sums that nothing else reads.
+/// The terms of a sum, flattened through inner sums that nothing else uses.
 fn terms(graph: &Graph, sum: Signed, readers: &IdVec<ClassId, u32>) -> Vec<Signed> {
     let (mut terms, mut stack) = (Vec::with_capacity(MOST_TERMS), Vec::with_capacity(MOST_TERMS));
     stack.push(sum);
@@ -66,9 +66,9 @@ fn terms(graph: &Graph, sum: Signed, readers: &IdVec<ClassId, u32>) -> Vec<Signe
     terms
 }
 
-/// f x + f y + ... + r = f (x + y + ...) + r, for every f in two terms or more.
+/// f x + f y + ... + r = f (x + y + ...) + r, for every factor f of two or more terms.
 fn factor_terms(graph: &mut Graph, target: Signed, terms: &[Signed], one: Signed) {
-    // (factor, place of the term, term / factor); a factor counts once a term.
+    // (factor, index of the term, term / factor); each factor once per term.
     let mut divided: Vec<(ClassId, usize, Signed)> = Vec::with_capacity(4 * terms.len());
     for (i, &term) in terms.iter().enumerate() {
         for [a, b] in parts(graph, term, Operation::Product) {
@@ -96,13 +96,13 @@ fn factor_terms(graph: &mut Graph, target: Signed, terms: &[Signed], one: Signed
     }
 }
 
-/// The class of a sum of many, from left to right; `None` if a part of it vanishes.
+/// The class of a sum of several terms, from left to right; `None` if a partial sum is zero.
 fn sum(graph: &mut Graph, terms: &[Signed]) -> Option<Signed> {
     let (&first, rest) = terms.split_first()?;
     rest.iter().try_fold(first, |total, &term| graph.class_of(Operation::Sum, total, term))
 }
 
-/// The first few definitions of x by an operation, as pairs of signed operands with the sign of x drawn in.
+/// The first few definitions of x by this operation, as pairs of signed operands that include the sign of x.
 fn parts(graph: &Graph, x: Signed, operation: Operation) -> impl Iterator<Item = [Signed; 2]> {
     let definitions = graph.classes[x.class].definitions().take(LOOKED_INTO);
     definitions.filter(move |d| d.operation == operation).map(move |d| {

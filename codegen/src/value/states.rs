@@ -1,4 +1,4 @@
-//! Numbers of all symbols at states of the mechanism.
+//! Values of all symbols at sampled states of the mechanism.
 
 use crate::expr::SymbolId;
 use rustc_hash::FxHashMap as HashMap;
@@ -8,7 +8,7 @@ use rustc_hash::FxHashMap as HashMap;
 pub struct States {
     /// Number of states.
     pub points: usize,
-    /// One value a state. A symbol without values counts as 1.
+    /// By symbol: one value per state. A symbol without values counts as 1.
     pub symbols: HashMap<SymbolId, Vec<f64>>,
 }
 

@@ -1,4 +1,4 @@
-//! Arithmetic of components in one triad.
+//! Arithmetic of the three components of vectors in one triad.
 
 use super::triads::Components;
 use crate::expr::{Dag, ExprId};
@@ -22,7 +22,7 @@ pub fn turn_components(dag: &mut Dag, axis: Axis, angle: ExprId, v: Components, 
     turned
 }
 
-/// The only axis with a component, and that component.
+/// Index and value of the only non-zero component, if there is exactly one.
 pub fn along_axis(dag: &Dag, components: &Components) -> Option<(usize, ExprId)> {
     let mut found = (0..3).filter(|&i| !dag.is_zero(components[i]));
     match (found.next(), found.next()) {

@@ -1,15 +1,15 @@
-//! Turns about one axis that follow each other are one turn, by the sum or difference of their angles.
+//! Merges consecutive rotations about one axis into one, by the sum or difference of their angles.
 //!
-//! cos a cos b + sin a sin b = cos(a - b): two links that turn against the same triad by absolute angles are
-//! turned against each other by the difference. It rounds as if one of the angles were off by one rounding;
-//! the products instead cancel where the difference is small.
+//! cos a cos b + sin a sin b = cos(a - b): two links that are turned against the same triad by absolute angles are
+//! turned against each other by the difference. The merged rotation rounds as if one of the angles had an error of one
+//! rounding, whereas the products cancel where the difference is small.
 
 use super::components::turn_components;
 use super::triads::{Components, TriadId, Triads, Turn};
 use crate::expr::{Dag, ExprId};
 use crate::model::Axis;
 
-/// Turns about one axis that follow each other: forth by variable angles, back by others, and by constants.
+/// Consecutive rotations about one axis: by the variable angle `forth`, back by `back`, and by `constant`.
 pub(super) struct MergedTurn {
     axis: Axis,
     forth: ExprId,
@@ -18,15 +18,16 @@ pub(super) struct MergedTurn {
 }
 
 impl MergedTurn {
-    /// Is there a difference of variable angles in it?
+    /// Does the rotation take a difference of two variable angles?
     pub fn is_difference(&self, dag: &Dag) -> bool {
         !dag.is_zero(self.forth) && !dag.is_zero(self.back)
     }
 
-    /// Components after all the turns, each by one angle.
+    /// Components after all rotations, each by its single merged angle.
     pub fn turn(turns: &[Self], dag: &mut Dag, v: Components) -> Components {
         turns.iter().fold(v, |v, &Self { axis, forth, back, constant }| {
-            // One order for a difference, whichever way it is gone: its sine and cosine are shared.
+            // Always the same difference, later node first, whichever way the rotation goes: its sine and cosine are
+            // shared.
             if forth < back {
                 let difference = dag.sub(back, forth);
                 let angle = dag.sub(difference, constant);
@@ -41,8 +42,9 @@ impl MergedTurn {
 }
 
 impl Triads {
-    /// The turns from one triad up to the common ancestor and down to another, those about one axis that follow
-    /// each other made one. `None` if one of them is no turn about an axis.
+    /// The rotations from one triad up to the common ancestor and down to another, consecutive ones about one axis
+    /// merged.
+    /// `None` if one of them is not a simple rotation.
     pub(super) fn merged_turns(&self, dag: &mut Dag, from: TriadId, to: TriadId) -> Option<Vec<MergedTurn>> {
         let (up, down) = self.ways(from, to);
         let (up, down) = (up.iter().map(|&t| (t, false)), down.iter().map(|&t| (t, true)));
@@ -65,8 +67,8 @@ impl Triads {
         Some(turns)
     }
 
-    /// Components of a vector given in one triad in another, by the differences of the angles that turn both about
-    /// one axis against a third; `None` where there is no such difference, as from a triad to itself: nothing to gain.
+    /// Components in `to` of a vector given in `from`, using differences of the angles that turn both about one axis
+    /// against a third triad; `None` where no such difference occurs and merging gains nothing.
     pub(super) fn by_differences(
         &self,
         dag: &mut Dag,

@@ -1,10 +1,10 @@
-//! Scalar and vector products of vectors whose terms are kept in triads of their own.
+//! Scalar and vector products of vectors whose terms stand in different triads.
 
 use super::{Components, TriadId, Triads, Vector, along_axis, cross_components, dot_components};
 use crate::expr::{Dag, ExprId};
 
 impl Triads {
-    /// a . b, each pair of terms in whichever of the two triads gives the shorter expression.
+    /// a . b: each pair of terms is multiplied in whichever of its two triads takes fewer operations.
     pub fn dot(&mut self, dag: &mut Dag, a: &Vector, b: &Vector) -> ExprId {
         let mut total = dag.zero();
         for (&s, x) in &a.terms {
@@ -47,7 +47,7 @@ impl Triads {
         }
     }
 
-    /// (x e) . (y f) = x y (e . f), for vectors along one axis each: one cosine serves all such products.
+    /// (x e) . (y f) = x y (e . f), for two vectors along one axis each: all such products share the cosine e . f.
     fn dot_along_axes(
         &mut self,
         dag: &mut Dag,
@@ -62,7 +62,7 @@ impl Triads {
         Some(dag.mul(size, cosine))
     }
 
-    /// a x b, each pair of terms in whichever of the two triads gives the shorter expression.
+    /// a x b: each pair of terms is multiplied in whichever of its two triads takes fewer operations.
     pub fn cross(&mut self, dag: &mut Dag, a: &Vector, b: &Vector) -> Vector {
         let mut total = Vector::zero();
         for (&s, x) in &a.terms {

@@ -1,4 +1,4 @@
-//! Triads: how each is turned against another, and which unit vectors stay constant in several.
+//! Triads: how each is turned against its parent, and which unit vectors are constant in several of them.
 
 use crate::expr::{Dag, ExprId};
 use crate::id::{IdVec, ids};
@@ -19,8 +19,8 @@ impl TriadId {
 /// Three components.
 pub type Components = [ExprId; 3];
 
-/// An angular velocity along the axes of the triad that turns: for each a sum of pairs, coefficient times the rate of
-/// the other.
+/// An angular velocity along the axes of the rotated triad: per axis a sum of pairs (a, b), each meaning a times the
+/// rate of b.
 pub type Spin = [Vec<(ExprId, ExprId)>; 3];
 
 /// How a triad is turned.
@@ -43,7 +43,7 @@ pub enum Turn {
         parent: TriadId,
         /// Axis k in its components.
         rows: [Components; 3],
-        /// The angular velocity against it, where a formula is known that is shorter than Kane's definition.
+        /// The angular velocity relative to `parent`, if a formula is known that is shorter than Kane's definition.
         spin: Option<Spin>,
     },
 }
@@ -56,9 +56,9 @@ pub struct Triads {
     pub(super) ancestors: IdVec<TriadId, Vec<TriadId>>,
     /// (triad, axis) -> where else that unit vector has constant components.
     pub(super) constants: BTreeMap<(TriadId, Axis), Vec<(TriadId, Components)>>,
-    /// Products of two terms as formed: many bodies' velocities begin with the same terms.
+    /// Scalar products of two terms computed so far: the velocities of many bodies share their leading terms.
     pub(super) products: HashMap<[(TriadId, Components); 2], ExprId>,
-    /// Terms as expressed in other triads.
+    /// Components of terms in other triads, as computed so far.
     pub(super) expressed: HashMap<(TriadId, Components, TriadId), Components>,
 }
 
@@ -82,7 +82,7 @@ impl Triads {
         &self.turns[triad]
     }
 
-    /// The triad in which `axis` of `triad` stays an axis itself, among those fixed in `frame`.
+    /// A triad fixed in `frame` by one constant rotation in which `axis` of `triad` is constant.
     #[must_use]
     pub fn aligned(&self, dag: &Dag, (triad, axis): (TriadId, Axis), frame: TriadId) -> Option<TriadId> {
         let is_fixed = |t: TriadId| match self.turns[t] {
@@ -105,14 +105,14 @@ impl Triads {
         self.turns.is_empty()
     }
 
-    /// Records that `axis` of `triad` has the constant `components` in `other` on the constraints.
+    /// Records that `axis` of `triad` has the constant `components` in `other` wherever the constraints hold.
     pub fn declare_constant(&mut self, triad: TriadId, axis: Axis, other: TriadId, components: Components) {
         self.constants.entry((triad, axis)).or_default().push((other, components));
         self.products.clear();
         self.expressed.clear();
     }
 
-    /// Where else `axis` of `triad` has constant components.
+    /// The triads in which `axis` of `triad` has constant components, with these components.
     #[must_use]
     pub fn constants_of(&self, triad: TriadId, axis: Axis) -> &[(TriadId, Components)] {
         self.constants.get(&(triad, axis)).map_or(&[], Vec::as_slice)

@@ -1,9 +1,10 @@
-//! Frames of a run as bytes for its page: sheets, maps, tiles and segments, thinned to nine by nine nodes a sheet.
+//! Encodes the frames of a run as bytes for its page: sheets, maps, tiles and segments, thinned out to nine by nine
+//! nodes per sheet.
 //!
-//! In: plan and history. Out: base64 of a deflated stream (zlib), a frame of fixed length after the other, each byte less that
-//! of the frame before: what rests is nothing. A node is a byte each of height (mm + 128), pressure (mmHg) and shear (tenths
-//! of kPa); a tile pressure (0.05 kPa), heave (mm/2 + 128) and two slopes (1/500 + 128); a segment seven words of 16 bits,
-//! place (0.1 mm) and attitude (1/30000).
+//! In: plan and history. Out: base64 of a deflate stream (zlib) of frames of fixed length, each byte as the difference
+//! to the frame before, so that parts at rest are zeros. A node has a byte each for height (mm + 128), pressure (mmHg)
+//! and shear (tenths of kPa); a tile has pressure (0.05 kPa), heave (mm/2 + 128) and two slopes (1/500 + 128); a
+//! segment has seven words of 16 bits for position (0.1 mm) and attitude (1/30000).
 
 use crate::view::film::base64;
 use smartbed_bed::map::{Frame, MMHG};
@@ -11,7 +12,7 @@ use smartbed_bed::plan::Plan;
 use smartbed_bed::plan::history::{History, Moment};
 use smartbed_bed::plan::maps::sensel;
 
-/// Effort of the compressor, 0 to 10.
+/// Compression level, 0 to 10.
 const EFFORT: u8 = 9;
 
 /// All frames.

@@ -1,7 +1,8 @@
-//! `smartbed bed map`: maps that a sensor maker's program has exported, with all metrics; compared, and written in the other format.
+//! `smartbed bed map`: reads maps exported by a sensor maker's program, computes all metrics, compares them, and writes
+//! them in the other format.
 //!
-//! In: a file of Tekscan's or XSENSOR's. Out: metrics as a table or as CSV, what another file of the same sensels differs by,
-//! a file of the format that its name ends in.
+//! In: a file of Tekscan's or XSENSOR's. Out: metrics as a table or as CSV, differences to another file of the same
+//! sensels, a file in the format given by its ending.
 
 use super::rows::{csv, table, write};
 use crate::failure::Failure;
@@ -12,7 +13,7 @@ use smartbed_bed::metrics::report::{Report, Row, WINDOW};
 use smartbed_bed::metrics::{DISCLAIMER, Thresholds, spatial};
 use smartbed_bed::plan::Layout;
 
-/// Pitches of sensels that differ by less, as a share, are the same.
+/// Pitches of sensels that differ relatively by less count as equal.
 const ALIKE: f64 = 1e-6;
 
 /// What `bed map` takes.
@@ -34,7 +35,7 @@ pub struct Map {
     pub output: Option<String>,
 }
 
-/// Does what the command line asks for.
+/// Runs the command.
 pub(super) fn run(asked: &Map) -> Result<(), Failure> {
     if !(asked.cycle > 0.0 && asked.cycle.is_finite()) {
         return Err(Failure::Wrong(format!("--cycle {}: expected seconds > 0", asked.cycle)));
@@ -80,7 +81,7 @@ fn rows(mapped: &Mapped, cycle: f64) -> Vec<Row> {
     Report { recording: &mapped.recording, grid: Some(&mapped.grid), thresholds, friction }.rows()
 }
 
-/// What two recordings differ by: root mean square of all pressures, peak pressure index of the last maps.
+/// Differences of two recordings: root mean square over all pressures, peak pressure index of the last maps.
 fn compared(name: &str, one: &Mapped, other_name: &str, other: &Mapped) -> Result<String, Failure> {
     let (a, b) = (&one.grid, &other.grid);
     let is_alike = |x: f64, y: f64| (x / y - 1.0).abs() < ALIKE;
@@ -118,7 +119,7 @@ pub(super) enum Format {
     Tekscan,
 }
 
-/// The format of a file's ending.
+/// The format by the ending of a file's name.
 pub(super) fn ending(file: &str) -> Result<Format, Failure> {
     match file.rsplit('.').next().unwrap_or_default().to_ascii_lowercase().as_str() {
         "csv" => Ok(Format::Xsensor),
@@ -127,7 +128,7 @@ pub(super) fn ending(file: &str) -> Result<Format, Failure> {
     }
 }
 
-/// Maps in the format of a file's ending.
+/// Maps in the format given by the ending of a file's name.
 pub(super) fn encoded(file: &str, mapped: &Mapped) -> Result<String, Failure> {
     match ending(file)? {
         Format::Xsensor => Ok(xsensor::write(mapped)),

@@ -1,6 +1,7 @@
-//! `smartbed bed`: runs a plan of the bed, and makes a page of it; reads maps that were recorded elsewhere.
+//! `smartbed bed`: runs a plan of the bed, writes a page of it, and reads maps recorded elsewhere.
 //!
-//! In: a plan, or a file of maps. Out: metrics as a table, as CSV or as one JSON object; maps as files of sensor makers; a page.
+//! In: a plan, or a file of maps. Out: metrics as a table, as CSV or as one JSON object; maps in formats of sensor
+//! makers; a page.
 
 mod film;
 mod map;
@@ -84,10 +85,10 @@ pub struct Page {
     pub output: String,
 }
 
-/// Does what the command line asks for.
+/// Runs the command.
 ///
 /// # Errors
-/// Status 1 for a wrong plan, and for one that comes to no equilibrium.
+/// Status 1 for a wrong plan, and for one that does not converge to equilibrium.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     match &arguments.command {
         Command::Run(asked) => {
@@ -135,7 +136,7 @@ fn writable(asked: &Run, read: &Read) -> Result<(), Failure> {
     }
 }
 
-/// The plan of a command, and what its results are made from.
+/// The plan of a command, and the origin of its results.
 fn opened(does: &str, plan: &str, settings: &[String]) -> Result<(Origin, Read), Failure> {
     let file = PlanFile::open(plan)?;
     let command = format!("smartbed bed {does} {plan}");
@@ -156,12 +157,13 @@ fn history(read: &Read) -> Result<History, Failure> {
     })
 }
 
-/// What the tiles' instruments read.
+/// Readings of the tiles' instruments.
 fn read_off(read: &Read, history: &History) -> Vec<Reading> {
     read.instruments.map(|own| own.of(&read.plan, history)).unwrap_or_default()
 }
 
-/// Maps over time, as the plan's sensors read them if it has some, in the format of the file's ending: forces over nominal cells.
+/// Maps over time in the format given by the file's ending, as forces over nominal cells; if the plan has sensors, as
+/// they read them.
 fn maps(file: &str, read: &Read, history: &History) -> Result<String, Failure> {
     let recording = match &read.sensors {
         Some(sensors) => sensors.reader.recording(&history.sensels).map_err(|e| format!("{file}: {e}"))?,

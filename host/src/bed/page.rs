@@ -1,8 +1,8 @@
-//! The page of a run: the bed in space, maps of pressure and shear, tiles, a slider of time, words and metrics, without
-//! anything from outside.
+//! The self-contained page of a run: the bed in space, maps of pressure and shear, tiles, a slider of time, words and
+//! metrics.
 //!
-//! In: plan, history, metrics. Out: HTML. What a plan says stands in it as text only: escaped in HTML, and as JSON in which
-//! `<` is written as an escape, so that none of it can end a script or begin one.
+//! In: plan, history, metrics. Out: HTML. Texts of the plan are escaped in HTML and, in JSON, `<` is written as an
+//! escape, so that none of them can end or begin a script.
 
 use super::report::RunReport;
 use super::{film, words};
@@ -64,7 +64,7 @@ fn tables(metrics: &[(&'static str, Vec<Row>)]) -> String {
     text
 }
 
-/// A segment's shape: half its sides and the radius around them, or a mesh's corners and triangles.
+/// A segment's shape: half its sides and the radius of its edges, or a mesh's corners and triangles.
 fn shape(surface: &Surface) -> String {
     match surface {
         Surface::Round(Shape { half: [a, b, c], radius }) => format!("[{a:.4},{b:.4},{c:.4},{radius:.4}]"),
@@ -77,7 +77,7 @@ fn shape(surface: &Surface) -> String {
     }
 }
 
-/// What does not move as JSON, frames as [`film::bytes`].
+/// The fixed data as JSON, and frames as [`film::bytes`].
 fn data(plan: &Plan, history: &History) -> String {
     let joined = |values: &mut dyn Iterator<Item = String>| values.collect::<Vec<_>>().join(",");
     let layout = &plan.layout;

@@ -1,10 +1,10 @@
-//! Readings of the tiles' instruments: a table as CSV, their largest errors in words and as JSON.
+//! Readings of the tiles' instruments: a table as CSV, their largest errors as text and as JSON.
 
 use crate::number::json_number;
 use smartbed_bed::plan::readings::{Errors, Reading};
 use std::fmt::Write as _;
 
-/// All readings, a row a tile and moment; true values beside those read.
+/// All readings, one row per tile and moment, next to the true values.
 pub fn csv(readings: &[Reading]) -> String {
     let mut text = String::from("time (s),tile");
     for (name, unit) in [
@@ -41,7 +41,7 @@ pub fn json(readings: &[Reading]) -> String {
     )
 }
 
-/// Largest errors for people.
+/// Largest errors as text.
 pub fn text(readings: &[Reading]) -> String {
     let Errors { encoder, lvdt, pressure, disagree } = Errors::of(readings);
     format!(

@@ -1,20 +1,20 @@
 //! The rows of a run's report.
 //!
-//! In: the plan as it was read, and its history. Out: how far the run is from what it must keep, metrics of sensels and
-//! of the skin, states of the tiles.
+//! In: the plan as it was read, and its history. Out: validity checks of the run, metrics of sensels and of the skin,
+//! states of the tiles.
 
 use crate::plan::{Read, sensing};
 use smartbed_bed::metrics::report::{Report, Row};
 use smartbed_bed::plan::history::History;
 use smartbed_bed::plan::states;
 
-/// What a report says of a run, each thing found once.
+/// The contents of a report, each computed once.
 pub(crate) struct RunReport {
-    /// What the plan's sensors read in the end, if it has some.
+    /// Readings of the plan's sensors at the end, if it has any.
     pub sensed: Option<sensing::Read>,
-    /// What of the run is how far from what it must keep.
+    /// Validity checks: residuals of the run with their limits.
     pub gate: Vec<Row>,
-    /// Rows of the run (the gate, and what neighbours do to each other), of sensels, of the skin, of each tile.
+    /// Rows of the run (validity checks, stretch of skin between neighbours), of sensels, of the skin, of each tile.
     pub lists: [(&'static str, Vec<Row>); 4],
 }
 
@@ -34,7 +34,7 @@ impl RunReport {
         Self { sensed, gate, lists }
     }
 
-    /// Rows of maps: of sensels, and of the skin.
+    /// Rows of the maps: of sensels, and of the skin.
     pub fn metrics(&self) -> &[(&'static str, Vec<Row>)] {
         &self.lists[1..3]
     }

@@ -1,4 +1,4 @@
-//! Rows of metrics as CSV and for people, and where they are written to.
+//! Rows of metrics as CSV and as text, and how they are written.
 
 use crate::failure::Failure;
 use crate::output;
@@ -6,7 +6,7 @@ use smartbed_bed::metrics::report::Row;
 use std::fmt::Write as _;
 use std::path::Path;
 
-/// Standard output takes what comes; a file appears whole.
+/// Writes to standard output directly, or to a file, which appears only when complete.
 pub(super) fn write(file: &str, text: &str) -> Result<(), Failure> {
     if file == "-" { output::print(text) } else { output::replace(Path::new(file), text) }
 }
@@ -18,7 +18,7 @@ pub(super) fn csv(metrics: &[(&'static str, Vec<Row>)]) -> String {
     for (sites, rows) in metrics {
         for row in rows {
             let (value, threshold) = (number(row.value), number(row.threshold));
-            // Names of metrics hold a comma.
+            // Some names of metrics contain a comma.
             let _ =
                 writeln!(text, "{sites},{},\"{}\",{value},{},{threshold}", row.place, row.metric, row.unit);
         }
@@ -26,7 +26,7 @@ pub(super) fn csv(metrics: &[(&'static str, Vec<Row>)]) -> String {
     text
 }
 
-/// Metrics for people.
+/// Metrics as a table of text.
 pub(super) fn table(metrics: &[(&'static str, Vec<Row>)]) -> String {
     let mut text = String::new();
     for (sites, rows) in metrics {

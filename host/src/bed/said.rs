@@ -1,4 +1,4 @@
-//! What a run of a plan says on standard output: one JSON object, or lines and tables for people.
+//! The output of a run of a plan: one JSON object, or lines and tables of text.
 //!
 //! In: the plan as it was read, and its history. Out: text.
 
@@ -71,7 +71,7 @@ pub(super) fn json(origin: &Origin, read: &Read, history: &History, report: &Run
     )
 }
 
-/// The nurse's marks, their sum and what that is called.
+/// The nurse's scores, their sum and its band.
 fn braden_json(braden: Braden) -> String {
     let marks: String = SUBSCALES
         .iter()
@@ -81,18 +81,18 @@ fn braden_json(braden: Braden) -> String {
     format!("{{{marks}\"sum\": {}, \"band\": {}}}", braden.sum(), json_string(braden.band()))
 }
 
-/// How well the worst moment carries the weight, and feels it (a share).
+/// Largest relative difference from the weight over all moments: of the contact forces, and of the sensed load.
 fn worst(gate: &[Row]) -> [f64; 2] {
     let value = |k: usize| gate.get(k).and_then(|row| row.value).unwrap_or(f64::NAN);
     [value(0), 0.01 * value(1)]
 }
 
-/// What the moments of a run are.
+/// The word for the moments of a run.
 fn moments(history: &History) -> &'static str {
     if history.watched.is_some() { "moments" } else { "equilibria" }
 }
 
-/// What motion adds to the JSON object.
+/// The JSON object's additional part for a run with motion.
 fn motion_json(watched: &Watched) -> String {
     format!(
         "{{\"step\": {}, \"steps\": {}, \"peak_force\": {}, \"peak_time\": {}, \"still\": {}, \"touches\": {}, \
@@ -110,7 +110,7 @@ fn motion_json(watched: &Watched) -> String {
     )
 }
 
-/// What motion adds for people.
+/// The text's additional part for a run with motion.
 fn motion_text(watched: &Watched) -> String {
     let rest = watched.still.map_or_else(
         || "it is not at rest at the end".to_owned(),
@@ -130,7 +130,7 @@ fn motion_text(watched: &Watched) -> String {
     )
 }
 
-/// For people.
+/// The output as text.
 pub(super) fn text(read: &Read, history: &History, report: &RunReport) -> String {
     let RunReport { sensed, gate, .. } = report;
     let [imbalance, felt] = worst(gate);

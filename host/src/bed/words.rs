@@ -1,7 +1,7 @@
-//! A run in plain words, for those at the bed: what it will do (preview), and what it has done (report of the day).
+//! A run in plain words, for people at the bed: what it will do (preview), and what it has done (report of the day).
 //!
-//! In: plan, history, metrics. Out: lists of sentences. Numbers a nurse can hold against a thermometer's kind of scale:
-//! minutes, mmHg, cm². What the patient is scored as is the nurse's own entry and is not computed.
+//! In: plan, history, metrics. Out: lists of sentences, with numbers in a nurse's everyday units: minutes, mmHg, cm².
+//! The patient's score is the nurse's own entry and is not computed.
 
 use crate::plan::Read;
 use smartbed_bed::map::{MMHG, Recording, Region};
@@ -11,9 +11,9 @@ use smartbed_bed::metrics::time;
 use smartbed_bed::plan::history::History;
 use smartbed_bed::plan::{Move, Plan, states};
 
-/// Capillaries close above this (Pa).
+/// Pressure above which capillaries close (Pa).
 const SHUT: f64 = 32.0 * MMHG;
-/// Most moves that a preview tells one by one.
+/// Most moves that a preview lists one by one.
 const MOST: usize = 12;
 
 /// `1, 2 and 7`.
@@ -37,7 +37,7 @@ fn clock(seconds: f64) -> String {
     }
 }
 
-/// One move.
+/// One move as a sentence.
 fn told(change: &Move, count: usize) -> String {
     let tiles = if change.tiles.len() == count { "all tiles".to_owned() } else { listed(&change.tiles) };
     let mut does = Vec::new();
@@ -53,7 +53,7 @@ fn told(change: &Move, count: usize) -> String {
     format!("After {}: {tiles} {}, within {}.", clock(change.at), does.join(" and "), clock(change.over))
 }
 
-/// Whether the figures are to be believed: every row of the gate.
+/// Whether the figures are reliable, by the validity checks.
 pub(super) fn gate(gate: &[Row]) -> String {
     let said = gate.iter().map(|row| {
         let number = |x: Option<f64>| x.map_or_else(|| "-".to_owned(), |x| format!("{x:.1e}"));
@@ -64,7 +64,7 @@ pub(super) fn gate(gate: &[Row]) -> String {
     format!("{verdict}: {}.", said.collect::<Vec<_>>().join(", "))
 }
 
-/// What the bed does in the time of the plan; of a policy what it has decided.
+/// The orders during the plan; under a policy those that it has given.
 pub(super) fn preview(plan: &Plan, history: &History) -> Vec<String> {
     let count = plan.layout.count();
     let mut lines = vec![format!(
@@ -88,14 +88,14 @@ pub(super) fn preview(plan: &Plan, history: &History) -> Vec<String> {
     lines
 }
 
-/// The part of a recording that is one region.
+/// The part of a recording in one region.
 fn part(skin: &Recording, region: Region) -> Option<Recording> {
     let sites: Vec<usize> =
         (0..skin.sites().len()).filter(|i| skin.sites()[*i].region == Some(region)).collect();
     (!sites.is_empty()).then(|| skin.select(&sites))
 }
 
-/// What happened.
+/// What happened, as sentences.
 pub(super) fn report(read: &Read, history: &History) -> Vec<String> {
     let plan = &read.plan;
     let mut lines = Vec::new();
@@ -141,7 +141,7 @@ pub(super) fn report(read: &Read, history: &History) -> Vec<String> {
     lines
 }
 
-/// What the nurse has entered: it stands beside what is computed and is part of no number.
+/// The nurse's entry, which is shown next to the results and does not enter any number.
 pub(super) fn braden(braden: &Braden) -> String {
     let marks = SUBSCALES.iter().zip(braden.marks());
     let marks: Vec<String> =

@@ -1,7 +1,7 @@
-//! `smartbed check`: what a model is, before anything is run.
+//! `smartbed check`: analyses a model without running it.
 //!
-//! In: a model. Out: counts, degrees of freedom, independent speeds and why, rank and conditioning of the
-//! constraints and worst pivots over samples, the configuration nearest to singular, units, warnings, cost of
+//! In: a model. Out: counts, degrees of freedom, independent speeds and why they were chosen, rank and conditioning of
+//! the constraints and worst pivots over samples, the configuration nearest to singular, units, warnings, operations of
 //! each answer.
 
 mod near_singular;
@@ -21,9 +21,9 @@ use smartbed_codegen::expr::Dependence;
 use smartbed_codegen::model::{Model, SpeedMeaning};
 use smartbed_codegen::{Effort, Optimise, ParameterChoice, Program, kinematics, program};
 
-/// Constraints of whose conditioning less than this share of nominal is left somewhere are worth a warning.
+/// A warning is given if the conditioning of the constraints falls below this fraction of its nominal value somewhere.
 const LOST: f64 = 0.02;
-/// A smallest singular value below this share of the largest makes a configuration nearly singular.
+/// A configuration is nearly singular if the smallest singular value is below this fraction of the largest.
 const NEARLY_SINGULAR: f64 = 1e-4;
 
 /// Say what a model is: counts, degrees of freedom, rank, pivots, units, cost, warnings.
@@ -45,7 +45,7 @@ pub struct Arguments {
     pub json: bool,
 }
 
-/// Does what the command line asks for.
+/// Runs the command.
 ///
 /// # Errors
 /// Status 1 for a wrong model.
@@ -53,7 +53,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let model = model_argument::read(&arguments.model)?;
     let choice = ParameterChoice::default();
     let waiting = Waiting::deriving();
-    // Without bodies there are no forces to ask for: what is checked is the kinematics.
+    // Without bodies there are no forces: only the kinematics is checked.
     let program = match model.bodies.is_empty() {
         true => program::derive_kinematic(&model, &choice, Effort::default()),
         false => program::derive(&model, &choice),
@@ -65,7 +65,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let waiting = Waiting::new("searching for singular configurations");
     let nearest = near_singular::search(&model, &program, (&kinematics.samples, &kinematics.sample_times));
     let samples = kinematics.samples.len();
-    // What the search has found is looked at like a sample.
+    // The configuration that the search has found counts as one more sample.
     if let Some(nearest) = &nearest {
         kinematics.samples.push(nearest.q.clone());
         kinematics.sample_times.push(nearest.t);

@@ -1,9 +1,9 @@
-//! The configuration nearest to singular within the ranges, searched for and not only sampled.
+//! Searches within the ranges for the configuration nearest to singular, starting from the samples.
 //!
-//! In: a program and the sampled configurations. Out: where the worst pivot, relative to nominal, is
-//! smallest, and how small it is there. Search: from the worst samples, one independent coordinate at a
-//! time, by steps that halve where nothing gets worse (compass search). Dependent coordinates follow by
-//! Newton; what cannot be assembled or leaves its range is not entered. Bounded and deterministic.
+//! In: a program and the sampled configurations. Out: the configuration with the smallest worst pivot, relative to
+//! nominal, and that pivot. Compass search: from the worst samples, one independent coordinate at a time, with a step
+//! that is halved if no move makes the pivot smaller. Dependent coordinates follow by Newton's method; a configuration
+//! that cannot be assembled or leaves its ranges is rejected. Bounded and deterministic.
 
 use crate::configuration::Configurations;
 use smartbed_codegen::model::Model;
@@ -12,13 +12,13 @@ use smartbed_runtime::mechanism::Mechanism;
 
 /// Samples from which a search starts, the worst first.
 const STARTS: usize = 4;
-/// First step, as a share of each coordinate's range.
+/// First step, as a fraction of each coordinate's range.
 const FIRST_STEP: f64 = 0.125;
 /// The search ends below this step.
 const LAST_STEP: f64 = 1e-9;
-/// Most configurations that are looked at in all.
+/// Largest number of configurations evaluated in all.
 const MOST_LOOKS: usize = 6000;
-/// Below this share of nominal a configuration is singular: it cannot get worse.
+/// Below this fraction of nominal a configuration counts as singular, and the search ends.
 const SINGULAR: f64 = 1e-9;
 
 /// A configuration and its worst pivot.
@@ -28,11 +28,11 @@ pub(super) struct Nearest {
     pub q: Vec<f64>,
     /// Smallest pivot there, relative to nominal.
     pub pivot: f64,
-    /// The time (s), which matters where the mechanism is driven.
+    /// The time (s), which matters for a driven mechanism.
     pub t: f64,
 }
 
-/// Looks for it; none if nothing is divided by.
+/// Searches for it; `None` if the program has no pivots.
 pub(super) fn search(
     model: &Model,
     program: &Program,
@@ -55,7 +55,7 @@ struct Search {
     configurations: Configurations,
     rates: [Vec<f64>; 2],
     zeros: [Vec<f64>; 2],
-    /// By coordinate: is it independent, and its range.
+    /// By coordinate: whether it is independent, and its range.
     ranges: Vec<(bool, (f64, f64))>,
     looks: usize,
 }
@@ -78,7 +78,7 @@ impl Search {
         }
     }
 
-    /// The worst pivot at a configuration; none if it is no number.
+    /// Evaluates the worst pivot at a configuration; `None` if it is not finite.
     fn look(&mut self, t: f64, q: Vec<f64>) -> Option<Nearest> {
         let ([q_dot, u_dot], [u, inputs]) = (&mut self.rates, &self.zeros);
         let pivot = self.engine.rates(t, &q, u, inputs, q_dot, u_dot).ok()?;

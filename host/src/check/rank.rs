@@ -1,10 +1,10 @@
-//! Rank and conditioning of the constraints, from numbers.
+//! Rank and conditioning of the constraints, computed numerically.
 //!
-//! In: the configuration constraints as scalars, differentiated by the chain rule, and the motion
-//! constraints: rows over the speeds. Where a motion constraint speaks of a twist that the derivation lifts, the
-//! twists are columns too, and the rows that say what they are stand beside the others. Out: rank at
-//! every sample, and the worst conditioning: the smallest singular value of the Jacobian that counts over the largest.
-//! Rows and columns are scaled first, so that neither units nor factors of equations matter.
+//! In: the configuration constraints as scalars, differentiated by the chain rule, and the motion constraints: rows
+//! over the speeds. If a motion constraint contains a twist that the derivation lifts, the twists are columns too, and
+//! the rows that define them are included. Out: rank at every sample, and the worst conditioning: the smallest non-zero
+//! singular value of the Jacobian over the largest. Rows and columns are scaled first, so that neither units nor
+//! factors of equations matter.
 
 use nalgebra::DMatrix;
 use smartbed_codegen::expr::ExprId;
@@ -14,7 +14,7 @@ use smartbed_codegen::model::{Model, SpeedMeaning};
 use smartbed_codegen::vector::Algebra;
 use std::collections::BTreeMap;
 
-/// A singular value below this share of the largest is that of a row which follows from the others.
+/// A singular value below this fraction of the largest is zero: a row depends on the others.
 const ZERO: f64 = 1e-8;
 
 /// What the samples say.
@@ -30,9 +30,10 @@ pub(super) struct Rank {
     pub smallest: usize,
     /// Largest rank over the samples.
     pub largest: usize,
-    /// Of the Jacobian over all speeds.
+    /// Of the Jacobian with the columns of all speeds.
     pub conditioning: Conditioning,
-    /// Of its columns of dependent speeds: bad where the Jacobian's is good at a dead point of the independent ones.
+    /// Of its columns of dependent speeds: poor at a dead point of the independent ones even if the whole Jacobian's is
+    /// good.
     pub of_dependent: Conditioning,
 }
 
@@ -48,7 +49,7 @@ pub(super) struct Conditioning {
 }
 
 impl Conditioning {
-    /// The worst of one value a sample.
+    /// Nominal and worst value; `values` has one per sample.
     fn new(values: &[f64], samples: &[Vec<f64>]) -> Self {
         let worst = values.iter().enumerate().min_by(|a, b| a.1.total_cmp(b.1));
         let (place, worst) = worst.map_or((0, 1.0), |(place, value)| (place, *value));
@@ -56,7 +57,7 @@ impl Conditioning {
         Self { nominal: values.first().copied().unwrap_or(1.0), worst, worst_at }
     }
 
-    /// Below this share of nominal, or of the largest singular value?
+    /// Is it below this fraction of nominal, or of the largest singular value?
     pub fn is_lost(&self, of_nominal: f64, of_largest: f64) -> bool {
         self.worst < of_nominal * self.nominal || self.worst < of_largest
     }
@@ -116,7 +117,7 @@ fn jacobians(
         for (i, (&column, &coefficient)) in row.iter().enumerate() {
             let values = table.values(&alg.dag, coefficient);
             for ((matrix, value), errors) in matrices.iter_mut().zip(values).zip(&errors) {
-                // Scaled, a row of rounding errors would count as any other.
+                // Otherwise the scaling would make a row of rounding errors as large as any other.
                 matrix[(r, column)] = if value.abs() <= errors[i] { 0.0 } else { *value };
             }
         }
@@ -130,7 +131,7 @@ fn rows(alg: &mut Algebra, model: &Model, k: &Kinematics) -> Vec<BTreeMap<usize,
     for &residual in &k.residuals {
         rows.push(gradient(alg, model, k, residual));
     }
-    // A coordinate in closed form with a speed of its own: that speed follows from the form.
+    // A coordinate in closed form with a speed of its own: the derivative of the form gives that speed.
     for (speed, declared) in model.speeds.enumerate() {
         let SpeedMeaning::RateOf(coordinate) = declared.meaning else { continue };
         if k.coordinate_symbol(&alg.dag, coordinate).is_none() {
@@ -155,7 +156,7 @@ fn rows(alg: &mut Algebra, model: &Model, k: &Kinematics) -> Vec<BTreeMap<usize,
     }
 }
 
-/// The row without the clock's column, which is none of the motion's; those behind it move up.
+/// The row without the column of time, which is known; later columns move up by one.
 fn without(row: BTreeMap<usize, ExprId>, clock: usize) -> BTreeMap<usize, ExprId> {
     let moving = row.into_iter().filter(|(column, _)| *column != clock);
     moving.map(|(column, c)| (column - usize::from(clock < column), c)).collect()
@@ -172,13 +173,13 @@ fn gradient(alg: &mut Algebra, model: &Model, k: &Kinematics, of: ExprId) -> BTr
     row.into_iter().map(|(speed, coefficient)| (speed.index(), coefficient)).collect()
 }
 
-/// Scales rows and columns by factors alike at all samples until the sizes of each (root mean squares over the samples)
-/// have the geometric mean 1: so that what vanishes at a sample is small there, and neither units nor factors of equations
-/// matter. Unlike sums, geometric means can be had of any pattern of zeros (Curtis & Reid 1972).
+/// Scales rows and columns by factors common to all samples until the entries of each (root mean squares over the
+/// samples) have geometric mean 1. Entries that vanish at a sample are then small there, and neither units nor factors
+/// of equations matter. Unlike sums, geometric means can be reached for any pattern of zeros (Curtis & Reid 1972).
 fn scale(matrices: &mut [DMatrix<f64>]) {
     /// Sweeps over rows and columns at most; they converge geometrically.
     const SWEEPS: usize = 1000;
-    /// A logarithm that changes by less stands.
+    /// Converged if no logarithm changes by more.
     const STANDS: f64 = 1e-9;
     let (rows, columns) = matrices.first().map_or((0, 0), DMatrix::shape);
     let squares = matrices.iter().fold(DMatrix::zeros(rows, columns), |sum: DMatrix<f64>, matrix| {
@@ -207,13 +208,13 @@ fn scale(matrices: &mut [DMatrix<f64>]) {
     }
 }
 
-/// 0 of nothing.
+/// Arithmetic mean; 0 if there are no values.
 fn mean(values: impl Iterator<Item = f64>) -> f64 {
     let (sum, count) = values.fold((0.0, 0), |(sum, count), value| (sum + value, count + 1));
     if count > 0 { sum / f64::from(count) } else { 0.0 }
 }
 
-/// Rank, and the smallest singular value that counts over the largest.
+/// Rank, and the smallest non-zero singular value over the largest.
 fn rank_and_conditioning(matrix: DMatrix<f64>) -> (usize, f64) {
     if matrix.is_empty() {
         return (0, 1.0);

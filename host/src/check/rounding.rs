@@ -1,9 +1,9 @@
-//! What single precision costs, output by output, and the operation that costs most.
+//! The rounding error of each output in single precision, and the operation that causes most of it.
 //!
-//! In: a program and sampled configurations. Out: for each output the largest difference between the program in f32
-//! and in f64 at the same f32 numbers, over the largest value the output takes, and, where it is largest, the
-//! operation whose own rounding moves the output most: every operation of the f64 evaluation is rounded to f32
-//! in turn, all others are left exact. Deterministic.
+//! In: a program and sampled configurations. Out: for each output the largest difference between the program in f32 and
+//! in f64 at the same f32 arguments, relative to the largest value of the output; and, where it is largest, the
+//! operation whose rounding changes the output most: each operation of the f64 evaluation in turn is rounded to f32
+//! while all others stay exact. Deterministic.
 
 use serde_json::{Value, json};
 use smartbed_codegen::Program;
@@ -12,27 +12,27 @@ use smartbed_codegen::expr::{Dag, ExprId, Node, SymbolId, evaluate};
 use smartbed_codegen::id::Id;
 use smartbed_runtime::real::Scalar;
 
-/// States drawn at each sampled configuration.
+/// States drawn per sampled configuration.
 const DRAWS: usize = 4;
-/// Speeds lie within this of 0 (rad/s, m/s).
+/// Speeds are drawn between plus and minus this (rad/s, m/s).
 const SPEEDS: f64 = 1.0;
-/// Inputs lie within this of 0 (N, N m).
+/// Inputs are drawn between plus and minus this (N, N m).
 const INPUTS: f64 = 10.0;
-/// Multiples of the golden section, less whole numbers, cover the unit interval evenly.
+/// Fractional parts of multiples of the golden ratio cover the unit interval evenly.
 const GOLDEN: f64 = 0.618_033_988_749_894_9;
 /// Longest expression that is shown.
 const SHOWN: usize = 64;
 
-/// An output and what rounding does to it.
+/// An output and its rounding error.
 #[derive(Clone, PartialEq, Debug)]
 pub(super) struct Rounding {
     /// Its name: a rate as `q'`, an energy, or an output of the model.
     pub output: String,
     /// Largest difference of f32 from f64, over the largest value of the output.
     pub error: f64,
-    /// The operation whose rounding moves it most at that state; none if nothing is rounded.
+    /// The operation whose rounding changes it most at that state; `None` if nothing is rounded.
     pub operation: Option<String>,
-    /// By how much, over the same value.
+    /// The change, relative to the same value.
     pub moves: f64,
 }
 
@@ -66,7 +66,7 @@ pub(super) fn facts(found: &[Rounding]) -> Value {
     found.iter().map(row).collect()
 }
 
-/// Everything that takes a number: time, state, inputs, parameters.
+/// All arguments of the program: time, state, inputs, parameters.
 fn symbols(program: &Program) -> Vec<SymbolId> {
     let groups = [&program.q, &program.u, &program.inputs, &program.parameters];
     let named = groups.into_iter().flatten().map(|quantity| quantity.symbol);
@@ -116,7 +116,7 @@ fn run<S: Scalar>(
     symbols: &[SymbolId],
     states: &[Vec<f64>],
 ) -> Vec<Vec<f64>> {
-    // What the program has no use for has no node.
+    // A symbol that the program does not use has no node.
     let node = |(k, &symbol): (usize, &SymbolId)| Some((k, program.dag.find(Node::Symbol(symbol))?));
     let (places, known): (Vec<usize>, Vec<ExprId>) = symbols.iter().enumerate().filter_map(node).unzip();
     let mut tape = Tape::<S>::above(&program.dag, roots, &known);
@@ -130,7 +130,7 @@ fn run<S: Scalar>(
     rows
 }
 
-/// One output at one state, operation by operation in f64.
+/// Evaluation of one output at one state, operation by operation in f64.
 struct Trace<'a> {
     dag: &'a Dag,
     order: Vec<ExprId>,
@@ -153,7 +153,7 @@ impl<'a> Trace<'a> {
         Self { dag, order, values }
     }
 
-    /// The node whose rounding moves the root most, and by how much.
+    /// The node whose rounding changes the root most, and by how much.
     fn worst(&self) -> Option<(ExprId, f64)> {
         let rounded = self.order.iter().enumerate().filter(|(_, id)| {
             let value = self.values[id.index()];
@@ -163,7 +163,7 @@ impl<'a> Trace<'a> {
         moved.filter(|(_, by)| *by > 0.0).max_by(|a, b| a.1.total_cmp(&b.1))
     }
 
-    /// By how much the root moves if the node at this place of the order alone is rounded.
+    /// Change of the root if the node at this index of the order alone is rounded.
     fn moved_by(&self, at: usize) -> f64 {
         let mut values = self.values.clone();
         let mut changed = vec![false; values.len()];
@@ -182,7 +182,7 @@ impl<'a> Trace<'a> {
     }
 }
 
-/// A node from its operands.
+/// The value of a node, computed from its operands.
 fn operation(dag: &Dag, id: ExprId, values: &[f64]) -> f64 {
     match dag.node(id) {
         Node::Negate(a) => -values[a.index()],
@@ -192,7 +192,7 @@ fn operation(dag: &Dag, id: ExprId, values: &[f64]) -> f64 {
     }
 }
 
-/// What a node is called, and what it is.
+/// The label and the expression of a node.
 fn name(dag: &Dag, id: ExprId) -> String {
     let text = dag.print(id, SHOWN);
     dag.name_of(id).map_or(text.clone(), |name| format!("{name} = {text}"))

@@ -1,4 +1,4 @@
-//! The report of `check` for people.
+//! The report of `check` as text.
 
 use super::report::Report;
 use crate::grouped;
@@ -7,7 +7,7 @@ use serde_json::Value;
 use smartbed_codegen::words::count;
 use std::fmt::Write as _;
 
-/// Rows of a list that are shown without `--all`; a table of units with no more than so many is shown whole.
+/// Most rows of a list that are shown without `--all`; a table of units with at most this many is shown whole.
 const SHOWN: usize = 12;
 const UNITS: usize = 60;
 
@@ -35,7 +35,7 @@ pub(super) fn render(report: &Report, all: bool) -> String {
     text
 }
 
-/// How many rows are shown, and the line that says what is left out.
+/// Number of rows shown, and the line about those left out.
 fn shown(count: usize, all: bool) -> (usize, String) {
     match count.saturating_sub(SHOWN) {
         more if more > 0 && !all => (SHOWN, format!("and {more} more: --all\n")),

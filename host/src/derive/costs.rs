@@ -1,8 +1,8 @@
-//! `derive --costs`: what each answer adds, and what its function then takes.
+//! `derive --costs`: what each answer adds to the cost of its function.
 //!
-//! In: a program and the functions asked for. Out: a row an answer: operations and values alive, from the program; code,
-//! stack and instructions in f32 on a Cortex-M4F, from an image of functions of ever more answers, where the machine has
-//! a toolchain for it.
+//! In: a program and the functions asked for. Out: one row per answer: operations and live values, from the program;
+//! size, stack and instructions in f32 on a Cortex-M4F, from an image of functions with one answer more each, if the
+//! machine has a toolchain for it.
 
 use crate::engine::crate_text;
 use crate::failure::Failure;
@@ -13,7 +13,7 @@ use serde_json::{Value, json};
 use smartbed_codegen::rust::{FunctionCost, cost};
 use smartbed_codegen::{Answer, Core, EmitOptions, Function, Program, ScalarType};
 
-/// An answer, and its function as far as that answer.
+/// An answer, and its function with all answers up to this one.
 struct Row {
     /// Name of the whole function.
     function: String,
@@ -39,8 +39,8 @@ pub fn print(
     output::print(&if as_json { json(program, &rows) } else { text(program, &rows) })
 }
 
-/// The first answers of every function, ever more of them; none that the program does not have, or
-/// that has no numbers.
+/// The first answers of every function, one more per row. Answers that the program does not have, or that have no
+/// numbers, are left out.
 fn rows(program: &Program, asked: &[Function], options: &EmitOptions) -> Vec<Row> {
     let mut rows: Vec<Row> = Vec::new();
     for function in asked {
@@ -57,7 +57,7 @@ fn rows(program: &Program, asked: &[Function], options: &EmitOptions) -> Vec<Row
     rows
 }
 
-/// Fills in what the chip takes; says why where it cannot.
+/// Measures the costs on the chip; if that is not possible, says why.
 fn measure(program: &Program, rows: &mut [Row], options: EmitOptions) -> Result<(), Failure> {
     let Some(toolchain) = functions::toolchain() else {
         output::say(
@@ -79,12 +79,12 @@ fn measure(program: &Program, rows: &mut [Row], options: EmitOptions) -> Result<
     Ok(())
 }
 
-/// The row before, if it is of the same function: what is more than there, the answer adds.
+/// The row before, if it belongs to the same function: the difference is what the answer adds.
 fn before(rows: &[Row], n: usize) -> Option<&Row> {
     rows[..n].last().filter(|_| rows[n].first.requests.len() > 1)
 }
 
-/// The answer of a row.
+/// The last answer of a row's function.
 fn answer(row: &Row) -> String {
     row.first.requests.last().map(ToString::to_string).unwrap_or_default()
 }

@@ -1,4 +1,4 @@
-//! `smartbed derive`: the equations of motion as Rust, one file or a crate that stands on its own.
+//! `smartbed derive`: the equations of motion as Rust, one file or a self-contained crate.
 
 mod costs;
 
@@ -189,7 +189,7 @@ impl OptimiseFor {
     }
 }
 
-/// Does what the command line asks for.
+/// Runs the command.
 ///
 /// # Errors
 /// Status 1 for a wrong model or a form that it does not have.
@@ -249,12 +249,12 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     report(arguments, &program, &options.functions, &written)
 }
 
-/// The functions that are asked for; all that every program has, if none.
+/// The functions asked for; if none are, those that every program has.
 fn all(program: &Program, asked: &[Function]) -> Vec<Function> {
     if asked.is_empty() { Function::each(&program.standing()) } else { asked.to_vec() }
 }
 
-/// What was written, where the text itself does not go to standard output.
+/// Reports what was written, unless the text itself goes to standard output.
 fn report(
     arguments: &Arguments,
     program: &Program,
@@ -302,7 +302,7 @@ fn choice(arguments: &Arguments, model: &Model) -> Result<ParameterChoice, Failu
     Ok(choice)
 }
 
-/// The functions of the form; none where all are wanted.
+/// The functions of the form; empty for all.
 fn functions(arguments: &Arguments, model: &Model) -> Result<Vec<Function>, Failure> {
     let asked = answers::functions(&arguments.answers)?;
     match arguments.form {

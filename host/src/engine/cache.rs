@@ -1,7 +1,7 @@
 //! Dynamic libraries compiled from emitted Rust, kept by the hash of their text.
 //!
-//! In: the files of a crate. Out: the path of the library. A library that is there is used as it
-//! is; one build at a time; a library appears under its name only when it is complete.
+//! In: the files of a crate. Out: the path of the library, compiled if it is not in the cache. Only one build runs at a
+//! time, and a library gets its name only when it is complete.
 
 use super::crate_text::Files;
 use crate::failure::Failure;
@@ -10,7 +10,7 @@ use std::fs::{self, File};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-/// Version of libm that the numbers are written against, where no lock file says more.
+/// Version of libm on which results depend, if no lock file names one.
 const LIBM: &str = "0.2";
 
 /// The library of these files; compiles it if it is not in the cache.
@@ -29,7 +29,7 @@ pub fn library(files: &Files) -> Result<PathBuf, Failure> {
     fs::create_dir_all(&cache).map_err(wrong)?;
     let lock = File::create(cache.join(".lock")).map_err(wrong)?;
     lock.lock().map_err(wrong)?;
-    // Somebody else may have built it while we waited.
+    // Another process may have built it while this one waited.
     if !library.is_file() {
         let source = cache.join("source");
         for (path, text) in files {
@@ -45,7 +45,7 @@ pub fn library(files: &Files) -> Result<PathBuf, Failure> {
     Ok(library)
 }
 
-/// Version of libm to compile with: the one that this program was locked to, for equal bits.
+/// Version of libm to compile with: the one in this program's lock file, so that results agree bit for bit.
 #[must_use]
 pub fn libm_version() -> String {
     let lock = fs::read_to_string(workspace().join("Cargo.lock")).unwrap_or_default();
@@ -70,7 +70,7 @@ fn folder() -> PathBuf {
     user.unwrap_or_else(std::env::temp_dir).join("smartbed")
 }
 
-/// The hash of paths and texts.
+/// Hash of paths and texts.
 fn hash(files: &Files) -> u64 {
     let bytes = files.iter().flat_map(|(path, text)| path.bytes().chain([0]).chain(text.bytes()).chain([0]));
     hash_of(bytes)
@@ -81,7 +81,7 @@ pub fn hash_of(bytes: impl Iterator<Item = u8>) -> u64 {
     bytes.fold(0xcbf2_9ce4_8422_2325, |h, b| (h ^ u64::from(b)).wrapping_mul(0x0100_0000_01b3))
 }
 
-/// Compiles without network first: libm is on every machine that has built this program.
+/// Compiles, first without network: libm is on every machine that has built this program.
 fn build(source: &Path, target: &Path) -> Result<PathBuf, Failure> {
     let Some(cargo) = which("cargo") else {
         return Err(Failure::Lacking(

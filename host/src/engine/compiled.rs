@@ -8,13 +8,13 @@ use smartbed_codegen::program::arguments::Arguments;
 use smartbed_codegen::{Function, Program};
 use smartbed_runtime::mechanism::{Fault, Mechanism};
 
-/// The C function: which answer, arguments, results; whether the lengths fit.
+/// The C function: number of the answer, arguments, results; returns whether the lengths fit.
 type AnswerFunction<S> = unsafe extern "C" fn(u32, *const S, usize, *mut S, usize) -> bool;
 
-/// Number of the first function on request in the C function.
+/// Number of the first function on request, as the C function takes it.
 const FIRST: u32 = 8;
 
-/// Numbers of the answers in the C function.
+/// Numbers of the other answers.
 #[derive(Clone, Copy)]
 enum Which {
     Rates = 0,
@@ -27,15 +27,15 @@ enum Which {
     SpeedProjection = 7,
 }
 
-/// A mechanism whose equations were compiled a moment ago, or are from the cache.
+/// A mechanism whose equations are called in the compiled library.
 #[derive(Debug)]
 pub struct Compiled<S> {
     function: AnswerFunction<S>,
-    /// Keeps the function's code loaded.
+    /// Keeps the library loaded.
     _library: Library,
     n_speeds: usize,
     n_outputs: usize,
-    /// By function on request.
+    /// Number of results of each function on request.
     n_results: Vec<usize>,
     is_driven: bool,
     is_redundant: bool,
@@ -77,7 +77,7 @@ impl<S: EngineScalar> Compiled<S> {
         Ok(this)
     }
 
-    /// What depends on the parameters alone.
+    /// Computes what depends on the parameters alone.
     fn prepare(&mut self, parameters: &[S]) -> Result<(), Fault> {
         call(self.function, Which::Prepare as u32, parameters, self.arguments.prepared_mut())
     }

@@ -1,7 +1,7 @@
-//! A small crate that stands on its own: emitted equations, the runtime's numbers, a manifest.
+//! The text of a self-contained crate: emitted equations, the numeric part of the runtime, a manifest.
 //!
-//! In: a program and a scalar. Out: (path, text) of every file. The crate needs `libm`, and `wide` for
-//! lanes; nothing else of this project.
+//! In: a program and a scalar. Out: (path, text) of every file. The crate depends on `libm`, and on `wide` for lanes;
+//! on nothing else of this project.
 
 use smartbed_codegen::{EmitOptions, Program, ScalarType, escape, rust};
 use smartbed_runtime::{INTEGRATOR_SOURCES, SOURCES};
@@ -17,7 +17,7 @@ pub fn library(program: &Program, scalar: &ScalarType, options: &EmitOptions) ->
     let features = if lanes { "default = [\"simd\"]\n" } else { "" };
     let name = crate_name(&program.name);
     let about = if program.doc.trim().is_empty() { &program.name } else { &program.doc };
-    // Text of TOML, whose escapes are not Rust's.
+    // A TOML string, whose escapes differ from Rust's.
     let description = toml::Value::from(escape::line(&about.replace(['\n', '\t'], " ")));
     let manifest = format!(
         "# Written by `smartbed derive --crate`.
@@ -63,7 +63,7 @@ pub use equations::*;
     files
 }
 
-/// The same crate with the runtime's integrators: a step of its mechanism under a law of its inputs.
+/// The same crate with the runtime's integrators, which step its mechanism under a law of its inputs.
 #[must_use]
 pub fn with_integrators(program: &Program, scalar: &ScalarType, options: &EmitOptions) -> Files {
     let mut files = library(program, scalar, options);
@@ -76,13 +76,13 @@ pub fn with_integrators(program: &Program, scalar: &ScalarType, options: &EmitOp
         }
     }
     files.extend(INTEGRATOR_SOURCES.iter().map(|(path, text)| {
-        // Methods for the nodes of bodies, which the crate has none of.
+        // Without the methods for bodies' nodes, of which the crate has none.
         (format!("src/{path}"), text.replace("pub mod nodes;\n", ""))
     }));
     files
 }
 
-/// The dynamic library of `--engine compiled`: one C function that gives any answer.
+/// The crate of the dynamic library for `--engine compiled`: one C function returns any answer.
 #[must_use]
 pub fn dynamic(program: &Program, scalar: ScalarType, libm: &str) -> Files {
     let manifest = format!(
@@ -113,7 +113,7 @@ counting = []
         true => "7 => fill(results, speed_projection(*t, q, u, inputs, p).iter()),",
         false => "// 7, the correction of the speeds: they are independent.",
     };
-    // Only functions of answers on request: structs of nothing but numbers.
+    // Only functions of answers on request: their structs consist of numbers only.
     let functions = program.functions.iter().enumerate().map(|(place, function)| {
         let u_dot = match program.answers_of(function).iter().any(|answer| answer.takes_u_dot) {
             true => ", u_dot",

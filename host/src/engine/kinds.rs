@@ -1,4 +1,4 @@
-//! What an engine answers, in which numbers, and how engines are told apart.
+//! The interface of engines, their kinds and their scalars.
 
 use clap::ValueEnum;
 use smartbed_codegen::{Interpreted, ScalarType};
@@ -26,7 +26,7 @@ pub enum ScalarKind {
 }
 
 impl ScalarKind {
-    /// What rounding leaves, over a run, of numbers of size 1 that cancel.
+    /// Rounding error, accumulated over a run, of a difference of numbers of size 1.
     #[must_use]
     pub fn noise(self) -> f64 {
         match self {
@@ -54,7 +54,7 @@ impl EngineScalar for f64 {
     }
 }
 
-/// Equations of motion and everything else a program answers.
+/// Evaluates the equations of motion and all other answers of a program.
 pub trait Engine<S: EngineScalar>: Mechanism<S> {
     /// Sets all tunable parameters, in the program's order.
     fn set_parameters(&mut self, values: &[S]);
@@ -68,18 +68,18 @@ pub trait Engine<S: EngineScalar>: Mechanism<S> {
     /// # Errors
     /// [`Fault::Shape`] if a slice has not the stated length.
     fn outputs(&mut self, t: S, q: &[S], u: &[S], inputs: &[S]) -> Result<Vec<S>, Fault>;
-    /// The power (W) that the drive puts in; 0 where nothing is driven.
+    /// Power (W) that the drive puts in; 0 if the mechanism is not driven.
     ///
     /// # Errors
     /// [`Fault::Shape`] if a slice has not the stated length.
     fn drive(&mut self, t: S, q: &[S], u: &[S], inputs: &[S]) -> Result<S, Fault>;
-    /// The results of a function on request, by its place in the program's functions; `u_dot` is empty where no answer
-    /// takes it.
+    /// The results of a function on request, by its index in the program's functions; `u_dot` is empty if no answer
+    /// uses it.
     ///
     /// # Errors
-    /// [`Fault::Shape`] if a slice has not the stated length, or there is no such function.
+    /// [`Fault::Shape`] if a slice does not have the stated length, or there is no such function.
     fn function(&mut self, place: usize, at: (S, &[S], &[S], &[S], &[S])) -> Result<Vec<S>, Fault>;
-    /// Largest constraint residual of a configuration, which stays as it is, at the time last set.
+    /// Largest constraint residual of a configuration, which is not corrected, at the time last set.
     ///
     /// # Errors
     /// [`Fault::Shape`] if `q` has not the stated length.
@@ -106,7 +106,7 @@ impl<S: EngineScalar> Engine<S> for Interpreted<S> {
     }
 }
 
-/// A fault in words.
+/// The message for a fault.
 #[must_use]
 pub fn explain(fault: Fault) -> &'static str {
     fault.reason()

@@ -1,4 +1,5 @@
-//! What evaluates a program: the interpreter, or the emitted Rust compiled on the spot. Same bits.
+//! Engines evaluate a program: the interpreter, or the emitted Rust compiled at run time. Their results agree bit for
+//! bit.
 
 #[cfg(feature = "whole")]
 pub mod cache;
@@ -17,8 +18,8 @@ use smartbed_codegen::{Interpreted, Program};
 /// The engine of a kind, with the program's default parameters.
 ///
 /// # Errors
-/// [`Failure::Lacking`] without a compiler; [`Failure::Wrong`] if the emitted Rust does not compile, or for a number
-/// beyond the scalar.
+/// [`Failure::Lacking`] without a compiler; [`Failure::Wrong`] if the emitted Rust does not compile, or if a number is
+/// out of the scalar's range.
 pub fn new<S: EngineScalar>(kind: EngineKind, program: &Program) -> Result<Box<dyn Engine<S>>, Failure> {
     limits::check_program(program, &S::scalar_type())?;
     Ok(match kind {

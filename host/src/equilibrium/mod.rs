@@ -1,8 +1,8 @@
-//! `smartbed equilibrium`: where a mechanism stays, or moves steadily, and how it moves near there.
+//! `smartbed equilibrium`: static equilibria and steady motions of a mechanism, and its small motions about them.
 //!
-//! In: a model, what is held, where the search starts. Out: coordinates and speeds at which nothing accelerates
-//! (`search`), and the eigenvalues and shapes of the motion near them (`modes`), as text or JSON. Laws close the loop:
-//! they stand in the equations ([`smartbed_codegen::model::Model::closed_loop`]) before these are derived.
+//! In: a model, what is held, where the search starts. Out: coordinates and speeds at which all accelerations vanish
+//! (`search`), and eigenvalues and mode shapes of the linearised motion (`modes`), as text or JSON. Control laws are
+//! substituted into the equations ([`smartbed_codegen::model::Model::closed_loop`]) before these are derived.
 
 mod modes;
 mod search;
@@ -47,10 +47,10 @@ pub struct Arguments {
     pub json: bool,
 }
 
-/// Does what the command line asks for.
+/// Runs the command.
 ///
 /// # Errors
-/// Status 1 for a wrong model, for one that time drives, and where nothing balances.
+/// Status 1 for a wrong model, for a driven one, and if no equilibrium is found.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let written = model_argument::read(&arguments.model)?;
     let model = &written.closed_loop();
@@ -83,7 +83,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     output::print(&if arguments.json { answer.json() } else { answer.text() })
 }
 
-/// What the command line holds, and what is looked for.
+/// Applies what the command line holds, and chooses the unknowns.
 fn hold(arguments: &Arguments, program: &Program, search: &mut Search) -> Result<(), Failure> {
     for given in &arguments.input {
         let (name, value) = model_argument::assignment("--input", given)?;

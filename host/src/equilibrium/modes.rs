@@ -1,27 +1,27 @@
-//! Modes: eigenvalues and shapes of small motions about an equilibrium, x' = A dx.
+//! Modes: eigenvalues and shapes of small motions about an equilibrium, dx' = A dx.
 //!
-//! In: A. Out: one mode a real eigenvalue or pair of complex ones, the fastest first. A shape is the vector v of
-//! (A - lambda) v = 0, found as the direction that A - lambda shortens most.
+//! In: A. Out: one mode per real eigenvalue or complex pair, the fastest first. A shape is the vector v of (A - lambda)
+//! v = 0, found as the right singular vector of A - lambda for the smallest singular value.
 
 use super::search::Slopes;
 use nalgebra::linalg::{Schur, balancing};
 use nalgebra::{Complex, ComplexField, DMatrix};
 
-/// Sweeps of the eigenvalues' iteration.
+/// Most iterations for the eigenvalues.
 const SWEEPS: usize = 10_000;
-/// Eigenvalues below this share of the largest are 0: rounding splits a double zero by the root of its unit.
+/// Eigenvalues below this fraction of the largest are 0: rounding splits a double zero by the square root of epsilon.
 const NEUTRAL: f64 = 1e-6;
-/// A real part below this share of the eigenvalue is rounding.
+/// A real part below this fraction of the eigenvalue is rounding.
 const UNDAMPED: f64 = 1e-9;
-/// Entries of a shape below this share of its largest are left out.
+/// Entries of a shape below this fraction of its largest are left out.
 const SMALL: f64 = 1e-6;
 
-/// What becomes of a small motion.
+/// The behaviour of a small motion.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Fate {
-    /// It dies out.
+    /// It decays.
     Decays,
-    /// It goes on as it is.
+    /// It neither decays nor grows.
     Persists,
     /// It grows.
     Grows,
@@ -34,8 +34,8 @@ pub(super) struct Mode {
     pub eigenvalue: Complex<f64>,
     /// Its fate.
     pub fate: Fate,
-    /// Entries of the state that take part: name, size relative to the largest, phase (rad). Empty for an eigenvalue 0:
-    /// what belongs to it is a space of motions, often of more than one direction.
+    /// Entries of the state that take part: name, size relative to the largest, phase (rad). Empty for an eigenvalue 0,
+    /// whose motions often form a space of more than one dimension.
     pub shape: Vec<(String, f64, f64)>,
 }
 
@@ -45,7 +45,7 @@ impl Mode {
         self.eigenvalue == Complex::new(0.0, 0.0)
     }
 
-    /// Frequency (Hz); 0 where nothing swings.
+    /// Frequency (Hz); 0 without oscillation.
     pub fn frequency(&self) -> f64 {
         self.eigenvalue.im / std::f64::consts::TAU
     }
@@ -57,7 +57,7 @@ impl Mode {
     }
 }
 
-/// The modes of a system; none if the iteration does not end.
+/// The modes of a system; `None` if the iteration does not converge.
 pub(super) fn of(slopes: &Slopes, names: &[String]) -> Option<Vec<Mode>> {
     let mut balanced = slopes.a.clone();
     if balanced.is_empty() {

@@ -1,12 +1,12 @@
-//! Newton's method for a state, or for inputs, at which nothing accelerates.
+//! Newton's method for a state, or for inputs, at which all accelerations vanish.
 //!
-//! In: rates of the state x = (independent q, independent u) and their slopes A, B at a place, from the derived
-//! equations. Out: the place, where all rates vanish that have to:
+//! In: rates of the state x = (independent q, independent u) and their Jacobians A, B at a state, from the derived
+//! equations. Out: the state at which these rates vanish:
 //! ```text
-//! r = (u', q' of every coordinate that the rates depend on),   J dz = -r,   dz the shortest such step
+//! r = (u', q' of every coordinate that the rates depend on),   J dz = -r,   dz the solution of least norm
 //! ```
-//! in units of each unknown's own range. Where the answer is not one place but a line of them, the shortest step leads
-//! to the one nearest to the start. A step is halved while it does not lower r or cannot be assembled.
+//! in units of each unknown's own range. If the solutions form a line, steps of least norm lead to one near the start.
+//! A step is halved as long as it does not reduce r or cannot be assembled.
 
 use crate::configuration::Configurations;
 use crate::engine::Engine;
@@ -15,20 +15,20 @@ use smartbed_codegen::Program;
 use smartbed_codegen::id::Id;
 use smartbed_codegen::model::Model;
 
-/// Newton's steps at most; each at least halves the largest rate or is the last.
+/// Most Newton steps.
 const STEPS: usize = 100;
-/// Halvings of one step.
+/// Most halvings of one step.
 const HALVINGS: usize = 40;
-/// A share of what a rate changes by over the ranges of the state: with less left the search ends.
+/// The search ends if every rate is below this fraction of its change over the ranges of the state.
 const ROUNDING: f64 = f64::EPSILON;
-/// Above this share an end is no equilibrium.
+/// If a rate stays above this fraction, the end is no equilibrium.
 const BALANCED: f64 = 1e-9;
-/// Slopes by a coordinate below this share of the largest are rounding: nothing depends on it.
+/// Derivatives by a coordinate below this fraction of the largest are rounding: nothing depends on it.
 const NO_SLOPE: f64 = 1e-12;
-/// Singular values below this share of the largest belong to directions along which nothing changes.
+/// Singular values below this fraction of the largest are zero: nothing changes along their directions.
 const FLAT: f64 = 1e-9;
 
-/// What is looked for.
+/// The unknowns of the search.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Unknown {
     /// Coordinates, and speeds if any is held.
@@ -40,7 +40,7 @@ pub(super) enum Unknown {
 /// A coordinate or speed of the state.
 struct Entry {
     name: String,
-    /// Its place in (q, u).
+    /// Index in q or u.
     place: usize,
     is_speed: bool,
     is_held: bool,
@@ -48,7 +48,7 @@ struct Entry {
     scale: f64,
 }
 
-/// The search and where it is.
+/// The search and its current state.
 pub(super) struct Search<'p> {
     program: &'p Program,
     engine: Box<dyn Engine<f64>>,
@@ -61,14 +61,14 @@ pub(super) struct Search<'p> {
     unknown: Unknown,
 }
 
-/// Slopes of the rates of the state, x' = A dx + B dinputs.
+/// The linearised equations: x' = A dx + B dinputs.
 #[derive(Clone, Debug)]
 pub(super) struct Slopes {
     pub a: DMatrix<f64>,
     pub b: DMatrix<f64>,
 }
 
-/// What was found.
+/// The equilibrium found.
 #[derive(Clone, Debug)]
 pub(super) struct Found {
     pub q: Vec<f64>,
@@ -76,13 +76,13 @@ pub(super) struct Found {
     pub speeds: Vec<f64>,
     pub inputs: Vec<f64>,
     pub outputs: Vec<f64>,
-    /// The largest rate that is left, with its name.
+    /// The largest remaining rate, with its name.
     pub left: (String, f64),
     pub slopes: Slopes,
     pub is_motion: bool,
 }
 
-/// Rates and slopes at a place.
+/// Rates and their Jacobians at a state.
 struct Rates {
     x_dot: DVector<f64>,
     slopes: Slopes,
@@ -143,7 +143,8 @@ impl<'p> Search<'p> {
         self.inputs[place] = value;
     }
 
-    /// Holds an entry of the state; the first held speed frees those that are not. False: there is none of that name.
+    /// Holds an entry of the state. Holding the first speed frees the speeds that are not held. False if there is no
+    /// entry of that name.
     pub fn hold(&mut self, name: &str, value: f64) -> bool {
         let Some(found) = self.state.iter().position(|entry| entry.name == name) else { return false };
         if self.state[found].is_speed && !self.is_motion() {
@@ -160,12 +161,12 @@ impl<'p> Search<'p> {
         self.unknown = unknown;
     }
 
-    /// Is it a steady motion that is looked for? Then some speeds are free; without speeds held all are 0.
+    /// Is a steady motion searched for? Then some speeds are free; if no speed is held, all are 0.
     fn is_motion(&self) -> bool {
         self.state.iter().any(|entry| entry.is_speed && !entry.is_held) || self.u.iter().any(|u| *u != 0.0)
     }
 
-    /// Goes there.
+    /// Runs the search.
     pub fn find(&mut self) -> Result<Found, String> {
         self.assemble_held()?;
         let mut here =
@@ -198,7 +199,7 @@ impl<'p> Search<'p> {
         })
     }
 
-    /// Dependent coordinates for those that are held elsewhere than they started.
+    /// Solves for the dependent coordinates if coordinates are held at values other than their start.
     fn assemble_held(&mut self) -> Result<(), String> {
         let held = self.state.iter().any(|entry| !entry.is_speed && entry.is_held);
         if !held {
@@ -224,7 +225,7 @@ impl<'p> Search<'p> {
         format!("no equilibrium was found: the rate of `{name}` stays {value:.3e}; {advice}")
     }
 
-    /// Rates and slopes here; none where the configuration is singular.
+    /// Rates and Jacobians here; `None` if the configuration is singular.
     fn rates(&mut self) -> Option<Rates> {
         let (n_q, n_u) = (self.q.len(), self.u.len());
         let (mut q_dot, mut u_dot) = (vec![0.0; n_q], vec![0.0; n_u]);
@@ -244,7 +245,7 @@ impl<'p> Search<'p> {
         is_finite.then_some(Rates { x_dot, slopes })
     }
 
-    /// Rows that have to vanish: accelerations, and rates of coordinates on which anything depends.
+    /// Rates that have to vanish: accelerations, and rates of coordinates on which anything depends.
     fn rows(&self, here: &Rates) -> Vec<usize> {
         let largest = here.slopes.a.amax();
         let matters = |j: usize| here.slopes.a.column(j).amax() > NO_SLOPE * largest;
@@ -253,7 +254,7 @@ impl<'p> Search<'p> {
             .collect()
     }
 
-    /// Columns of the unknowns, times their scales, over the rows that have to vanish.
+    /// The Jacobian J: rows of the rates that have to vanish, columns of the unknowns, scaled.
     fn slopes_of_unknowns(&self, here: &Rates, rows: &[usize]) -> DMatrix<f64> {
         match self.unknown {
             Unknown::State => {
@@ -268,7 +269,7 @@ impl<'p> Search<'p> {
         }
     }
 
-    /// Each rate as a share of what the ranges of the whole state change it by: the largest, with its name.
+    /// The largest rate relative to its change over the ranges of the whole state, with its name.
     fn off_balance(&self, here: &Rates) -> (String, f64) {
         let mut worst = (String::new(), 0.0);
         for i in self.rows(here) {
@@ -288,7 +289,7 @@ impl<'p> Search<'p> {
         self.state.iter().position(|entry| entry.name == name).map_or(0.0, |i| here.x_dot[i])
     }
 
-    /// The shortest step that balances the rates to first order, rows in units of their own size.
+    /// The step of least norm that makes the rates vanish to first order, each row scaled by its largest entry.
     fn newton_step(&self, here: &Rates) -> Option<DVector<f64>> {
         let rows = self.rows(here);
         let mut slopes = self.slopes_of_unknowns(here, &rows);
@@ -307,10 +308,10 @@ impl<'p> Search<'p> {
         svd.solve(&rest, FLAT * svd.singular_values.max()).ok()
     }
 
-    /// Takes the step, or as much of it as lowers the rates.
+    /// Takes the step, or the part of it that reduces the rates.
     fn shortened(&mut self, step: &DVector<f64>, before: f64) -> Option<(Rates, (String, f64))> {
         let old = (self.q.clone(), self.u.clone(), self.inputs.clone());
-        // No further at once than half a range.
+        // At most half a range in one step.
         let mut part = 1.0 / step.amax().max(1.0);
         for _ in 0..HALVINGS {
             if self.go(&old, step, part)
@@ -327,7 +328,7 @@ impl<'p> Search<'p> {
         None
     }
 
-    /// A part of the step from an old place; false where it cannot be assembled.
+    /// Takes a part of the step from the old state; false if it cannot be assembled.
     fn go(&mut self, old: &(Vec<f64>, Vec<f64>, Vec<f64>), step: &DVector<f64>, part: f64) -> bool {
         let (mut q, mut u, mut inputs) = old.clone();
         match self.unknown {

@@ -1,4 +1,4 @@
-//! What was found, in words and as JSON.
+//! The equilibrium found and its modes, as text and as JSON.
 
 use super::modes::{Fate, Mode};
 use super::search::{Found, Search};
@@ -8,9 +8,9 @@ use smartbed_codegen::model::Model;
 use smartbed_codegen::words::count;
 use std::fmt::Write as _;
 
-/// Values below this share of the largest beside them, and of 1, are shown as 0.
+/// Values below this fraction of the largest of their list, and of 1, are shown as 0.
 const NOISE: f64 = 1e-12;
-/// Entries of a shape that a line shows.
+/// Most entries of a shape shown on a line.
 const SHOWN: usize = 4;
 
 /// An equilibrium with its modes.
@@ -99,7 +99,7 @@ impl Answer<'_> {
         text
     }
 
-    /// What becomes of it when it is pushed a little.
+    /// Whether it is stable.
     fn verdict(&self) -> String {
         let has = |fate| self.modes.iter().any(|mode| mode.fate == fate);
         let words = match (has(Fate::Grows), has(Fate::Persists)) {

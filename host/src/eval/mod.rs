@@ -19,7 +19,7 @@ use smartbed_codegen::{Asked, Function, Interpreted, ParameterChoice, Program, R
 use states::State;
 use write::Evaluated;
 
-/// A residual of this part of the equations' terms is more than rounding in any scalar.
+/// A residual above this fraction of the size of the constraints' terms is more than rounding in any scalar.
 const VIOLATED: f64 = 1e-4;
 
 /// Evaluate the equations of motion at given states.
@@ -55,14 +55,14 @@ pub struct Arguments {
     pub json: bool,
 }
 
-/// One function of what not every program has.
+/// One function per answer that not every program has.
 fn on_request(requests: &[Request]) -> Vec<Function> {
     let is_asked = |r: &&Request| answer::find(&r.answer).is_some_and(|kind| !kind.is_standing());
     let requests: Vec<Request> = requests.iter().filter(is_asked).cloned().collect();
     if requests.is_empty() { Vec::new() } else { vec![Function { name: "answers".to_owned(), requests }] }
 }
 
-/// Does what the command line asks for.
+/// Runs the command.
 ///
 /// # Errors
 /// Status 1 for a wrong model or state, status 2 without a compiler for `--engine compiled`.
@@ -134,7 +134,7 @@ fn evaluate<S: EngineScalar>(
             .map_err(|fault| at(explain(fault).to_owned()))?;
         let parameters = rounded::<S>(&given.parameters);
         engine.set_parameters(&parameters);
-        // Shown as given, computed less whole turns.
+        // Shown as given, but computed with whole turns subtracted.
         let near = less_turns::<S>(program, &q);
         for (list, values) in [
             (&program.q, &near),
@@ -178,7 +178,7 @@ fn evaluate<S: EngineScalar>(
     Ok(text)
 }
 
-/// Says what makes numbers doubtful that are finite all the same.
+/// Warns of states whose answers are finite but doubtful.
 fn warn<S: EngineScalar>(number: usize, evaluated: &Evaluated, program: &Program) {
     if evaluated.residual > VIOLATED * program.assembly.size() {
         output::say(&format!(
@@ -196,9 +196,9 @@ fn warn<S: EngineScalar>(number: usize, evaluated: &Evaluated, program: &Program
     }
 }
 
-/// Coordinates in closed form that are given all the same have the value of the form.
+/// Checks that given values of coordinates in closed form agree with the form.
 fn agree(names: &[(String, String)], given: &[Option<f64>], values: &[f64]) -> Result<(), String> {
-    /// As far as single precision and numbers with some digits can agree.
+    /// Tolerance: single precision, and numbers written with few digits.
     const ROUNDING: f64 = 1e-6;
     for ((name, _), (given, value)) in names.iter().zip(given.iter().zip(values.iter().step_by(2))) {
         if let Some(given) = given
@@ -212,7 +212,7 @@ fn agree(names: &[(String, String)], given: &[Option<f64>], values: &[f64]) -> R
     Ok(())
 }
 
-/// Speeds of a state; a complete list is taken as it is.
+/// Completes the speeds of a state; a complete list is taken as it is.
 fn complete_speeds(
     model: &Model,
     program: &Program,

@@ -1,7 +1,7 @@
 //! States files: `{"states": [{"t": value, "q": {name: value}, "u": {...}, "inputs": {...}, "parameters": {...}}]}`.
 //!
-//! In: text. Out: named numbers per state, then lists in a program's order. Every name must exist and
-//! belong where it stands; messages say which state and which name.
+//! In: text. Out: named numbers per state, then lists in a program's order. Every name must exist and belong to its
+//! group; messages name the state and the name.
 
 use crate::configuration::Configurations;
 use crate::failure::Failure;
@@ -42,15 +42,15 @@ pub struct State {
 /// One state in a program's order.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Given {
-    /// Coordinates; `None` is solved for.
+    /// Coordinates; `None` is to be solved for.
     pub q: Vec<Option<f64>>,
     /// Coordinates in closed form.
     pub closed: Vec<Option<f64>>,
-    /// Speeds that are state; a left-out one is 0, or follows where all speeds are state.
+    /// Speeds that are state; an omitted one is 0, or follows from the others if all speeds are state.
     pub u: Vec<Option<f64>>,
     /// Inputs.
     pub inputs: Vec<f64>,
-    /// Given derivatives of the speeds; none where no answer takes them.
+    /// Given derivatives of the speeds; empty if no answer uses them.
     pub u_dot: Vec<f64>,
     /// Tunable parameters.
     pub parameters: Vec<f64>,
@@ -71,7 +71,7 @@ pub fn read(path: &str) -> Result<Vec<State>, Failure> {
 /// What is wrong and where.
 pub fn parse(text: &str) -> Result<Vec<State>, String> {
     let expected = "expected {\"states\": [{\"q\": {...}, \"u\": {...}, ...}, ...]}";
-    // State by state: a tree of all of them would take 80 times the memory of the text.
+    // State by state: a JSON tree of the whole file would take 80 times the memory of the text.
     let file: &RawValue = serde_json::from_str(text).map_err(|e| format!("not JSON: {e}"))?;
     let keys: BTreeMap<String, &RawValue> = serde_json::from_str(file.get()).unwrap_or_default();
     let list = keys.get("states").ok_or_else(|| format!("there is no \"states\"; {expected}"))?;
@@ -131,7 +131,7 @@ fn named_numbers(numbers: &Map<String, Value>) -> Result<Vec<(String, f64)>, Str
 /// Names of all parameters that any state names, in the model's order.
 ///
 /// # Errors
-/// [`Failure::Wrong`] for a name that the model has not.
+/// [`Failure::Wrong`] for a name that the model does not have.
 pub fn parameters(states: &[State], model: &Model) -> Result<Vec<String>, Failure> {
     let known: Vec<&str> = model.parameters.iter().map(|p| p.name.as_str()).collect();
     let mut named = std::collections::BTreeSet::new();
@@ -157,7 +157,7 @@ impl State {
     /// The numbers in the program's order; `closed` are the names and units of coordinates in closed form.
     ///
     /// # Errors
-    /// A name that does not belong where it stands; a left-out independent coordinate.
+    /// A name that does not belong to its group; an omitted independent coordinate.
     pub fn resolve(
         &self,
         program: &Program,
@@ -214,7 +214,7 @@ fn names(list: &[Quantity]) -> Vec<&str> {
     list.iter().map(|x| x.name.as_str()).collect()
 }
 
-/// The named numbers in the order of `list`.
+/// The values of named numbers, in the order of `list`.
 fn place(
     named: &[(String, f64)],
     list: &[&str],

@@ -5,7 +5,7 @@ use smartbed_codegen::Program;
 use smartbed_codegen::program::Quantity;
 use smartbed_codegen::program::answer::{Part, Shape};
 
-/// Everything known about one state.
+/// All results of one state.
 pub(super) struct Evaluated {
     pub t: f64,
     pub q: Vec<f64>,
@@ -15,7 +15,7 @@ pub(super) struct Evaluated {
     pub q_dot: Vec<f64>,
     pub u_dot: Vec<f64>,
     pub pivot: f64,
-    /// What puts the speeds on the constraints, where all of them are state.
+    /// Correction that returns the speeds to the constraints, if all of them are state.
     pub speed_correction: Vec<f64>,
     pub energy: [f64; 2],
     pub speeds: Vec<f64>,
@@ -28,7 +28,7 @@ pub(super) struct Evaluated {
 }
 
 impl Evaluated {
-    /// What is not a number, or infinite.
+    /// The first group that contains a NaN or an infinity.
     pub fn not_finite(&self) -> Option<&'static str> {
         let lists: [(&str, &[f64]); 9] = [
             ("a coordinate in closed form", &self.closed),
@@ -64,7 +64,7 @@ impl Evaluated {
         let named = |list: &[(String, _)], values: &[f64]| {
             json_object(list.iter().map(|(name, _)| name.as_str()).zip(values.iter().copied()))
         };
-        // A state without a time is written as it was given.
+        // Time is written only if it is not 0.
         let time = (self.t != 0.0).then(|| format!("\"t\": {}", json_number(self.t)));
         let mut parts: Vec<String> = time.into_iter().collect();
         parts.push(format!("\"q\": {}", coordinates(&self.q, 0)));

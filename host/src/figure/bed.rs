@@ -1,6 +1,6 @@
-//! Figures of the bed with something on it: soft manipulation (2.1) and the bed with a human (2.6).
+//! Figures of the bed with a load: soft manipulation (2.1) and the bed with a human (2.6).
 //!
-//! In: plans under `models/plans`, changed by `--set`. Out: drawings of what equilibria are, in section and from above.
+//! In: plans under `models/plans`, changed by `--set`. Out: drawings of equilibria, in section and from above.
 
 use crate::failure::Failure;
 use crate::interrupt;
@@ -19,7 +19,7 @@ use smartbed_bed::soft::{Claim, Comparison, NAMES, compare, told};
 const SHEET: Color = [0, 114, 178];
 const SKIN: Color = [213, 94, 0];
 
-/// Runs something with its progress told.
+/// Runs something while a progress bar is shown.
 fn with_progress<T>(
     name: &str,
     run: impl FnOnce(&mut dyn FnMut(f64) -> bool) -> Result<T, RunError>,
@@ -37,10 +37,10 @@ fn plan(name: &str, settings: &[String]) -> Result<Read, Failure> {
     PlanFile::open(name)?.read(settings)
 }
 
-/// Figure 2.1 and what it shows of the thesis' words.
+/// Figure 2.1, and which of the thesis' claims it confirms.
 pub(super) fn soft(settings: &[String]) -> Result<(Drawing, Vec<Claim>), Failure> {
     let read = plan("soft_manipulation", settings)?;
-    // A quarter of the pressure and a tilt of 8 deg, within stroke and steps of one tile.
+    // A quarter of the pressure and a tilt of 8 deg, within the stroke and the steps of one tile.
     let (low, slope) = (0.25 * read.plan.pressure, 8.0_f64.to_radians().tan());
     for change in told(&read.plan, low, slope) {
         read.allows(&[change]).map_err(|refusal| Failure::Wrong(format!("soft manipulation: {refusal}")))?;
@@ -50,7 +50,7 @@ pub(super) fn soft(settings: &[String]) -> Result<(Drawing, Vec<Claim>), Failure
     Ok((four(&read.plan, &found, &claims), claims))
 }
 
-/// Four sections side by side, numbers below, then the claims.
+/// Four sections side by side, with numbers below, then the claims.
 fn four(plan: &Plan, found: &Comparison, claims: &[Claim]) -> Drawing {
     let (wide, high) = (300.0, 310.0);
     let mut items = Vec::new();
@@ -83,7 +83,7 @@ fn four(plan: &Plan, found: &Comparison, claims: &[Claim]) -> Drawing {
     Drawing { width: 1200, height: (from + 22.0 * claims.len() as f64 + 10.0) as usize, items }
 }
 
-/// The middle row of the first tile's sheet with the pressure on it, and the load: `scale` pixels a metre.
+/// The middle row of the first tile's sheet with the pressure on it, and the load; `scale` in pixels per metre.
 fn section(plan: &Plan, history: &History, moment: &Moment, middle: (f64, f64), scale: f64) -> Vec<Item> {
     let at = |x: f64, z: f64| (middle.0 + scale * x, middle.1 - scale * z);
     let [across, along] = plan.layout.shown();
@@ -110,7 +110,7 @@ fn section(plan: &Plan, history: &History, moment: &Moment, middle: (f64, f64), 
     items
 }
 
-/// The outline of a shape as seen along the axis that is neither `u` nor `v`: the farthest points in all directions.
+/// The outline of a shape projected on axes `u` and `v`: the support points in all directions.
 fn outline(shape: &Surface, pose: &Pose, u: usize, v: usize) -> Vec<[f64; 2]> {
     let farthest = |angle: f64| {
         let mut direction = [0.0; 3];
@@ -121,7 +121,7 @@ fn outline(shape: &Surface, pose: &Pose, u: usize, v: usize) -> Vec<[f64; 2]> {
     (0..=96).map(|n| farthest(f64::from(n) / 96.0 * std::f64::consts::TAU)).collect()
 }
 
-/// Figure 2.6: a patient on all tiles, the pressure from above and the segments, and from the side.
+/// Figure 2.6: a patient on all tiles, pressure and segments from above, and segments from the side.
 pub(super) fn human(settings: &[String]) -> Result<Drawing, Failure> {
     let still = ["run.seconds=0".to_owned()];
     let read = plan("alternating", &[&still[..], settings].concat())?;
@@ -137,7 +137,7 @@ pub(super) fn human(settings: &[String]) -> Result<Drawing, Failure> {
     });
     for (site, pressure) in frame.pressure.iter().enumerate().filter(|(_, p)| **p > 5.0 * MMHG) {
         let [x, y] = grid.middle(site);
-        // A sensel lies on its node, at the corner of its cell.
+        // A sensel is centred on its node, which is the lower left corner of its cell in the grid.
         let (x, y) = (x + left - 0.5 * grid.column_pitch, y + low - 0.5 * grid.row_pitch);
         let (a, b) = (0.5 * grid.column_pitch, 0.5 * grid.row_pitch);
         let share = (pressure / (80.0 * MMHG)).min(1.0);
@@ -165,7 +165,7 @@ pub(super) fn human(settings: &[String]) -> Result<Drawing, Failure> {
     }
     let [across, along] = plan.layout.shown();
     for row in 0..plan.layout.rows {
-        // The second column carries the patient's left side.
+        // The tiles of this column are under the patient's left side.
         let tile = row * plan.layout.columns + plan.layout.columns / 2;
         let y = |j: usize| {
             plan.layout.middle(tile)[1] + 2.0 * b * (along[j] as f64 / plan.layout.intervals[1] as f64 - 0.5)

@@ -1,4 +1,4 @@
-//! `smartbed figure`: a figure of the thesis, made by one command.
+//! `smartbed figure`: makes a figure of the thesis with one command.
 //!
 //! In: its number. Out: a picture. One table ([`FIGURES`]) says for every figure of chapters 2 to 5 how it is made;
 //! `docs/figures.md` compares them with the thesis' captions.
@@ -47,24 +47,24 @@ pub struct Arguments {
 pub enum Recipe {
     /// A run of a scene or model, with these settings.
     Run(&'static str, &'static [&'static str]),
-    /// A rigid ball falls and comes to rest: what holds it.
+    /// A rigid ball falls and comes to rest: the force of the ground on it.
     Rest,
-    /// Work over impulse of a rigid rod that strikes the ground.
+    /// Work over impulse for the impact of a rigid rod.
     WorkImpulse,
     /// Four states of one bladder under a load.
     Soft,
     /// A patient on all tiles.
     Human,
-    /// A scheme of the tile; no result.
+    /// A schematic drawing of the tile, not a result.
     Tile(Tile),
-    /// A scheme of a site of sensors.
+    /// A schematic drawing of a site of sensors.
     Platform,
-    /// A scheme of four sites, with their bands.
+    /// A schematic drawing of four sites, with their frequency bands.
     Array,
 }
 
 impl Recipe {
-    /// Is it a scheme of the design, not a result?
+    /// Is it a schematic drawing of the design, not a result?
     fn is_scheme(self) -> bool {
         matches!(self, Recipe::Tile(_) | Recipe::Platform | Recipe::Array)
     }
@@ -87,7 +87,7 @@ const fn figure(number: &'static str, caption: &'static str, recipe: Recipe) -> 
 
 const UNDAMPED: &[&str] = &["C=0"];
 const DAMPED: &[&str] = &["C=10"];
-/// All tiles at one tilt; the ball's impact wants shorter steps than its lift.
+/// All tiles at one tilt; the ball's impact needs shorter steps than lifting it.
 const TILTED: &[&str] = &[
     "parts.tile.command.hA=30_mm",
     "parts.tile.command.hB=-15_mm",
@@ -136,7 +136,7 @@ pub const FIGURES: [Figure; 37] = [
     figure("5.19", "Cube Structure", Recipe::Run("centre_masses", UNDAMPED)),
 ];
 
-/// Does what the command line asks for.
+/// Runs the command.
 ///
 /// # Errors
 /// [`Failure::Wrong`] for an unknown figure, one that cannot be made, or a wrong setting.

@@ -1,4 +1,4 @@
-//! Figure 4.1: a rigid ball that falls, bounces and rests, and the force that holds it (Eq. 4.1).
+//! Figure 4.1: a rigid ball that falls, bounces and comes to rest, and the force of the ground on it (Eq. 4.1).
 
 use super::setting::{name_of, value_of};
 use crate::failure::Failure;
@@ -13,24 +13,24 @@ use smartbed_runtime::surface::{Shape, Sphere};
 
 /// Radius of the ball (m).
 const RADIUS: f64 = 0.1;
-/// Free fall (m/s^2).
+/// Acceleration of gravity (m/s^2).
 const GRAVITY: f64 = 9.81;
-/// Length of the run (s), and of its steps.
+/// Length and step of the run (s).
 const SECONDS: f64 = 0.5;
 const STEP: f64 = 1e-3;
-/// Contacts there is room for: a ball has one.
+/// Most contacts: a ball has one.
 const ROOM: usize = 4;
 
-/// A ball of 0.1 m above the ground.
+/// The settings of the fall.
 #[derive(Clone, Copy)]
 pub(super) struct Ball {
     restitution: f64,
-    /// Of its lowest point (m).
+    /// Initial height of its lowest point (m).
     height: f64,
     mass: f64,
 }
 
-/// Height (m), force of the ground (N) over the times (s), and the times of impacts.
+/// Heights (m) and forces of the ground (N) at the times (s), and the times of impacts.
 #[derive(Default)]
 struct Record {
     time: Vec<f64>,
@@ -40,7 +40,7 @@ struct Record {
 }
 
 impl Ball {
-    /// With these settings.
+    /// Reads the settings.
     pub(super) fn new(settings: &[String]) -> Result<Ball, Failure> {
         let mut ball = Ball { restitution: 0.5, height: 0.02, mass: 1.0 };
         for setting in settings {
@@ -141,7 +141,7 @@ mod tests {
     fn the_force_is_nothing_in_flight_and_the_weight_at_rest() {
         let record = Ball::new(&["mass=2".to_owned()]).expect("settings").run().expect("a run");
         let touch = (2.0 * 0.02 / GRAVITY).sqrt();
-        // The bounces' times add up: t (1 + 2 e/(1 - e)).
+        // The durations of all bounces sum up to t (1 + 2 e/(1 - e)).
         let rest = touch * 3.0;
         for (time, force) in record.time.iter().zip(&record.force) {
             if *time < rest - STEP {

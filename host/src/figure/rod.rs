@@ -1,4 +1,4 @@
-//! Figure 4.2: work over impulse of a rigid rod that strikes the ground, in the thesis' four phases.
+//! Figure 4.2: work over impulse for the impact of a rigid rod on the ground, in the thesis' four phases.
 
 use super::setting::{name_of, value_of};
 use crate::failure::Failure;
@@ -6,21 +6,21 @@ use crate::plot;
 use crate::plot::chart::{self, Chart, Curve, Panel};
 use smartbed_runtime::rigid::impact::{CurvePoint, Stage, Touch, trace};
 
-/// A slender rod of 1 kg and 1 m that strikes the ground with its lower end, without spin.
+/// A slender rod of 1 kg and 1 m that strikes the ground with its lower end, without rotation.
 #[derive(Clone, Copy)]
 pub(super) struct Rod {
     restitution: f64,
     friction: f64,
-    /// From the ground (rad).
+    /// Angle to the ground (rad).
     angle: f64,
-    /// Downwards (m/s).
+    /// Speed downwards (m/s).
     speed: f64,
-    /// Along the ground, away from the centre's side (m/s).
+    /// Speed along the ground, away from the side of the mass centre (m/s).
     slip: f64,
 }
 
 impl Rod {
-    /// With these settings.
+    /// Reads the settings.
     pub(super) fn new(settings: &[String]) -> Result<Rod, Failure> {
         let mut rod =
             Rod { restitution: 0.6, friction: 0.3, angle: 60_f64.to_radians(), speed: 3.0, slip: 1.0 };
@@ -44,7 +44,7 @@ impl Rod {
     }
 
     fn touch(&self) -> Touch<f64> {
-        // J = m l^2/12 with m = l = 1; the end lies at (x, y) from the centre.
+        // J = m l^2/12 with m = l = 1; the end is at (x, y) relative to the mass centre.
         let (x, y) = (-0.5 * self.angle.cos(), -0.5 * self.angle.sin());
         let inverse_mass = [
             [1.0 + 12.0 * x * x, -12.0 * x * y, 0.0],
@@ -55,7 +55,7 @@ impl Rod {
         Touch { inverse_mass, velocity: [-self.speed, self.slip, 0.0], friction, restitution }
     }
 
-    /// Work and relative speeds over the normal impulse, the phases in colours of their own.
+    /// Work and relative speeds over the normal impulse, each phase in a colour of its own.
     pub(super) fn draw(&self) -> plot::drawing::Drawing {
         let mut points = Vec::new();
         let impact = trace(&self.touch(), |point| points.push(point));
@@ -67,7 +67,7 @@ impl Rod {
                 Curve { name: name.to_owned(), values, color: None, across: Some(across) }
             })
             .collect();
-        // No impulse acts before the collision, and none yet at it: both are the curve's first point.
+        // No impulse acts before the collision or at its first instant: both are the curve's first point.
         for name in ["pre-collision", "collision"] {
             if let Some(first) = points.first() {
                 let (values, across) = (vec![first.work], Some(vec![first.impulse]));
@@ -107,12 +107,12 @@ impl Rod {
     }
 }
 
-/// The work over the impulse in one stage, between its points by cubics of the same slopes: dW/dp = `v_n`.
+/// The work over the impulse in one phase, interpolated by cubics with the slopes dW/dp = `v_n`.
 fn work_curve(points: &[CurvePoint<f64>], stage: Stage) -> (Vec<f64>, Vec<f64>) {
-    /// Pieces between two points.
+    /// Intervals between two points.
     const PIECES: u32 = 24;
     let mut curve = (Vec::new(), Vec::new());
-    // A stage is what a piece runs through; the point at the end of compression is already marked as restitution.
+    // A piece belongs to the phase of its first point; the point at the end of compression is marked as restitution.
     let inside =
         |pair: &&[CurvePoint<f64>]| (pair[0].stage == Stage::Restitution) == (stage == Stage::Restitution);
     for pair in points.windows(2).filter(inside) {
@@ -131,7 +131,7 @@ fn work_curve(points: &[CurvePoint<f64>], stage: Stage) -> (Vec<f64>, Vec<f64>) 
     curve
 }
 
-/// The impulses at which a phase ends: at the collision, with compression, with restitution.
+/// The impulses at the collision, at the end of compression, and at the end of restitution.
 fn ends(points: &[CurvePoint<f64>]) -> Vec<f64> {
     let compressed = points.iter().find(|p| p.stage == Stage::Restitution);
     [points.first(), compressed, points.last()].into_iter().flatten().map(|p| p.impulse).collect()

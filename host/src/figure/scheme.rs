@@ -1,7 +1,7 @@
-//! Schemes: the tile (2.2 to 2.4), a site of sensors (3.8) and an array of four (3.9).
+//! Schematic drawings: the tile (2.2 to 2.4), a site of sensors (3.8) and an array of four (3.9).
 //!
-//! In: closed forms of a tile's pose, dimensions and bands of sensors. Out: drawings to scale of what the program computes
-//! with; they are no results.
+//! In: a tile's pose in closed form, dimensions and the sensors' frequency bands. Out: drawings to scale, made from the
+//! numbers with which the program computes; they are no results.
 
 use crate::plot::chart::{LARGE, SMALL, line, text};
 use crate::plot::drawing::{Anchor, Color, Drawing, INK, Item, PALE};
@@ -12,32 +12,32 @@ use smartbed_bed::tile::{Command, heights, pose};
 const BLUE: Color = [0, 114, 178];
 const RED: Color = [213, 94, 0];
 const GREEN: Color = [0, 158, 115];
-/// Circle of the screws (m), and the posture that is drawn.
+/// Radius of the circle of the screws (m), and the posture drawn.
 const CIRCLE: f64 = 0.09;
 const SHOWN: Command = Command { heave: 0.02, slope: [0.18, 0.12] };
 
-/// What of the tile is drawn.
+/// Which drawing of the tile.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Tile {
-    /// Screws, connectors, star and plate.
+    /// Screws, connectors, star and platform.
     Design,
     /// Frames seen from above.
     Frames,
-    /// Loops that close.
+    /// Closed loops.
     Loops,
 }
 
-/// Azimuth of a screw: A lies towards +y.
+/// Azimuth of a screw: screw A is in the direction of +y.
 fn azimuth(k: usize) -> f64 {
     (90.0 + 120.0 * k as f64).to_radians()
 }
 
-/// A tile.
+/// The drawing of a tile.
 pub(super) fn tile(what: Tile) -> Drawing {
     let star = pose(&SHOWN, CIRCLE);
     let high = heights(&SHOWN, CIRCLE);
     let flat = what == Tile::Frames;
-    // From above, or from ahead and above.
+    // Projection from above, or obliquely from the front.
     let at = |p: [f64; 3]| {
         let scale = 2200.0;
         if flat {
@@ -80,7 +80,7 @@ pub(super) fn tile(what: Tile) -> Drawing {
                 3.0,
             ));
         }
-        // An arm goes on behind its connector, which slides on it.
+        // An arm extends beyond the connector that slides on it.
         let [c, q] = [centre, connector(k)];
         items.push(line(vec![at(c), at([0, 1, 2].map(|n| c[n] + 1.25 * (q[n] - c[n])))], BLUE, 4.0));
         if what == Tile::Frames {
@@ -170,7 +170,7 @@ pub(super) fn platform() -> Drawing {
     Drawing { width: 900, height: 720, items }
 }
 
-/// Bands of four sites on one line.
+/// Frequency bands of four sites on one line.
 pub(super) fn array() -> Drawing {
     let bands = Array::new(&Site::default()).bands();
     let mut items = vec![text(

@@ -1,11 +1,11 @@
-//! The chips that images are built for.
+//! The chips for which images are built.
 
-/// What the checks and the emulator need to know of a chip.
+/// Properties of a chip that the checks and the emulator need.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Chip {
     /// Name.
     pub name: &'static str,
-    /// Its name in file names and on the command line; `firmware/chips` holds its memory under it.
+    /// Its name in file names and on the command line; `firmware/chips` has its memory layout under this name.
     pub short: &'static str,
     /// Rust target.
     pub target: &'static str,
@@ -13,7 +13,7 @@ pub struct Chip {
     pub cpu: &'static str,
     /// Further options of the compiler.
     pub options: &'static str,
-    /// Machine of the emulator.
+    /// The emulator's machine.
     pub machine: &'static str,
     /// Flash (bytes).
     pub flash: u64,
@@ -21,9 +21,9 @@ pub struct Chip {
     pub ram: u64,
     /// Clock (Hz).
     pub clock: u64,
-    /// Has its floating-point unit what a Cortex-M4F's lacks (FPv5)?
+    /// Does its floating-point unit have FPv5, which a Cortex-M4F's does not?
     pub has_fpv5: bool,
-    /// Does it compute double precision itself?
+    /// Does it have double precision in hardware?
     pub has_double: bool,
 }
 
@@ -66,8 +66,8 @@ pub const M33: Chip = Chip {
     ..STM32F405
 };
 
-/// A RISC-V core (imafc) that no board is made of here: the controller is built for it and measured. Its rules read no
-/// tables of jumps, so it has none.
+/// A RISC-V core (imafc) without a board here: the controller is built for it and measured. The checks do not read jump
+/// tables, so it is built without any.
 pub const RV32: Chip = Chip {
     name: "a RISC-V core (imafc)",
     short: "rv32",
@@ -79,7 +79,7 @@ pub const RV32: Chip = Chip {
     ..STM32F405
 };
 
-/// All that the emulator runs.
+/// All chips that the emulator runs.
 pub const ALL: [Chip; 3] = [STM32F405, M7, M33];
 
 impl Chip {

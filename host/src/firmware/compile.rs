@@ -1,9 +1,8 @@
 //! Builds the image for the chip and the same simulation for the host, from the same settings.
 //!
-//! In: [`Settings`], handed to the firmware's build script through the environment. Out: the
-//! ELF of the chip, and what the host's simulation prints.
-//! Both are built by the same cargo into a target folder of their own, so that no outer cargo
-//! waits for it and a second toolchain disturbs nothing.
+//! In: [`Settings`], passed to the firmware's build script through environment variables. Out: the ELF of the chip, and
+//! what the host's simulation prints. Both are built by one cargo into a target folder of their own, so that they
+//! neither wait for an outer cargo nor disturb its builds.
 
 use super::arguments::{Arguments, Bus};
 use super::chip::Chip;
@@ -23,21 +22,21 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::time::Duration;
 
-/// An evaluation of the rates, as a function of the image.
+/// The image's function for one evaluation of the rates.
 pub const RATES: &str = "tile_rates";
-/// A sine and cosine, out of line.
+/// The image's function for a sine and cosine, not inlined.
 pub const SIN_COS: &str = "tile_sin_cos";
 
-/// The host runs 10,000 steps in milliseconds.
+/// Time limit of the host's simulation, which runs 10,000 steps in milliseconds.
 const TIME_LIMIT: Duration = Duration::from_secs(60);
-/// A scene of fewer nodes loses less than 3 % of its speed when it is optimised for size.
+/// A scene with fewer nodes loses less than 3 % of its speed if it is optimised for size.
 const FEW_NODES: usize = 16;
-/// Steps unless told otherwise.
+/// Default number of steps.
 const STEPS: u32 = 10_000;
-/// The demonstration's step (ns).
+/// Step of the demonstration (ns).
 const STEP: u64 = 1_000_000;
 
-/// What is built.
+/// Settings of a build.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Settings {
     /// Path of the model.
@@ -48,32 +47,32 @@ pub struct Settings {
     pub step: u64,
     /// Changed parameters, `name=value`.
     pub set: Vec<String>,
-    /// A defect for the checks to find.
+    /// A defect that the checks have to find.
     pub inject: Option<String>,
     /// Every parameter of a mechanism tunable, every answer in every step.
     pub everything: bool,
     /// Optimised for size.
     pub small: bool,
-    /// What of the firmware is built.
+    /// The firmware's program to build.
     pub subject: Subject,
 }
 
-/// A program of the firmware.
+/// The programs of the firmware.
 #[derive(Clone, PartialEq, Debug)]
 pub enum Subject {
     /// A mechanism with its demonstration.
     Mechanism,
-    /// A scene, by its constant tables in Rust.
+    /// A scene, as constant tables in Rust.
     Scene(String),
-    /// A scene that is a sheet, row by row, by its constant tables in Rust.
+    /// A scene that is a sheet, stepped row by row, as constant tables in Rust.
     Sheet(String),
-    /// A scene that is a sheet, at rest at each pressure, by its constant tables in Rust.
+    /// A scene that is a sheet, in its equilibrium at each pressure, as constant tables in Rust.
     Rest(Box<Found>, String),
-    /// A world, by its tables and equations in Rust.
+    /// A world, as tables and equations in Rust.
     World(Box<Fitted>),
-    /// The controller with the tile that it is tried on.
+    /// The controller with a simulated tile.
     Loop,
-    /// The controller on a real chip's pins, on this bus.
+    /// The controller on the pins of a real chip, with this bus.
     Board(Bus),
     /// The controller without a board, to be measured.
     Bare,
@@ -116,7 +115,7 @@ impl Settings {
         Ok(Self { model, steps, step, set, inject, everything, small, subject })
     }
 
-    /// The controller: with the tile that it is tried on, or on a real chip's pins.
+    /// Settings for a program of the controller.
     #[must_use]
     pub fn controller(subject: Subject) -> Self {
         Self {
@@ -131,12 +130,12 @@ impl Settings {
         }
     }
 
-    /// Says which inputs of a mechanism stay 0 because nothing commands them.
+    /// Notes which inputs of a mechanism stay 0 because nothing commands them.
     pub fn note_what_nothing_commands(&self) {
         let model =
             smartbed_codegen::model::read(&self.model).ok().filter(|_| self.subject == Subject::Mechanism);
         let Some(model) = model else { return };
-        // The demonstration of the controller commands a tile that has no law of its own.
+        // The controller's demonstration commands a tile whose model has no law.
         let is_tile = model.laws.is_empty()
             && ["FA", "FB", "FC"].iter().all(|leg| model.inputs.iter().any(|input| input.name == *leg));
         let has_law = |id| model.laws.iter().any(|(input, _)| *input == id);
@@ -153,7 +152,8 @@ impl Settings {
         }
     }
 
-    /// Fits a world anew to the RAM that an image of it takes, stack and static data (bytes); true if that changed it.
+    /// Fits a world again, to the RAM that its image was found to take, stack and static data (bytes); true if the
+    /// world changed.
     ///
     /// # Errors
     /// As [`Fitted::new`].
@@ -167,7 +167,7 @@ impl Settings {
         Ok(is_better)
     }
 
-    /// Name of the program that is built.
+    /// Name of the program to build.
     fn program(&self) -> &'static str {
         match self.subject {
             Subject::Mechanism => "tile",
@@ -195,7 +195,7 @@ impl Settings {
         }
     }
 
-    /// What the image's scene consists of, in Rust.
+    /// The scene of the image, in Rust.
     fn tables(&self) -> Option<&str> {
         match &self.subject {
             Subject::Scene(tables) | Subject::Sheet(tables) | Subject::Rest(_, tables) => Some(tables),
@@ -204,8 +204,8 @@ impl Settings {
         }
     }
 
-    /// Functions of the image that are counted: a step; of a mechanism its rates, and a sine and cosine where the
-    /// controller calls one.
+    /// Functions of the image whose calls are counted: the step; for a mechanism also its rates, and a sine and cosine
+    /// if the controller calls one.
     #[must_use]
     pub fn counted(&self) -> (&'static str, &'static [&'static str]) {
         match self.subject {
@@ -217,7 +217,7 @@ impl Settings {
         }
     }
 
-    /// Hands the settings to the firmware's build script; tables through a file in `folder`.
+    /// Passes the settings to the firmware's build script; tables through a file in `folder`.
     fn export(&self, command: &mut Command, folder: &Path) -> Result<(), Failure> {
         command.env("SMARTBED_STEPS", self.steps.to_string());
         command.env("SMARTBED_INJECT", self.inject.as_deref().unwrap_or(""));
@@ -255,7 +255,7 @@ fn open_scene(path: &Path, set: &[String]) -> Result<Scene, Failure> {
     Ok(scene)
 }
 
-/// A scene's constant tables, its number of steps and their length.
+/// A scene's constant tables, its number of steps and the step.
 fn print_scene(path: &Path, scene: &Scene, arguments: &Arguments) -> Result<(Subject, u32, u64), Failure> {
     let named = |why: String| Failure::Wrong(format!("{}: {why}", path.display()));
     if scene.method.control_order() > 0 {
@@ -285,7 +285,7 @@ fn print_scene(path: &Path, scene: &Scene, arguments: &Arguments) -> Result<(Sub
     Ok((subject, u32::try_from(scene.steps()).unwrap_or(u32::MAX), nanoseconds(scene.step)))
 }
 
-/// Reads the model, so that its errors come first, and looks up the names of the changes.
+/// Reads the model first, so that its errors are reported first, and looks up the names of the changes.
 fn check_names(path: &Path, set: &[String]) -> Result<(), Failure> {
     let model =
         smartbed_codegen::model::read(path).map_err(|errors| crate::model_argument::wrong(&errors))?;
@@ -338,8 +338,8 @@ pub fn image(
     if !matches!(settings.subject, Subject::Loop | Subject::Board(_)) {
         return Ok(built);
     }
-    // Chips of one target take turns in one place: an image that somebody is about to start gets a name of its own, and
-    // what it is checked by.
+    // Chips of one target share an output folder: the image is copied to a file of its own, with its checksum, so that
+    // a build for another chip does not replace it before it is run.
     let own = folder.join(format!("{}-{}", chip.short, settings.program()));
     let fresh = own.with_extension("new");
     let wrong = |e: std::io::Error| Failure::Wrong(format!("{}: {e}", own.display()));
@@ -374,7 +374,7 @@ pub fn program(
     settings: &Settings,
 ) -> Result<PathBuf, Failure> {
     let mut cargo = build(toolchain, workspace, folder, settings)?;
-    // Optimising std and all takes seconds and saves milliseconds.
+    // Link-time optimisation would take seconds and save milliseconds.
     cargo.env("CARGO_PROFILE_FIRMWARE_LTO", "off");
     succeed(cargo, "the simulation does not build for the host")?;
     Ok(folder.join("firmware").join(settings.program()))
@@ -389,14 +389,14 @@ fn build(
     let mut cargo = package(toolchain, workspace, folder);
     cargo.args(["--bin", settings.program()]);
     if settings.small {
-        // The program's crate alone: what is generic is compiled there, and nothing else is built anew.
+        // Only the program's own crate: generic code is compiled there, and nothing else has to be rebuilt.
         cargo.args(["--config", "profile.firmware.package.smartbed-firmware.opt-level=\"s\""]);
     }
     settings.export(&mut cargo, folder)?;
     Ok(cargo)
 }
 
-/// A build of the firmware's package. What a program does not need is not derived.
+/// A cargo command that builds the firmware's package, without deriving what the program does not need.
 fn package(toolchain: &Toolchain, workspace: &Path, folder: &Path) -> Command {
     let mut cargo = toolchain.cargo();
     cargo.args(["build", "--quiet", "--package", "smartbed-firmware", "--no-default-features"]);
@@ -404,7 +404,7 @@ fn package(toolchain: &Toolchain, workspace: &Path, folder: &Path) -> Command {
     cargo
 }
 
-/// Makes it one for a target, with core from source where the toolchain has none.
+/// Adds a target, with core built from source if the toolchain has none for it.
 fn for_target(cargo: &mut Command, toolchain: &Toolchain, target: &str) {
     cargo.args(["--target", target]);
     if toolchain.core_from_source {
@@ -412,7 +412,7 @@ fn for_target(cargo: &mut Command, toolchain: &Toolchain, target: &str) {
     }
 }
 
-/// Makes it one for a chip: its target, its processor, a linker.
+/// Adds a chip: its target, its processor, a linker.
 pub(super) fn for_chip(cargo: &mut Command, toolchain: &Toolchain, chip: &Chip) {
     for_target(cargo, toolchain, chip.target);
     let target = chip.target.to_uppercase().replace(['-', '.'], "_");

@@ -1,9 +1,8 @@
 //! Cycles of one instruction on a Cortex-M4F, as an interval.
 //!
-//! In: the halfwords of an instruction. Out: fewest and most cycles, after the Cortex-M4 Technical
-//! Reference Manual (r0p1, sections 3.3.1 and 7.2.3) with memory without wait states. A taken
-//! branch costs [`REFILL`] more. Not modelled: flash wait states, bus contention.
-//! Shared with the emulator's plug-in, so nothing here may depend on a crate.
+//! In: the halfwords of an instruction. Out: fewest and most cycles, after the Cortex-M4 Technical Reference Manual
+//! (r0p1, sections 3.3.1 and 7.2.3) for memory without wait states. A taken branch costs [`REFILL`] more. Not modelled:
+//! flash wait states, bus contention. Shared with the emulator's plug-in, so it must not depend on any crate.
 
 /// Fewest and most cycles of refilling the pipeline after a taken branch.
 pub const REFILL: (u64, u64) = (1, 3);
@@ -63,7 +62,7 @@ fn coprocessor(a: u32, b: u32) -> (u64, u64) {
     }
 }
 
-/// A transfer of so many words.
+/// Cycles of a transfer of several words.
 fn list(words: u32) -> (u64, u64) {
     let cycles = 1 + u64::from(words);
     (cycles, cycles)

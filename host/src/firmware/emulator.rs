@@ -1,4 +1,4 @@
-//! Runs an image in the emulator, counts its instructions, and reads what it prints.
+//! Runs an image in the emulator, counts its instructions, and captures what it prints.
 
 use super::chip::Chip;
 use super::image::Image;
@@ -9,12 +9,12 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-/// No image of ours takes longer: 10,000 steps take seconds.
+/// Time limit of a run: 10,000 steps take seconds.
 const TIME_LIMIT: Duration = Duration::from_secs(120);
 /// Source of the plug-in, relative to the workspace.
 const PLUGIN: &str = "host/src/firmware/plugin/lib.rs";
 
-/// What one function cost over all its calls, callees included.
+/// The cost of one function over all its calls, callees included.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Count {
     /// Its symbol.
@@ -23,9 +23,9 @@ pub struct Count {
     pub calls: u64,
     /// Fewest, median and most executed instructions of a call.
     pub instructions: [u64; 3],
-    /// Cycle interval of the median call, by model.
+    /// Cycles of the median call, as an interval of the model.
     pub cycles: [u64; 2],
-    /// Most cycles of any call, by model.
+    /// Largest number of cycles of any call, by the model.
     pub most_cycles: u64,
 }
 
@@ -59,10 +59,10 @@ pub fn plugin(toolchain: &Toolchain, workspace: &Path, folder: &Path) -> Result<
     Ok(library)
 }
 
-/// Runs `elf` and counts the calls of a `step`, and of those of the `others` that are in the image.
+/// Runs `elf` and counts the calls of the function `step`, and of those among `others` that are in the image.
 ///
 /// # Errors
-/// [`Failure::Wrong`] if the image has no such step, fails or hangs.
+/// [`Failure::Wrong`] if the image has no such function, fails or hangs.
 pub fn run(
     emulator: &Path,
     plugin: &Path,
@@ -86,7 +86,7 @@ pub fn run(
     Ok(Run { output, instructions, counts })
 }
 
-/// The emulator's option that counts the calls of those of these functions that are in the image.
+/// The emulator's option for counting the calls of those of these functions that are in the image.
 #[must_use]
 pub fn count_option(plugin: &Path, counts: &Path, image: &Image, names: &[&str]) -> String {
     let mut option = format!("{},out={}", plugin.display(), counts.display());
@@ -98,10 +98,10 @@ pub fn count_option(plugin: &Path, counts: &Path, image: &Image, names: &[&str])
     option
 }
 
-/// What the plug-in has counted: all instructions, and the functions.
+/// The plug-in's result: all instructions, and the counts of the functions.
 ///
 /// # Errors
-/// [`Failure::Wrong`] if it left no counts.
+/// [`Failure::Wrong`] if it wrote no counts.
 pub fn read_counts(counts: &Path) -> Result<(u64, Vec<Count>), Failure> {
     let text = fs::read_to_string(counts)
         .map_err(|e| Failure::Wrong(format!("the plug-in left no counts in {}: {e}", counts.display())))?;

@@ -1,11 +1,12 @@
-//! What the generated equations cost on the chip: instructions by operation, bytes of code.
+//! The cost of the generated equations on the chip: instructions per operation, bytes of code.
 //!
-//! In: the settings, from which the model is derived as the firmware's build script derives it; the image and the
-//! counts of its run. Out: [`Equations`].
+//! In: the settings, from which the model is derived as in the firmware's build script; the image and the counts of its
+//! run. Out: [`Equations`].
 //!
-//! Sine and cosine are counted apart: an angle takes what the function `tile_sin_cos` executes. In the rates they are
-//! inlined and share their constants, so a second, stricter figure leaves those to the rates. What else the rates
-//! do (arguments, results, the worst pivot, which is no operation of the rates) is counted with the operations.
+//! Sine and cosine are counted separately, at the number of instructions that the function `tile_sin_cos` executes per
+//! angle. In the rates they are inlined and share their constants, so that a second, stricter figure counts loading
+//! these with the rates. Everything else in the rates (arguments, results, the worst pivot, which is not an operation
+//! of the rates) is counted with the operations.
 
 use super::compile::{RATES, SIN_COS, Settings};
 use super::emulator::Count;
@@ -17,28 +18,28 @@ use smartbed_codegen::expr::{ExprId, Node, Unary};
 use smartbed_codegen::{Effort, ParameterChoice, model, program};
 use std::collections::BTreeSet;
 
-/// The functions of the image that are the equations: rates, projection, energy.
+/// The image's functions for the equations: rates, projection, energy.
 const ANSWERS: [&str; 3] = [RATES, "tile_project", "tile_energy"];
 
-/// Cost of the equations.
+/// Cost of the equations on the chip.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Equations {
     /// Operations of the rates without sines and cosines.
     pub operations: u64,
-    /// Angles of whose sine, cosine or both the rates need.
+    /// Angles whose sine or cosine the rates need.
     pub angles: u64,
-    /// Instructions of sine and cosine of an angle, called and out of line.
+    /// Instructions for sine and cosine of an angle as a function call.
     pub sin_cos: u64,
     /// Instructions of an evaluation of the rates without sines and cosines.
     pub apart: u64,
-    /// The same if the constants of sines and cosines are counted with the rates.
+    /// The same, with loading the constants of sines and cosines included.
     pub apart_with_constants: u64,
-    /// Code of rates, projection and energy with everything that they call (bytes).
+    /// Code of rates, projection and energy with all functions that they call (bytes).
     pub bytes: u32,
 }
 
 impl Equations {
-    /// Counts; `rates` and `sin_cos` are those of [`RATES`] and [`SIN_COS`].
+    /// Computes the cost; `rates` and `sin_cos` are the counts of [`RATES`] and [`SIN_COS`].
     ///
     /// # Errors
     /// [`Failure::Wrong`] if the model cannot be derived or a function is not in the image.
@@ -55,13 +56,13 @@ impl Equations {
         Ok(Self { operations, angles, sin_cos: angle, apart, apart_with_constants, bytes })
     }
 
-    /// Instructions by operation, sines and cosines apart.
+    /// Instructions per operation, without sines and cosines.
     #[must_use]
     pub fn by_operation(&self) -> f64 {
         self.apart as f64 / self.operations as f64
     }
 
-    /// The same if the constants of sines and cosines are counted with the rates.
+    /// The same, with loading the constants of sines and cosines included.
     #[must_use]
     pub fn by_operation_with_constants(&self) -> f64 {
         self.apart_with_constants as f64 / self.operations as f64

@@ -1,8 +1,8 @@
-//! A world for the chip, its sheets as fine as RAM carries.
+//! Fits a world to the chip: its sheets get the finest meshes for which RAM suffices.
 //!
-//! In: a scene of format 2, the settings of the command line, the bytes that an image takes beside the world. Out:
-//! tables of the finest world that fits. A sheet whose `rows` or `columns` the command line sets, and every other part,
-//! stays as it is.
+//! In: a scene of format 2, the settings of the command line, the RAM that an image takes besides the world. Out:
+//! tables of the finest world that fits. Sheets whose `rows` or `columns` the command line sets, and all other parts,
+//! are left as they are.
 
 use crate::failure::Failure;
 use crate::world::assembly::{Assembly, Contact, Kind, Law};
@@ -13,36 +13,36 @@ use crate::{input, model_argument, output};
 use smartbed_codegen::model::document::{self, Table, Value};
 use std::path::Path;
 
-/// RAM for a world, stack and static data (bytes): the rest of the chip's is the controller's.
+/// RAM for a world, stack and static data (bytes): the rest of the chip's RAM is the controller's.
 pub const RAM: usize = 96 * 1024;
-/// What an image takes beside the world, before one has been built (bytes).
+/// RAM that an image takes besides the world, as long as none has been built (bytes).
 const BESIDE: usize = 4 * 1024;
 
-/// A world as the chip takes it.
+/// A world fitted to the chip.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Fitted {
     /// Constant tables and equations in Rust.
     pub tables: String,
     /// Steps of the scene.
     pub steps: u32,
-    /// Length of each (ns).
+    /// Step (ns).
     pub step: u64,
-    /// What it needs of memory.
+    /// The memory that it needs.
     pub demand: Demand,
-    /// Rows and columns of its sheets, where they were chosen here.
+    /// Rows and columns of its sheets, if they were chosen here.
     pub rows: Option<usize>,
 }
 
 impl Fitted {
-    /// The finest that fits.
+    /// The finest world that fits.
     ///
     /// # Errors
-    /// [`Failure::Wrong`] for a wrong scene, and for one that the chip does not step.
+    /// [`Failure::Wrong`] for a wrong scene, and for one that the chip cannot step.
     pub fn new(path: &Path, set: &[String]) -> Result<Self, Failure> {
         Self::beside(path, set, BESIDE)
     }
 
-    /// The finest that fits, if an image takes so many bytes beside the world.
+    /// The finest world that fits if an image takes this many bytes besides it.
     fn beside(path: &Path, set: &[String], bytes: usize) -> Result<Self, Failure> {
         let wrong = |why: String| Failure::Wrong(format!("{}: {why}", path.display()));
         let sheets: Vec<String> = sheets(path)?.into_iter().filter(|name| !is_set(set, name)).collect();
@@ -52,7 +52,7 @@ impl Fitted {
                 set.extend(["rows", "columns"].map(|key| format!("parts.{name}.{key}={rows}")));
             }
             let mut assembly = model_argument::open_world(path, &set)?;
-            // What a world that nothing damps takes where no method is named is too much for the chip.
+            // The default method for an undamped world takes too much memory on the chip.
             let lasting = |contact: &Contact| matches!(contact.law, Law::Moreau { .. });
             if assembly.run.method.is_none() && assembly.contacts.iter().any(lasting) {
                 assembly.run.method = Some("moreau".to_owned());
@@ -61,9 +61,9 @@ impl Fitted {
         };
         let mut rows = None;
         let written = read(None)?;
-        // How many contacts there are depends on how fine they are: what touches stays as it is written.
+        // A mesh is chosen only without contacts, whose number would depend on it.
         if !sheets.is_empty() && written.contacts.is_empty() {
-            // What carries the sheets stays: only nodes are counted anew.
+            // The memory of the carriers does not depend on the mesh: only that of the nodes is computed again.
             let plain = CarriedWorld::new(&written).map_err(wrong)?.demand(0).without(nodes(&written));
             for finer in 1.. {
                 if plain.with(nodes(&read(Some(finer))?)).bytes() + bytes > RAM {
@@ -106,8 +106,8 @@ impl Fitted {
         })
     }
 
-    /// As an image of it was measured: a better one, if there is one. `taken` is the image's RAM, stack and static
-    /// data.
+    /// Fits the world again after its image has been measured; `None` if that gives no other mesh. `taken` is the
+    /// image's RAM, stack and static data.
     ///
     /// # Errors
     /// As [`Fitted::new`].
@@ -117,13 +117,13 @@ impl Fitted {
     }
 }
 
-/// A length of time (s) in ns.
+/// A time (s) in ns.
 #[must_use]
 pub fn nanoseconds(seconds: f64) -> u64 {
     (seconds * 1e9).round() as u64
 }
 
-/// Nodes of a world: all, and those that are free.
+/// Number of nodes of a world: all, and the free ones.
 fn nodes(assembly: &Assembly) -> [usize; 2] {
     let bodies = assembly.parts.iter().filter_map(|part| match &part.kind {
         Kind::Flexible(body) => Some(&body.lists.fixed),
@@ -137,7 +137,7 @@ fn nodes(assembly: &Assembly) -> [usize; 2] {
 /// Names of the scene's sheets.
 fn sheets(path: &Path) -> Result<Vec<String>, Failure> {
     let text = input::text(&path.display().to_string())?;
-    // What is wrong in the text is said where it is read as a scene.
+    // Errors in the text are reported when it is read as a scene.
     let Ok(table) = document::parse(&text, 0) else { return Ok(Vec::new()) };
     let Some(Value::Table(parts)) = table.get("parts") else { return Ok(Vec::new()) };
     let is_sheet =
@@ -147,7 +147,7 @@ fn sheets(path: &Path) -> Result<Vec<String>, Failure> {
     Ok(sheets.map(|(key, _)| key.name.clone()).collect())
 }
 
-/// Does the command line set how fine this sheet is?
+/// Does the command line set the mesh of this sheet?
 fn is_set(set: &[String], name: &str) -> bool {
     let keys = ["rows", "columns"].map(|key| format!("parts.{name}.{key}"));
     set.iter()

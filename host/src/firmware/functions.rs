@@ -1,7 +1,8 @@
-//! Functions of a mechanism on the chip: code, stack and instructions of each, read off an image that calls them all.
+//! Costs of a mechanism's functions on the chip: code, stack and instructions of each, read from an image that calls
+//! them all.
 //!
-//! In: files of a derived crate in f32 and the names of its functions. Out: a cost each. Emitted functions are straight
-//! lines, so that their instructions are counted where they stand; the image is linked, never run.
+//! In: files of a derived crate in f32 and the names of its functions. Out: a cost per function. Emitted functions are
+//! straight-line code, so that their instructions are counted statically; the image is linked but never run.
 
 use super::chip::STM32F405;
 use super::compile;
@@ -14,7 +15,7 @@ use crate::failure::Failure;
 use std::fs;
 use std::path::Path;
 
-/// What a function takes on the chip, with all that it calls.
+/// The cost of a function on the chip, including all functions that it calls.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct ChipCost {
     /// Code and the constants within it (bytes).
@@ -40,10 +41,10 @@ pub fn toolchain() -> Option<Toolchain> {
     toolchain::present(STM32F405.target)
 }
 
-/// Costs in the order of `functions`; `files` are those of `crate_text::library`.
+/// Costs, in the order of `functions`; `files` are those of `crate_text::library`.
 ///
 /// # Errors
-/// Status 1 if it does not build, status 2 where the folder cannot be written.
+/// Status 1 if it does not build, status 2 if the folder cannot be written.
 pub fn costs(
     toolchain: &Toolchain,
     mut files: Files,
@@ -52,7 +53,7 @@ pub fn costs(
     for (path, text) in &mut files {
         if path == "src/equations.rs" {
             for Measured { name, .. } in functions {
-                // A copy inside the caller would be counted with the caller.
+                // If it were inlined, its instructions would be counted with the caller.
                 *text =
                     text.replace(&format!("pub fn {name}("), &format!("#[inline(never)]\npub fn {name}("));
             }
@@ -85,7 +86,7 @@ pub fn costs(
     functions.iter().map(|function| cost(&image, &function.name)).collect()
 }
 
-/// An entry that calls every function with numbers that the compiler does not know.
+/// An entry function that calls every function with arguments unknown to the compiler.
 fn calls(functions: &[Measured]) -> String {
     let call = |Measured { name, takes_u_dot }: &Measured| {
         let u_dot = if *takes_u_dot { "&u, " } else { "" };
@@ -111,7 +112,7 @@ pub extern \"C\" fn _start() -> ! {{
     )
 }
 
-/// Builds as the firmware is built; the path of the image.
+/// Builds with the firmware's options; returns the path of the image.
 fn build(toolchain: &Toolchain, source: &Path, folder: &Path) -> Result<std::path::PathBuf, Failure> {
     let mut cargo = toolchain.cargo();
     cargo
@@ -127,7 +128,7 @@ fn build(toolchain: &Toolchain, source: &Path, folder: &Path) -> Result<std::pat
 
 fn cost(image: &Image, name: &str) -> Result<ChipCost, Failure> {
     let ending = format!("::equations::{name}");
-    // Functions of equal code are one, of several names.
+    // The linker merges functions of equal code: one function may have several names.
     let entry = image.entries.iter().find(|(name, _)| name.ends_with(&ending));
     let found = entry.and_then(|(_, address)| image.owner(*address));
     let function = found.ok_or_else(|| Failure::Wrong(format!("the image lacks the function `{name}`")))?;

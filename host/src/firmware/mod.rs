@@ -1,11 +1,11 @@
-//! `smartbed firmware`: model in; image, its checks, its cost and its trajectory's digest out.
+//! `smartbed firmware`: from a model to an image, its checks, its cost and the digest of its trajectory.
 //!
-//! A scene of a flexible body goes the same way: its constant tables are printed for the firmware from
-//! the value that the host steps. So does a world ([`fit`]): with the equations of its mechanisms, its sheets as fine
-//! as RAM carries. Order: find or install the tools ([`toolchain`]), build image and host simulation from the same
-//! settings ([`compile`]), check the image ([`image`]), run it in the emulator with the counting
-//! plug-in ([`emulator`]), compare the digests of chip and host, set the counts against the operations
-//! ([`equations`]), print ([`report`]).
+//! A scene of a flexible body is treated in the same way: its constant tables are printed for the firmware from the
+//! value that the host steps. So is a world ([`fit`]), together with the equations of its mechanisms, its sheets as
+//! fine as RAM allows. Steps: find or install the tools ([`toolchain`]), build image and host simulation from the same
+//! settings ([`compile`]), check the image ([`image`]), run it in the emulator with the counting plug-in
+//! ([`emulator`]), compare the digests of chip and host, relate the counts to the operations ([`equations`]), print
+//! ([`report`]).
 
 pub mod arguments;
 pub mod chip;
@@ -37,7 +37,7 @@ use smartbed_codegen::words::count;
 use std::path::{Path, PathBuf};
 use workspace::{lock, workspace};
 
-/// Does what the command line asks for and prints the report.
+/// Runs the command and prints the report.
 ///
 /// # Errors
 /// Status 1 for a wrong model or parameter and for an image that breaks a rule; status 2 where the
@@ -58,7 +58,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     }
 }
 
-/// Builds, checks and runs the image, and the host's simulation to compare it with; prints progress only.
+/// Builds, checks and runs the image, and the host's simulation for comparison; prints progress only.
 ///
 /// # Errors
 /// As [`run`], except that broken rules are in the report.
@@ -66,7 +66,7 @@ pub fn measure(arguments: &Arguments) -> Result<Report, Failure> {
     build(arguments, true)
 }
 
-/// As [`measure()`], without the host's simulation: what an image costs.
+/// As [`measure()`], without the host's simulation: only the image's cost.
 ///
 /// # Errors
 /// As [`measure()`].

@@ -1,11 +1,11 @@
-//! Running other programs: never with a terminal's input, never with what a rustup proxy leaks.
+//! Runs other programs, without terminal input and without the environment variables that a rustup proxy sets.
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::thread::sleep;
 use std::time::{Duration, Instant};
 
-/// Variables by which one cargo or rustup pins the tools of the processes that it starts.
+/// Variables by which cargo or rustup pins the tools of the processes that it starts.
 const LEAKS: [&str; 13] = [
     "RUSTUP_TOOLCHAIN",
     "CARGO",
@@ -22,7 +22,7 @@ const LEAKS: [&str; 13] = [
     "RUSTC_BOOTSTRAP",
 ];
 
-/// A command without input and without the variables that pin another toolchain.
+/// A command without input and without the variables that would pin another toolchain.
 #[must_use]
 pub fn clean(program: &Path) -> Command {
     let mut command = Command::new(program);
@@ -33,7 +33,7 @@ pub fn clean(program: &Path) -> Command {
     command
 }
 
-/// Standard output, trimmed, of a program that succeeds.
+/// Standard output, trimmed, of a program; `None` if it fails.
 #[must_use]
 pub fn output(command: &mut Command) -> Option<String> {
     let output = command.stdin(Stdio::null()).output().ok()?;
@@ -53,8 +53,8 @@ pub fn run_quietly(command: &mut Command) -> Result<(), String> {
     Err(format!("{} failed:\n{}", name(command), String::from_utf8_lossy(&text).trim()))
 }
 
-/// Runs a program for at most `limit` and returns its standard output. The output must be short
-/// enough for a pipe: the program is waited for before it is read.
+/// Runs a program for at most `limit` and returns its standard output, which must fit into a pipe: it is read only
+/// after the program has ended.
 ///
 /// # Errors
 /// What it printed to standard error, or that the limit has passed; the program is then ended.

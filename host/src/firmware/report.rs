@@ -1,4 +1,4 @@
-//! What `smartbed firmware` has found out, as text for people and as JSON for machines.
+//! The results of `smartbed firmware`, as text and as JSON.
 
 use super::chip::STM32F405;
 use super::compile::{RATES, SIN_COS, Settings, Subject};
@@ -16,12 +16,12 @@ use smartbed_codegen::words::count;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
-/// Everything found out.
+/// The results.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Report {
-    /// What was built.
+    /// Settings of the build.
     pub settings: Settings,
-    /// With what.
+    /// Description of the toolchain.
     pub toolchain: String,
     /// The image.
     pub elf: PathBuf,
@@ -29,28 +29,28 @@ pub struct Report {
     pub size: Size,
     /// Stack bound.
     pub stack: Stack,
-    /// Broken rules; with any, the image is not run.
+    /// Broken rules; if there are any, the image is not run.
     pub findings: Vec<Finding>,
-    /// What running it showed.
+    /// Results of the run.
     pub run: Option<Outcome>,
 }
 
-/// What running the image showed.
+/// Results of running the image.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Outcome {
     /// Digest of the chip's trajectory.
     pub digest: String,
-    /// Digest of the host's, if it was run.
+    /// Digest of the host's trajectory, if it was run.
     pub host_digest: Option<String>,
     /// The last state of a mechanism on the host: coordinates, then independent speeds.
     pub state: Vec<f32>,
     /// Instructions from reset to the end.
     pub instructions: u64,
-    /// One step.
+    /// Cost of a step.
     pub step: Count,
-    /// One evaluation of a mechanism's rates; a scene has none.
+    /// Cost of an evaluation of a mechanism's rates; `None` for a scene.
     pub rates: Option<Count>,
-    /// What the mechanism's equations cost; a scene has none.
+    /// Cost of the mechanism's equations; `None` for a scene.
     pub equations: Option<Equations>,
 }
 
@@ -120,13 +120,13 @@ impl Report {
         failures
     }
 
-    /// Time of a step by the cycle model, at least and at most, over its length.
+    /// Least and largest time of a step by the cycle model, relative to its length.
     fn real_time(&self, run: &Outcome) -> [f64; 2] {
         let length = self.settings.step as f64 * 1e-9;
         run.step.cycles.map(|cycles| cycles as f64 / STM32F405.clock as f64 / length)
     }
 
-    /// For people.
+    /// The report as text.
     #[must_use]
     pub fn text(&self) -> String {
         let chip = &STM32F405;
@@ -223,7 +223,7 @@ impl Report {
         text
     }
 
-    /// For machines: one JSON object.
+    /// The report as one JSON object.
     #[must_use]
     pub fn json(&self) -> String {
         let count = |count: &Count| {
@@ -286,7 +286,7 @@ impl Report {
     }
 }
 
-/// What is known of an image that was built elsewhere.
+/// The report of an image that was built elsewhere.
 pub fn of_image(elf: &Path, image: &Image, stack: &Stack, findings: &[Finding], as_json: bool) -> String {
     let kept = |rule: &Rule| findings.iter().all(|finding| finding.rule != *rule);
     if as_json {

@@ -1,8 +1,9 @@
-//! RISC-V (imafc, 32 bits) as far as the checks of an image need it: stack, calls, fused arithmetic.
+//! Decodes RISC-V (imafc, 32 bits) as far as the checks of an image need it: stack, calls, fused arithmetic.
 //!
-//! In: the bytes from an instruction on, at an address. Out: what it does, in the words of [`super::thumb`]. Encodings
-//! after the RISC-V Instruction Set Manual, volume I, chapters 2, 22 (F) and 26 (C). A pair of `auipc` and `jalr`, as
-//! every far call is, is one instruction here: its target stands in both. Decoding is total, as in `thumb`.
+//! In: the bytes from an instruction on, and its address. Out: what it does, as defined in [`super::thumb`]. Encodings
+//! after the RISC-V Instruction Set Manual, volume I, chapters 2, 22 (F) and 26 (C). A pair of `auipc` and `jalr`,
+//! which makes a far call, is decoded as one instruction, because its target is split between the two. Decoding is
+//! total, as in `thumb`.
 
 use super::thumb::{Instruction, Kind};
 
@@ -11,7 +12,7 @@ const SP: u32 = 2;
 /// The second link register of the calling convention.
 const T0: u32 = 5;
 
-/// Decodes the instruction at the begin of `code`, which lies at `address`.
+/// Decodes the instruction at the beginning of `code`, whose address is `address`.
 #[must_use]
 pub fn decode(address: u32, code: &[u8]) -> Instruction {
     let half = |at: usize| code.get(at..at + 2).map_or(0, |b| u32::from(u16::from_le_bytes([b[0], b[1]])));
@@ -29,12 +30,12 @@ pub fn decode(address: u32, code: &[u8]) -> Instruction {
     Instruction { size: 4, kind: full(address, wide) }
 }
 
-/// A jump that leaves where it came from in `link`: a call, or none if nobody needs it.
+/// A jump that stores the return address in the register `link`: a call, or a plain jump if that is x0.
 fn to(link: u32, target: u32) -> Kind {
     if link == 0 { Kind::Jump(target) } else { Kind::Call(target) }
 }
 
-/// A jump to what `register` holds.
+/// A jump to the address in `register`.
 fn through(link: u32, register: u32) -> Kind {
     match (link, register) {
         (0, RA | T0) => Kind::Other,
@@ -43,7 +44,7 @@ fn through(link: u32, register: u32) -> Kind {
     }
 }
 
-/// What adding `offset` to sp does.
+/// The effect of adding `offset` to sp.
 fn moved(offset: u32) -> Kind {
     let by = offset.cast_signed();
     if by < 0 { Kind::Stack(by.unsigned_abs()) } else { Kind::Other }
@@ -52,7 +53,7 @@ fn moved(offset: u32) -> Kind {
 fn full(address: u32, i: u32) -> Kind {
     let (rd, rs1) = (i >> 7 & 31, i >> 15 & 31);
     match i & 0x7F {
-        // addi sp, sp, n; sp from another register is no amount that is known
+        // addi sp, sp, n; from another register the amount is unknown
         0x13 if rd == SP && i >> 12 & 7 == 0 && rs1 == SP => moved(signed(i >> 20, 12)),
         // addi sp, s0, n: back from a frame pointer
         0x13 if rd == SP && i >> 12 & 7 == 0 && rs1 == 8 => Kind::Other,

@@ -1,21 +1,20 @@
-//! Thumb-2 as far as the checks of an image need it: stack, calls, floating-point hazards.
+//! Decodes Thumb-2 as far as the checks of an image need it: stack, calls, floating-point hazards.
 //!
-//! In: halfwords at an address. Out: what the instruction does to the stack and to the flow of
-//! control. Encodings after the ARMv7-M Architecture Reference Manual, chapter A7.
-//! Invariant: decoding is total; what is not recognised is [`Kind::Other`], and everything that
-//! lowers sp, calls, or jumps through a register is recognised.
-//! Shared with the emulator's plug-in, so nothing here may depend on a crate.
+//! In: halfwords at an address. Out: the effect of the instruction on the stack and on the flow of control. Encodings
+//! after the ARMv7-M Architecture Reference Manual, chapter A7. Invariant: decoding is total; an instruction that is
+//! not recognised is [`Kind::Other`], and every instruction that lowers sp, calls, or jumps through a register is
+//! recognised. Shared with the emulator's plug-in, so it must not depend on any crate.
 
-/// What an instruction does, as far as the checks care.
+/// Effects of an instruction, as far as the checks need them.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Kind {
-    /// Lowers sp by so many bytes.
+    /// Lowers sp by this number of bytes.
     Stack(u32),
     /// Lowers sp, or sets it from a register, by an amount that is not in the instruction.
     VariableStack,
     /// Calls this address (`bl`).
     Call(u32),
-    /// Jumps to this address (`b`, `cbz`, ...): a tail call where it leaves its function.
+    /// Jumps to this address (`b`, `cbz`, ...): a tail call if it leaves its function.
     Jump(u32),
     /// Calls through a register.
     IndirectCall,
@@ -25,9 +24,9 @@ pub enum Kind {
     Double,
     /// An instruction of the FPv5 unit: undefined on a Cortex-M4F.
     Fpv5,
-    /// Fused multiply-add: rounds once where the host rounds twice.
+    /// Fused multiply-add: rounds once, whereas the host rounds twice.
     Fused,
-    /// Loads a constant of single precision that stands behind the code.
+    /// Loads a constant of single precision from the literal pool after the code.
     Constant,
     /// Anything else.
     Other,

@@ -1,9 +1,9 @@
-//! Finds what builds and runs the image, and installs it where the machine's package manager can.
+//! Finds the tools that build and run the image, and installs them if the machine's package manager can.
 //!
-//! In: the machine. Out: a [`Toolchain`] that can build for the chip and the emulator's program.
-//! Order: a toolchain with the chip's target is used as it is; else one with the sources of core,
-//! from which core is built; else [`crate::install`] installs the distribution's packages, or the
-//! failure names the one command that helps. rustup is never called.
+//! In: the machine. Out: a [`Toolchain`] that can build for the chip, and the emulator's program. Order: a toolchain
+//! with the chip's target is used as it is; else one with the sources of core, from which core is built; else
+//! [`crate::install`] installs the distribution's packages, or the error names the command that helps. rustup is never
+//! called.
 
 use super::process::{self, output, which};
 use super::workspace::workspace;
@@ -14,11 +14,11 @@ use crate::unpack::unpack;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-/// Debian's packages of a toolchain with the sources of core, and a linker for it.
+/// Debian's packages for a toolchain with the sources of core, and a linker for it.
 const TOOLCHAIN_PACKAGES: [&str; 4] = ["rustc-web", "cargo-web", "rust-web-src", "lld"];
-/// The program that emulates the chip, and Debian's package of it.
+/// The emulator's program, and Debian's package of it.
 const EMULATOR: &str = "qemu-system-arm";
-/// Oldest rustc that compiles the workspace: (major, minor), as `rust-version` in Cargo.toml.
+/// Oldest rustc that compiles the workspace (major, minor), as in `rust-version` of Cargo.toml.
 const OLDEST: (u32, u32) = (1, 89);
 
 /// A Rust toolchain that can build for the chip.
@@ -32,12 +32,12 @@ pub struct Toolchain {
     pub version: String,
     /// Must core be built from source?
     pub core_from_source: bool,
-    /// Linker, where the toolchain brings none.
+    /// Linker, if the toolchain has none.
     pub linker: Option<PathBuf>,
 }
 
 impl Toolchain {
-    /// A command that runs this toolchain's cargo, free of what a rustup proxy leaks.
+    /// A command that runs this toolchain's cargo, without the variables that a rustup proxy sets.
     #[must_use]
     pub fn cargo(&self) -> Command {
         let mut command = process::clean(&self.cargo);
@@ -48,7 +48,7 @@ impl Toolchain {
         command
     }
 
-    /// One line for a report.
+    /// Description in one line, for a report.
     #[must_use]
     pub fn describe(&self) -> String {
         let core = if self.core_from_source { "core from source" } else { "target installed" };
@@ -56,8 +56,8 @@ impl Toolchain {
     }
 }
 
-/// Says once, before anything is done, what the machine lacks and which packages will be installed; nothing where all
-/// is there.
+/// Says once, before anything else, what the machine lacks and which packages will be installed; silent if nothing is
+/// missing.
 pub fn announce(target: &str) {
     let mut packages = Vec::new();
     let mut lacking = Vec::new();
@@ -82,13 +82,13 @@ pub fn announce(target: &str) {
     }
 }
 
-/// A toolchain for `target`, if the machine has one: nothing is installed.
+/// A toolchain for `target`, if the machine has one; installs nothing.
 #[must_use]
 pub fn present(target: &str) -> Option<Toolchain> {
     find(target)
 }
 
-/// A toolchain for `target`; installs one where none is found.
+/// A toolchain for `target`; installs one if none is found.
 ///
 /// # Errors
 /// [`Failure::Lacking`] with the command that helps.
@@ -102,13 +102,13 @@ pub fn toolchain(target: &str) -> Result<Toolchain, Failure> {
     if let Some(found) = find(target) {
         return Ok(found);
     }
-    // By old package lists an old compiler was installed, or was there already.
+    // With outdated package lists an old compiler may have been installed, or it was there before.
     update_lists()?;
     install(&why, &TOOLCHAIN_PACKAGES, &help)?;
     find(target).ok_or_else(|| lacking(&why, &help))
 }
 
-/// The emulator's program, with plug-ins; installs it where none is found, or unpacks it into `target/emulator`.
+/// The emulator's program, with plug-ins; if none is found, installs it or unpacks it into `target/emulator`.
 ///
 /// # Errors
 /// [`Failure::Lacking`] with the command that helps.
@@ -134,7 +134,7 @@ fn found_emulator() -> Option<PathBuf> {
     which(EMULATOR).filter(has_plugins)
 }
 
-/// Toolchains with the target first, then those that can build core.
+/// Looks for toolchains with the target first, then for those that can build core.
 fn find(target: &str) -> Option<Toolchain> {
     let mut compilers: Vec<PathBuf> = which("rustc").into_iter().collect();
     compilers.push(PathBuf::from("/usr/bin/rustc"));
@@ -142,7 +142,7 @@ fn find(target: &str) -> Option<Toolchain> {
     found.iter().find(|t| !t.core_from_source).or(found.first()).cloned()
 }
 
-/// Can this rustc, with the cargo beside it, build for `target`, and how?
+/// Can this rustc, with the cargo next to it, build for `target`, and how?
 fn probe(rustc: &Path, target: &str) -> Option<Toolchain> {
     let cargo = Some(rustc.with_file_name("cargo")).filter(|p| p.is_file()).or_else(|| which("cargo"))?;
     let verbose = output(process::clean(rustc).arg("-vV"))?;

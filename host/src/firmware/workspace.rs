@@ -1,10 +1,10 @@
-//! Where the sources of the firmware are, and a lock on what is built from them.
+//! The folder with the firmware's sources, and a lock on what is built from them.
 
 use crate::failure::Failure;
 use std::fs::{self, File};
 use std::path::{Path, PathBuf};
 
-/// The workspace's root: the image is built from its sources.
+/// The root of the workspace, from whose sources the image is built.
 pub(crate) fn workspace() -> Result<PathBuf, Failure> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap_or(Path::new(""));
     if root.join("firmware/Cargo.toml").is_file() {
@@ -14,7 +14,7 @@ pub(crate) fn workspace() -> Result<PathBuf, Failure> {
     Err(Failure::Lacking(format!("{why}: run `cargo smartbed firmware` inside a clone of the project")))
 }
 
-/// One build at a time in this folder: the settings go through the environment of one build script.
+/// Takes the lock for builds in this folder, one at a time: they share one build script's environment.
 pub(crate) fn lock(folder: &Path) -> Result<File, Failure> {
     let wrong = |e: std::io::Error| Failure::Wrong(format!("{}: {e}", folder.display()));
     fs::create_dir_all(folder).map_err(wrong)?;

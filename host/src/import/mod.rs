@@ -1,7 +1,8 @@
-//! `smartbed import`: a robot of URDF as a model made of joints.
+//! `smartbed import`: converts a robot in URDF to a model made of joints.
 //!
-//! In: the XML text. Out: the text of a model. `urdf` reads links and joints, `tree` says what hangs on what and merges
-//! fixed joints, `write` writes the model, `pose` is the arithmetic of places and inertias between.
+//! In: the XML text. Out: the text of a model. `urdf` reads links and joints, `tree` finds the kinematic tree and
+//! merges links connected by fixed joints, `write` writes the model, `pose` has the arithmetic of rotations and
+//! inertias.
 
 mod name;
 mod pose;
@@ -33,7 +34,7 @@ pub struct Arguments {
     pub base: Base,
 }
 
-/// The model of a robot.
+/// Converts a robot to a model.
 ///
 /// # Errors
 /// What is wrong with the text, and where.
@@ -42,16 +43,16 @@ pub fn import(path: &str, text: &str, base: Base) -> Result<Imported, Failure> {
     let robot = urdf::read(text).map_err(wrong)?;
     let tree = tree::build(&robot).map_err(wrong)?;
     let imported = write::write(path, &robot, &tree, base);
-    // What a model cannot be is the model's to say, at its place in the text that was made.
+    // The reader of models finds what a model cannot be, at its place in the text just written.
     smartbed_codegen::model::parse(&format!("the model made of {path}"), &imported.model)
         .map_err(|found| Failure::Found(Box::new(found)))?;
     Ok(imported)
 }
 
-/// Does what the command line asks for.
+/// Runs the command.
 ///
 /// # Errors
-/// Status 1 for a robot that cannot be read or is none, and for a file that cannot be written.
+/// Status 1 for a robot that cannot be read or is invalid, and for a file that cannot be written.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let Arguments { robot, output, base } = arguments;
     let text = input::text(robot).map_err(|e| Failure::Wrong(format!("cannot read {robot}: {e}")))?;

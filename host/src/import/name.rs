@@ -1,22 +1,22 @@
-//! Names of URDF may hold anything; those of a model are words of which no two are the same.
+//! Turns names of URDF, which may contain any characters, into unique names of a model.
 
 use smartbed_codegen::model::{RESERVED, is_keyword};
 use std::collections::BTreeSet;
 
-/// Longest name, so that `tau_`, `u_` and endings still fit below 64 letters.
+/// Longest name, so that with `tau_`, `u_` and endings it stays below 64 letters.
 const LONGEST: usize = 48;
 
-/// The names taken so far.
+/// The names in use.
 #[derive(Debug)]
 pub struct Names(BTreeSet<String>);
 
 impl Names {
-    /// Those that a model has anyway.
+    /// With the names that every model has.
     pub fn new() -> Self {
         Self(["N", "O", "g"].into_iter().chain(RESERVED).map(str::to_owned).collect())
     }
 
-    /// A word as near to `wanted` as can be, `ending` or a number behind it where that is taken.
+    /// A name as near to `wanted` as possible; if it is in use, with `ending` or a number appended.
     pub fn take(&mut self, wanted: &str, ending: &str) -> String {
         let letter = |c: char| if c.is_ascii_alphanumeric() { c } else { '_' };
         let mut word: String = wanted.chars().map(letter).take(LONGEST).collect();

@@ -1,11 +1,11 @@
-//! Places and directions: rotation matrices from roll, pitch and yaw and back, inertia about other points and axes.
+//! Rotation matrices from roll, pitch and yaw and back; inertia about other points and axes.
 
 /// Three components.
 pub type Vector = [f64; 3];
 /// Rows.
 pub type Matrix = [Vector; 3];
 
-/// No turn.
+/// No rotation.
 pub const IDENTITY: Matrix = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 
 /// Length of a vector.
@@ -13,13 +13,13 @@ pub fn norm(v: Vector) -> f64 {
     v.iter().fold(0.0, |sum: f64, x| sum.hypot(*x))
 }
 
-/// A turned vector.
+/// A rotated vector.
 pub fn turned(m: &Matrix, v: Vector) -> Vector {
-    // Without a turn the digits of the file stay.
+    // Without a rotation the vector keeps the digits of the file.
     if *m == IDENTITY { v } else { m.map(|row| row[0] * v[0] + row[1] * v[1] + row[2] * v[2]) }
 }
 
-/// One turn after the other: a b.
+/// Product of two rotations: a b.
 pub fn product(a: &Matrix, b: &Matrix) -> Matrix {
     if *a == IDENTITY {
         return *b;
@@ -40,7 +40,7 @@ pub fn rotation([roll, pitch, yaw]: Vector) -> Matrix {
     ]
 }
 
-/// The quarter turns that a double can name are exact.
+/// Sine and cosine, exact for multiples of a quarter turn.
 fn sin_cos(angle: f64) -> (f64, f64) {
     match quarters(angle) {
         Some(n) => [(0.0, 1.0), (1.0, 0.0), (0.0, -1.0), (-1.0, 0.0)][n.rem_euclid(4) as usize],
@@ -48,7 +48,7 @@ fn sin_cos(angle: f64) -> (f64, f64) {
     }
 }
 
-/// The number of quarter turns that an angle is, to rounding.
+/// The number of quarter turns in an angle; `None` if it is not a multiple up to rounding.
 pub fn quarters(angle: f64) -> Option<i32> {
     let n = (angle / std::f64::consts::FRAC_PI_2).round();
     let near = (angle - n * std::f64::consts::FRAC_PI_2).abs() <= 4.0 * f64::EPSILON;
@@ -59,7 +59,7 @@ pub fn quarters(angle: f64) -> Option<i32> {
 pub fn angles(m: &Matrix) -> Vector {
     let across = m[0][0].hypot(m[1][0]);
     let pitch = libm::atan2(-m[2][0], across);
-    // Straight up roll and yaw turn about one axis: all of it is yaw.
+    // At a pitch of a quarter turn roll and yaw are about the same axis: all of it counts as yaw.
     match across > 1e-12 {
         true => [libm::atan2(m[2][1], m[2][2]), pitch, libm::atan2(m[1][0], m[0][0])],
         false => [0.0, pitch, libm::atan2(-m[0][1], m[1][1])],
@@ -79,7 +79,7 @@ pub fn along(m: &Matrix, inertia: [f64; 6]) -> [f64; 6] {
     [entry(0, 0), entry(1, 1), entry(2, 2), entry(0, 1), entry(0, 2), entry(1, 2)]
 }
 
-/// What a mass at `d` from a point adds to the inertia about that point (Steiner).
+/// Inertia of a point mass at `d` about the origin (Steiner's theorem).
 pub fn of_point(mass: f64, [x, y, z]: Vector) -> [f64; 6] {
     let of = |a: f64| mass * a;
     [of(y * y + z * z), of(x * x + z * z), of(x * x + y * y), of(-x * y), of(-x * z), of(-y * z)]

@@ -1,54 +1,54 @@
-//! What hangs on what: links that fixed joints tie together are one carrier.
+//! The kinematic tree: links connected by fixed joints are merged into one carrier.
 //!
-//! In: a robot. Out: its carriers from the root outwards, each with the joint that holds it, the links it is made of, and
-//! their mass as one.
+//! In: a robot. Out: its carriers from the root outwards, each with the joint that moves it, its links, and their total
+//! mass.
 
 use super::pose::{self, IDENTITY, Matrix, Vector};
 use super::urdf::{Inertial, Joint, Kind, Robot};
 use std::collections::BTreeMap;
 
-/// A link's place in its carrier.
+/// Pose of a link in its carrier.
 #[derive(Clone, Debug)]
 pub struct Place {
-    /// Number of the carrier.
+    /// Index of the carrier.
     pub carrier: usize,
-    /// Turn from the carrier's axes.
+    /// Rotation relative to the carrier's axes.
     pub turn: Matrix,
-    /// From the carrier's point, along its axes.
+    /// Position relative to the carrier's point, along its axes.
     pub at: Vector,
 }
 
-/// Links that move as one.
+/// Links that move as one rigid body.
 #[derive(Clone, Debug)]
 pub struct Carrier {
-    /// Its first link: the one that the joint moves.
+    /// Its first link: the child of the joint.
     pub link: usize,
-    /// The joint that holds it; none for the root.
+    /// The joint that moves it; `None` for the root.
     pub joint: Option<usize>,
-    /// All of its links that have mass, as one.
+    /// Combined mass and inertia of its links; `None` if no link has mass.
     pub inertial: Option<Inertial>,
 }
 
-/// The joint that a mimic joint follows in the end: its number, factor, offset.
+/// The joint that a mimic joint finally follows: its index, factor, offset.
 pub type Leader = (usize, f64, f64);
 
 /// The whole tree.
 #[derive(Clone, Debug)]
 pub struct Tree {
-    /// Of every joint; none for one that moves by itself.
+    /// Of every joint; `None` for one that moves independently.
     pub leaders: Vec<Option<Leader>>,
-    /// From the root outwards.
+    /// Carriers from the root outwards.
     pub carriers: Vec<Carrier>,
-    /// Of every link.
+    /// Pose of every link.
     pub places: Vec<Place>,
-    /// Links that fixed joints hold and nothing hangs on: tools and flanges.
+    /// Links that are attached by fixed joints and have no children: tools and flanges.
     pub ends: Vec<usize>,
 }
 
 /// Builds the tree.
 ///
 /// # Errors
-/// Links that no joint knows, that two joints move, or that hang on themselves.
+/// A joint that names an unknown link, a link that two joints move, several roots, or a cycle.
 pub fn build(robot: &Robot) -> Result<Tree, String> {
     let link: BTreeMap<&str, usize> =
         robot.links.iter().enumerate().map(|(i, l)| (l.name.as_str(), i)).collect();
@@ -123,7 +123,7 @@ pub fn build(robot: &Robot) -> Result<Tree, String> {
     Ok(tree)
 }
 
-/// A link's mass along the axes of its carrier.
+/// A link's mass and inertia along the axes of its carrier.
 fn moved(inertial: &Inertial, place: &Place) -> Inertial {
     let at = pose::turned(&place.turn, inertial.origin.xyz);
     let turn = pose::product(&place.turn, &pose::rotation(inertial.origin.rpy));
@@ -132,7 +132,7 @@ fn moved(inertial: &Inertial, place: &Place) -> Inertial {
     Inertial { mass: inertial.mass, origin, inertia: pose::along(&turn, inertial.inertia) }
 }
 
-/// Several masses as one, about their common centre.
+/// Combined mass and inertia about the common mass centre.
 fn together(parts: &[Inertial]) -> Option<Inertial> {
     if let [one] = parts {
         return Some(*one);
@@ -155,7 +155,7 @@ fn together(parts: &[Inertial]) -> Option<Inertial> {
     Some(Inertial { mass, origin: super::urdf::Origin { xyz, rpy: [0.0; 3] }, inertia })
 }
 
-/// q = factor*q_leader + offset, through mimic joints that follow mimic joints.
+/// q = factor*q_leader + offset, through chains of mimic joints.
 fn leader(robot: &Robot, joint: &Joint) -> Result<Option<Leader>, String> {
     let (mut factor, mut offset, mut at) = (1.0, 0.0, joint);
     for n in 0..=robot.joints.len() {

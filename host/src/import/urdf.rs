@@ -1,48 +1,48 @@
-//! URDF text -> links and joints as they stand there. <https://wiki.ros.org/urdf/XML>
+//! URDF text -> links and joints as they are in the file. <https://wiki.ros.org/urdf/XML>
 //!
-//! Only what moves is read; what is left out is counted, so that it can be said.
+//! Only the kinematics and inertias are read; other elements are counted, so that a message can list them.
 
 use super::pose::{self, Vector};
 use roxmltree::{Document, Node, ParsingOptions};
 use std::collections::BTreeMap;
 
-/// At most this many elements: each link and joint takes some ten.
+/// Most elements: each link and joint takes some ten.
 const MOST_NODES: u32 = 200_000;
 
-/// Mass about its own centre.
+/// Mass and inertia of a link.
 #[derive(Clone, Copy, Debug)]
 pub struct Inertial {
-    /// kg.
+    /// Mass (kg).
     pub mass: f64,
-    /// Centre and axes of the inertia in the link.
+    /// Mass centre, and axes of the inertia, in the link.
     pub origin: Origin,
     /// Entries xx, yy, zz, xy, xz, yz of the inertia matrix about the mass centre.
     pub inertia: [f64; 6],
 }
 
-/// A place with fixed angles about x, y, z (roll, pitch, yaw), taken in this order about axes that stand still.
+/// A pose: position, and fixed-axis rotations about x, y, z (roll, pitch, yaw) in this order.
 #[derive(Clone, Copy, Default, Debug)]
 pub struct Origin {
-    /// m.
+    /// Position (m).
     pub xyz: Vector,
-    /// rad.
+    /// Angles (rad).
     pub rpy: Vector,
 }
 
-/// How a joint moves.
+/// Types of joints.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Kind {
-    /// Between two angles.
+    /// Rotation within limits.
     Revolute,
-    /// Round and round.
+    /// Rotation without limits.
     Continuous,
-    /// Along the axis.
+    /// Translation along the axis.
     Prismatic,
-    /// Not at all.
+    /// No motion.
     Fixed,
-    /// In any way.
+    /// All six degrees of freedom.
     Floating,
-    /// On a plane across the axis.
+    /// Motion in the plane perpendicular to the axis.
     Planar,
 }
 
@@ -51,7 +51,7 @@ pub enum Kind {
 pub struct Link {
     /// Its name.
     pub name: String,
-    /// Its mass, if it has any.
+    /// Its mass and inertia, if it has any.
     pub inertial: Option<Inertial>,
 }
 
@@ -60,21 +60,21 @@ pub struct Link {
 pub struct Joint {
     /// Its name.
     pub name: String,
-    /// How it moves.
+    /// Its type.
     pub kind: Kind,
-    /// Names of the links.
+    /// Name of the inner link.
     pub parent: String,
-    /// The outer one.
+    /// Name of the outer link.
     pub child: String,
-    /// Its place in the parent; the child's frame there.
+    /// Pose of the child's frame in the parent.
     pub origin: Origin,
-    /// In the child's frame, of any length.
+    /// Axis in the child's frame, of any length.
     pub axis: Vector,
     /// Lower and upper limit.
     pub limit: Option<(f64, f64)>,
-    /// Viscous friction.
+    /// Viscous friction coefficient.
     pub damping: f64,
-    /// It follows another joint: its name, multiplier, offset.
+    /// For a mimic joint the joint that it follows: name, multiplier, offset.
     pub mimic: Option<(String, f64, f64)>,
 }
 
@@ -83,15 +83,15 @@ pub struct Joint {
 pub struct Robot {
     /// Its name.
     pub name: String,
-    /// In the order of the text.
+    /// Links in the order of the text.
     pub links: Vec<Link>,
-    /// In the order of the text.
+    /// Joints in the order of the text.
     pub joints: Vec<Joint>,
-    /// What is not read, and how often it stands there.
+    /// Elements that are not read, and how often they occur.
     pub left_out: BTreeMap<&'static str, usize>,
 }
 
-/// Where something stands, for messages.
+/// The place of an element, for messages.
 fn place(node: Node<'_, '_>) -> String {
     let at = node.document().text_pos_at(node.range().start);
     format!("line {}, column {}", at.row, at.col)
@@ -149,7 +149,7 @@ pub fn read(text: &str) -> Result<Robot, String> {
     }
 }
 
-/// The child element of a name.
+/// The child element with this name.
 fn child<'a, 'b>(node: Node<'a, 'b>, name: &str) -> Option<Node<'a, 'b>> {
     node.children().find(|n| n.has_tag_name(name) || n.tag_name().name() == name)
 }
@@ -161,7 +161,7 @@ fn needed<'a>(node: Node<'a, '_>, attribute: &str) -> Result<&'a str, String> {
     })
 }
 
-/// As many numbers as the attribute must hold.
+/// Parses exactly N numbers of an attribute.
 fn numbers<const N: usize>(node: Node<'_, '_>, attribute: &str, text: &str) -> Result<[f64; N], String> {
     let parsed: Result<Vec<f64>, _> = text.split_whitespace().map(str::parse::<f64>).collect();
     let all = parsed.ok().filter(|all| all.iter().all(|x| x.is_finite()));
@@ -172,7 +172,7 @@ fn numbers<const N: usize>(node: Node<'_, '_>, attribute: &str, text: &str) -> R
     })
 }
 
-/// A number that has a value without being given.
+/// A number with a default.
 fn number_or(node: Option<Node<'_, '_>>, attribute: &str, other: f64) -> Result<f64, String> {
     match node.and_then(|n| n.attribute(attribute).map(|text| (n, text))) {
         Some((node, text)) => numbers::<1>(node, attribute, text).map(|[x]| x),

@@ -1,4 +1,4 @@
-//! A tree of carriers -> the text of a model.
+//! Writes the text of a model from a tree of carriers.
 
 use super::name::Names;
 use super::pose::{self, Vector};
@@ -18,22 +18,22 @@ pub enum Base {
     Planar,
 }
 
-/// What an import gives.
+/// Result of an import.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Imported {
     /// The model.
     pub model: String,
-    /// What was not carried over, a line each.
+    /// Parts of the robot that were not converted, a line each.
     pub left_out: Vec<String>,
 }
 
-/// The names that the robot has in the model.
+/// The robot's names in the model.
 struct Words {
-    /// Frame and point of each carrier: `N` and `O` for a root that stands still.
+    /// Frame and point of each carrier: `N` and `O` for a fixed root.
     carriers: Vec<(String, String)>,
-    /// Of each joint; those that are fixed have none.
+    /// Of each joint; fixed joints have none.
     joints: Vec<String>,
-    /// Tools and flanges.
+    /// Names of tools and flanges.
     ends: Vec<String>,
 }
 
@@ -87,12 +87,12 @@ fn name(names: &mut Names, robot: &Robot, tree: &Tree, base: Base) -> Words {
     Words { carriers, joints, ends }
 }
 
-/// A number as its shortest digits, never with an exponent.
+/// A number by its shortest digits, never with an exponent.
 fn number(x: f64) -> String {
     format!("{x}")
 }
 
-/// An angle: quarter turns in degrees, which are exact.
+/// An angle: multiples of a quarter turn in degrees, which are exact.
 fn angle(x: f64) -> String {
     match pose::quarters(x) {
         Some(n) => format!("{}*deg", 90 * n),
@@ -100,7 +100,7 @@ fn angle(x: f64) -> String {
     }
 }
 
-/// A sum of lengths along a frame's axes, each with its sign in front; empty for no way.
+/// A vector as a sum along a frame's axes, each term with its sign in front; empty for the zero vector.
 fn way(v: Vector, frame: &str, unit: &str) -> String {
     let mut sum = String::new();
     for (x, axis) in v.into_iter().zip(["x", "y", "z"]).filter(|(x, _)| *x != 0.0) {
@@ -110,7 +110,7 @@ fn way(v: Vector, frame: &str, unit: &str) -> String {
     sum
 }
 
-/// Rotations by constants: yaw, pitch, roll, those that turn.
+/// Rotations by constants: yaw, pitch, roll, without those by 0.
 fn steps([roll, pitch, yaw]: Vector) -> Vec<String> {
     let all = [("z", yaw), ("y", pitch), ("x", roll)];
     all.into_iter()
@@ -119,7 +119,7 @@ fn steps([roll, pitch, yaw]: Vector) -> Vec<String> {
         .collect()
 }
 
-/// The letter of an axis, if it lies along one: number and sign.
+/// The coordinate axis along which a vector lies, if any: its index, and whether it points the other way.
 fn letter(axis: Vector) -> Option<(usize, bool)> {
     let unit = axis.map(|x| x / pose::norm(axis));
     unit.iter().position(|x| x.abs() == 1.0).map(|n| (n, unit[n] < 0.0))
@@ -135,7 +135,7 @@ fn axis(v: Vector) -> String {
     }
 }
 
-/// Entries of the sections.
+/// Lines of the model's sections.
 struct Sections {
     all: [(&'static str, String); 6],
     dof: usize,
@@ -164,7 +164,7 @@ impl Sections {
         }
         for (&end, name) in tree.ends.iter().zip(&words.ends) {
             let place = &tree.places[end];
-            // What stands still is no place to hold on to.
+            // A port on the fixed root would have no effect.
             if place.carrier > 0 || base != Base::Fixed {
                 this.end(place, &words.carriers[place.carrier], name);
             }
@@ -179,7 +179,7 @@ impl Sections {
         }
     }
 
-    /// The joint that holds a carrier.
+    /// Adds the joint that moves a carrier.
     fn joint(&mut self, robot: &Robot, tree: &Tree, words: &Words, carrier: usize, n: usize) {
         let joint = &robot.joints[n];
         let (name, child) = (&words.joints[n], &words.carriers[carrier].0);
@@ -209,7 +209,7 @@ impl Sections {
         match joint.kind {
             Kind::Floating => {}
             Kind::Planar => {
-                // A plane is spanned by letters: z is turned onto its normal.
+                // The plane is given by a coordinate axis: z is rotated to its normal.
                 let [x, y, z] = joint.axis;
                 let onto = [0.0, libm::atan2(x.hypot(y), z), libm::atan2(y, x)];
                 match letter(joint.axis) {
@@ -251,7 +251,7 @@ impl Sections {
         self.add("joints", &format!("{name} = {{ {} }}", fields.join(", ")));
     }
 
-    /// A joint that follows another: its frame and point, moved by the other's coordinate.
+    /// Adds a mimic joint as a frame and a point that depend on the leader's coordinate.
     fn mimic(
         &mut self,
         robot: &Robot,
@@ -261,7 +261,8 @@ impl Sections {
         (parent, at, mut turned): (&String, &String, Vec<String>),
     ) {
         let slides = joint.kind == Kind::Prismatic;
-        // A slide that follows a turn has its factor in m, a turn that follows a slide in 1/m.
+        // The factor of a translation that follows a rotation is in m, that of a rotation that follows a translation in
+        // 1/m.
         let unit = match (slides, robot.joints[leader].kind == Kind::Prismatic) {
             (true, false) => "_m",
             (false, true) => "/1_m",
@@ -282,7 +283,7 @@ impl Sections {
                     turned.push(format!("[\"{}\", \"{}({by})\"]", LETTERS[n], if back { "-" } else { "" }));
                 }
                 None => {
-                    // z is turned onto the axis, about it, and back.
+                    // Rotates z to the axis, turns about it, and rotates back.
                     let [x, y, z] = unit_axis;
                     let (a, b) = (libm::atan2(y, x), libm::atan2(x.hypot(y), z));
                     turned.extend(steps([0.0, b, a]));
@@ -297,7 +298,7 @@ impl Sections {
         self.add("points", &format!("{child} = \"{position}\""));
     }
 
-    /// What a carrier weighs.
+    /// Adds the body of a carrier.
     fn body(&mut self, carrier: &Carrier, name: &str) {
         let Some(inertial) = carrier.inertial.filter(|i| i.mass > 0.0 || i.inertia != [0.0; 6]) else {
             return;
@@ -320,7 +321,7 @@ impl Sections {
         self.add("bodies", &format!("{name} = {{ {} }}", fields.join(", ")));
     }
 
-    /// A flange or tool: a port, which costs nothing until it is asked for.
+    /// Adds a flange or tool as a port, which costs nothing unless it is asked for.
     fn end(&mut self, place: &Place, (frame, point): &(String, String), name: &str) {
         let turned = steps(pose::angles(&place.turn));
         let held = match turned.is_empty() {

@@ -1,5 +1,5 @@
-//! What `cargo smartbed` builds first: starts, runs and shows mechanisms, and hands everything else over to the whole
-//! program.
+//! The light program, which `cargo smartbed` builds first: starts, runs and shows mechanisms, and hands all other
+//! commands to the whole program.
 
 use clap::{Parser, Subcommand};
 use smartbed::failure::Failure;
@@ -35,7 +35,7 @@ enum Command {
 
 fn main() -> ExitCode {
     program::begin();
-    // Their own help and mistakes are told at once; those of other commands by the program that has them.
+    // Help and errors of its own commands are printed at once; those of other commands by the program that has them.
     let is_known = env::args().nth(1).is_some_and(|word| ["new", "run", "view"].contains(&word.as_str()));
     let command_line = match CommandLine::try_parse() {
         Ok(command_line) => command_line,
@@ -51,7 +51,7 @@ fn main() -> ExitCode {
     }
 }
 
-/// Builds the whole program, where that is not done yet, and lets it do what was asked for.
+/// Builds the whole program, if necessary, and runs the command in it.
 fn whole() -> ExitCode {
     let name = format!("smartbed{}", env::consts::EXE_SUFFIX);
     let is_built = env::current_exe().is_ok_and(|light| light.with_file_name(name).is_file());
@@ -72,7 +72,7 @@ fn whole() -> ExitCode {
     }
 }
 
-/// On Unix this process becomes the other one, so that signals reach it; it returns only if that fails.
+/// On Unix replaces this process by the other one, so that signals reach it; returns only if that fails.
 #[cfg(unix)]
 fn become_it(process: &mut Process) -> std::io::Result<u8> {
     use std::os::unix::process::CommandExt;

@@ -1,4 +1,4 @@
-//! `smartbed new`: a commented starting file that runs.
+//! `smartbed new`: writes a commented example file that runs.
 
 use crate::failure::Failure;
 use crate::number::json_string;
@@ -35,10 +35,10 @@ pub struct Arguments {
     pub json: bool,
 }
 
-/// Does what the command line asks for.
+/// Runs the command.
 ///
 /// # Errors
-/// Status 1 for a name that is none and for a file that exists.
+/// Status 1 for an invalid name and for a file that exists.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let Arguments { kind, name, json } = arguments;
     let is_letter = |c: char| c.is_ascii_alphanumeric() || c == '_';

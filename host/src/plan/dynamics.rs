@@ -1,4 +1,4 @@
-//! How what happens is computed: `run.clock`, and `[dynamics]`.
+//! Reads `run.clock` and `[dynamics]`: how motion is computed.
 
 use super::load::named;
 use crate::world::read::value::{Bound, number};
@@ -12,19 +12,19 @@ use smartbed_codegen::model::document::Table;
 /// Most steps of a run.
 const MOST_STEPS: f64 = 1e7;
 
-/// Clocks by name: is there motion?
+/// Values of `run.clock`: is motion computed?
 pub(super) const CLOCKS: [(&str, bool); 2] = [("quasi_static", false), ("dynamics", true)];
 
-/// What `[dynamics]` says.
+/// The contents of `[dynamics]`.
 pub(super) struct Told {
-    /// How motion is computed.
+    /// Settings for motion.
     pub(super) dynamics: Dynamics,
-    /// The same where the load falls before the first equilibrium.
+    /// Settings for the load's fall before the first equilibrium.
     pub(super) fall: Dynamics,
 }
 
-/// Reads `[dynamics]`; `seconds` are those in motion, none with the other clock, `is_fallen` says that the load falls before
-/// the first equilibrium.
+/// Reads `[dynamics]`. `seconds` is the length of the motion, 0 with the other clock; `is_fallen` says that the load
+/// falls before the first equilibrium.
 pub(super) fn read(table: &Table, seconds: f64, is_fallen: bool, found: &mut Diagnostics) -> Option<Told> {
     let fields = Fields::of("dynamics", table.span, table);
     let (usual, matter) = (Dynamics::default(), Matter::default());
@@ -74,16 +74,16 @@ pub(super) fn read(table: &Table, seconds: f64, is_fallen: bool, found: &mut Dia
     Some(Told { dynamics: Dynamics { start, ..fall }, fall })
 }
 
-/// Starts by name, the usual one first: is it at rest?
+/// Starts by name, the default first: is it at rest?
 const STARTS: [(&str, bool); 2] = [("dropped", false), ("at_rest", true)];
 
-/// Scalars by name, the usual one first: is it f32?
+/// Scalars by name, the default first: is it f32?
 const SCALARS: [(&str, bool); 2] = [("f64", false), ("f32", true)];
 
-/// What happens where sheets come to touch the load, by name, the usual one first.
+/// Treatment of impacts of sheets on the load by name, the default first.
 const IMPACTS: [(&str, Impact); 2] = [("compensation", Impact::Compensation), ("implicit", Impact::Implicit)];
 
-/// Methods by name, the usual one first.
+/// Methods by name, the default first.
 const METHODS: [(&str, Method); 4] = [
     ("bdf2", Method::Bdf2),
     ("tr_bdf2", Method::TrBdf2),

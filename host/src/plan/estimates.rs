@@ -1,4 +1,4 @@
-//! `[metrics]`: estimates that metrics go by, none of them measured.
+//! Reads `[metrics]`: estimated parameters of the metrics, none of them measured.
 
 use crate::world::read::value::{Bound, number};
 use smartbed_bed::metrics::Thresholds;
@@ -6,7 +6,7 @@ use smartbed_codegen::diagnostic::Diagnostics;
 use smartbed_codegen::model::Fields;
 use smartbed_codegen::model::document::Table;
 
-/// Reads `[metrics]`; `cycle` (s) is that of the run.
+/// Reads `[metrics]`; `cycle` (s) is the run's.
 pub(super) fn read(plan: &Fields<'_>, cycle: f64, found: &mut Diagnostics) -> Thresholds {
     let empty = Table::default();
     let table = plan.table("metrics", found).unwrap_or(&empty);

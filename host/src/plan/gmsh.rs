@@ -1,20 +1,21 @@
-//! Triangles of a mesh by Gmsh: MSH 2.2 and 4.1 as text.
+//! Reads triangles from a mesh of Gmsh: MSH 2.2 and 4.1 as text.
 //!
-//! In: a file's text. Out: places of corners, three a triangle, in the file's unit. Points, lines and what fills the volume
-//! are passed over; surfaces of anything but flat triangles are refused (Gmsh reference manual, 10: file formats).
+//! In: a file's text. Out: positions of corners, three per triangle, in the file's unit. Elements of points, lines and
+//! volumes are skipped; surface elements other than flat triangles are refused (Gmsh reference manual, 10: file
+//! formats).
 
 use std::collections::HashMap;
 use std::str::SplitAsciiWhitespace;
 
-/// Flat triangles among Gmsh's kinds of elements.
+/// Gmsh's element type of flat triangles.
 const TRIANGLE: usize = 2;
-/// Kinds of points, lines and solids: they are no surface.
+/// Element types of points, lines and volumes, which are not part of a surface.
 const OTHERS: [usize; 16] = [1, 4, 5, 6, 7, 8, 11, 12, 13, 14, 15, 17, 18, 19, 26, 27];
 
-/// Places of triangles' corners.
+/// Positions of the triangles' corners.
 ///
 /// # Errors
-/// What is not as it must be.
+/// A message about what is invalid.
 pub(super) fn triangles(text: &str) -> Result<Vec<[f64; 3]>, String> {
     let mut format = section(text, "MeshFormat")?;
     let (version, kind) = (format.word("a version")?, format.count("a kind of file")?);
@@ -31,10 +32,10 @@ pub(super) fn triangles(text: &str) -> Result<Vec<[f64; 3]>, String> {
     triangles.into_iter().flatten().map(place).collect()
 }
 
-/// Places by tag, and triangles by tags.
+/// Positions by tag, and triangles by tags.
 type Parts = (HashMap<usize, [f64; 3]>, Vec<[usize; 3]>);
 
-/// MSH 2.2: a node a line, an element a line with its kind and how many tags it has.
+/// MSH 2.2: one node per line; one element per line, with its type and number of tags.
 fn old(mut nodes: Words, mut elements: Words) -> Result<Parts, String> {
     let (mut places, mut triangles) = (HashMap::new(), Vec::new());
     for _ in 0..nodes.count("how many nodes")? {
@@ -103,7 +104,7 @@ struct Words<'a> {
     words: SplitAsciiWhitespace<'a>,
 }
 
-/// What stands between $NAME and $EndNAME.
+/// The text between $NAME and $EndNAME.
 fn section<'a>(text: &'a str, name: &'static str) -> Result<Words<'a>, String> {
     let (start, end) = (format!("${name}"), format!("$End{name}"));
     let missing = || format!("the mesh has no section {start}");
@@ -113,7 +114,7 @@ fn section<'a>(text: &'a str, name: &'static str) -> Result<Words<'a>, String> {
 }
 
 impl<'a> Words<'a> {
-    /// Goes to the next line that is not empty; what is left of this one is passed over.
+    /// Goes to the next line that is not empty, skipping the rest of this one.
     fn line(&mut self) -> Result<(), String> {
         let next = self.lines.by_ref().find(|line| !line.trim().is_empty());
         self.words = next

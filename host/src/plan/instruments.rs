@@ -1,4 +1,4 @@
-//! `[instruments]`: what is read of the tiles themselves while a plan runs.
+//! `[instruments]`: the tiles' own instruments, and their readings of a run.
 
 use crate::world::read::value::{Bound, count, number};
 use smartbed_bed::plan::Plan;
@@ -9,15 +9,15 @@ use smartbed_codegen::diagnostic::{Diagnostic, Diagnostics};
 use smartbed_codegen::model::Fields;
 use smartbed_codegen::model::document::Table;
 
-/// Samples of a pressure that may be on their way.
+/// Most samples of a pressure in transmission at the same time.
 const ON_THEIR_WAY: u32 = 3;
 
 /// Instruments of all tiles.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Instrumented {
-    /// Those of a tile.
+    /// Instruments of each tile.
     pub instruments: Instruments,
-    /// Of all noise.
+    /// Seed of all noise.
     pub seed: u64,
 }
 
@@ -55,7 +55,7 @@ pub(super) fn read(table: &Table, found: &mut Diagnostics) -> Option<Instrumente
 }
 
 impl Instrumented {
-    /// What they read of a run; nothing where no sensor can be made, which reading has refused.
+    /// Their readings of a run; empty if a sensor is invalid, which has been reported when it was read.
     #[must_use]
     pub fn of(&self, plan: &Plan, history: &History) -> Vec<Reading> {
         readings(plan, history, self.instruments, self.seed).unwrap_or_default()

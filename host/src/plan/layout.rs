@@ -1,4 +1,4 @@
-//! `[bed]`: tiles, their sheets and their limits, and the pressure at the start.
+//! Reads `[bed]`: tiles, their sheets and their limits, and the initial pressure.
 
 use crate::world::read::value::{Bound, count, list, number};
 use smartbed_bed::plan::Layout;
@@ -7,13 +7,13 @@ use smartbed_codegen::diagnostic::{Diagnostic, Diagnostics};
 use smartbed_codegen::model::Fields;
 use smartbed_codegen::model::document::Table;
 
-/// Most nodes of all sheets.
+/// Most nodes of all sheets together.
 const MOST_NODES: usize = 100_000;
 
-/// n of p V^n: from a gas that keeps its temperature to one of single atoms that has no time to.
+/// n in p V^n = constant: from isothermal changes to adiabatic ones of a monatomic gas.
 const EXPONENTS: std::ops::RangeInclusive<f64> = 1.0..=1.67;
 
-/// Reads `[bed]`: the layout, and the pressure (Pa) at the start.
+/// Reads `[bed]`: the layout, and the initial pressure (Pa).
 pub(super) fn read(table: &Table, found: &mut Diagnostics) -> Option<(Layout, f64)> {
     let fields = Fields::of("bed", table.span, table);
     let usual = Layout::default();

@@ -1,4 +1,4 @@
-//! What lies on the bed: a patient, or a ball, a cylinder, a plate or a mesh.
+//! Reads the load of a bed: a patient, or a ball, a cylinder, a plate or a mesh.
 
 use super::mesh;
 use crate::world::read::value::{Bound, count, list, needed, number, one_of};
@@ -14,7 +14,7 @@ use smartbed_codegen::model::document::{Table, Value, wrong_kind};
 use smartbed_runtime::vec3::norm;
 use std::sync::Arc;
 
-/// Tables by name.
+/// Anthropometric tables by name.
 const TABLES: [(&str, Anthropometry); 3] = [
     ("de_leva_male", Anthropometry::DeLevaMale),
     ("de_leva_female", Anthropometry::DeLevaFemale),
@@ -26,8 +26,8 @@ const POSTURES: [(&str, Posture); 3] =
 /// Shapes by name.
 const SHAPES: [&str; 4] = ["ball", "cylinder", "plate", "mesh"];
 
-/// Reads `[patient]` or `[load]` of the plan at a path; a plan without either has an empty bed.
-/// Beside a patient how the nurse scores him.
+/// Reads `[patient]` or `[load]` of the plan at a path; without either the bed is empty. Returns also the nurse's
+/// scores of a patient.
 pub(super) fn read(plan: &Fields<'_>, path: &str, found: &mut Diagnostics) -> Option<(Load, Option<Braden>)> {
     match (plan.table("patient", found), plan.table("load", found)) {
         (Some(table), None) => patient(table, found),
@@ -45,7 +45,7 @@ fn place(fields: &Fields<'_>, found: &mut Diagnostics) -> Option<[f64; 2]> {
     fields.get("place").map_or(Some([0.0; 2]), |value| list::<2>(value, "place", "m", found))
 }
 
-/// One of several words, each with its meaning; the first where the key is missing.
+/// One of several words, each with its meaning; the first if the key is missing.
 pub(super) fn named<T: Copy>(
     fields: &Fields<'_>,
     key: &'static str,
@@ -88,7 +88,7 @@ fn patient(table: &Table, found: &mut Diagnostics) -> Option<(Load, Option<Brade
     Some((Load { body, poses, figure: Some(figure) }.placed(place?), braden))
 }
 
-/// Marks of the Braden scale, all six of them.
+/// Scores on the Braden scale, all six of them.
 fn braden(table: &Table, found: &mut Diagnostics) -> Option<Braden> {
     let fields = Fields::of("braden", table.span, table);
     let marks = SUBSCALES.map(|(key, _)| {
@@ -116,7 +116,7 @@ fn joints(table: &Table, found: &mut Diagnostics) -> Option<Vec<(String, Angles)
             return None;
         }
         let angles: [f64; 3] = list(value, &key.name, "", found)?;
-        // Rounded to what the author wrote: a limit is met exactly.
+        // Rounded to the author's digits, so that a limit is met exactly.
         Some((key.name.clone(), angles.map(|a| (a.to_degrees() * 1e9).round() / 1e9)))
     };
     table.entries.iter().map(one).collect()
@@ -146,7 +146,7 @@ fn solid(table: &Table, plan: &str, found: &mut Diagnostics) -> Option<Load> {
     Some(load.placed(place?))
 }
 
-/// A box with round edges, its axes those of the load.
+/// A box with rounded edges, along the axes of the load.
 fn round(fields: &Fields<'_>, kind: &str, found: &mut Diagnostics) -> Option<(Surface, Pose)> {
     let radius = needed(fields, "radius", ("m", "\"0.1_m\""), found);
     let half = match kind {
@@ -170,7 +170,7 @@ fn round(fields: &Fields<'_>, kind: &str, found: &mut Diagnostics) -> Option<(Su
     Some((Shape { half: half?, radius: radius? }.into(), Pose::at([0.0; 3])))
 }
 
-/// A mesh's file, and the pose of its principal axes.
+/// The solid in a mesh's file, and the pose of its principal axes.
 fn of_mesh(fields: &Fields<'_>, plan: &str, found: &mut Diagnostics) -> Option<(Surface, Pose)> {
     let value = fields.need("file", "\"body.stl\"", found)?;
     let unit = number(fields, "unit", "m", Bound::Positive, found).unwrap_or(1.0);

@@ -1,7 +1,8 @@
-//! A mesh's file -> a solid: Wavefront's OBJ, STL, Gmsh's MSH.
+//! Reads a solid from a mesh's file: Wavefront OBJ, STL, Gmsh MSH.
 //!
-//! In: the path that a plan names, from the plan's own folder, and how long the file's unit is. Out: the solid in its
-//! principal axes and their pose in the file's, or what is wrong with the file. Corners at equal places become one.
+//! In: the path that a plan names, relative to the plan's own folder, and the length of the file's unit. Out: the solid
+//! in its principal axes and their pose in the file's, or what is wrong with the file. Corners at equal positions are
+//! merged.
 
 use super::gmsh;
 use crate::input;
@@ -12,10 +13,10 @@ use std::path::{Path, PathBuf};
 
 /// Largest file (bytes): 200 000 triangles of text take 50 MB.
 const LARGEST: u64 = 64 << 20;
-/// What a path may end in.
+/// Possible endings of a path.
 const ENDINGS: &str = ".obj, .stl or .msh";
 
-/// The file of a mesh that a plan names.
+/// The path of the mesh's file that a plan names.
 #[must_use]
 pub fn path(plan: &str, file: &str) -> PathBuf {
     Path::new(plan).parent().unwrap_or(Path::new("")).join(file)
@@ -32,7 +33,7 @@ pub fn bytes(path: &Path) -> Result<Vec<u8>, String> {
 /// Reads a solid.
 ///
 /// # Errors
-/// Why it is none.
+/// A message if it is not a valid solid.
 pub(super) fn read(path: &Path, unit: f64) -> Result<(Solid, Pose), String> {
     let bytes = bytes(path)?;
     let ending = path.extension().unwrap_or_default().to_string_lossy().to_ascii_lowercase();
@@ -48,11 +49,11 @@ pub(super) fn read(path: &Path, unit: f64) -> Result<(Solid, Pose), String> {
     Solid::new(mesh).map_err(|fault| fault.to_string())
 }
 
-/// Three places a triangle, of all objects together.
+/// Three positions per triangle, of all objects together.
 fn obj(mut bytes: &[u8]) -> Result<Vec<[f64; 3]>, String> {
     let options =
         tobj::LoadOptions { ignore_points: true, ignore_lines: true, ..tobj::LoadOptions::default() };
-    // Colours are of no use: no other file is read.
+    // Materials are not used: no other file is read.
     let without = |_: &Path| Err(tobj::LoadError::OpenFileFailed);
     let (models, _) = tobj::load_obj_buf(&mut bytes, &options, without)
         .map_err(|error| format!("the mesh is no OBJ: {error}"))?;
@@ -70,9 +71,10 @@ fn obj(mut bytes: &[u8]) -> Result<Vec<[f64; 3]>, String> {
     Ok(places)
 }
 
-/// Three places a triangle.
+/// Three positions per triangle.
 fn stl(mut bytes: Vec<u8>) -> Result<Vec<[f64; 3]>, String> {
-    // A binary file tells how many triangles of 50 bytes follow 84 bytes; some begin with the word of texts all the same.
+    // A binary file states the number of triangles, of 50 bytes each, after 80 bytes; some begin with the word of text
+    // files nevertheless.
     let count = bytes.get(80..84).map(|c| u64::from(u32::from_le_bytes([c[0], c[1], c[2], c[3]])));
     if count.is_some_and(|count| bytes.len() as u64 == 84 + 50 * count) {
         bytes[..5].fill(0);

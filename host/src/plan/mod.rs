@@ -1,9 +1,9 @@
 //! Plan text -> [`Plan`] of the bed: layout, load, moves, run; all errors with their places.
 //!
-//! In: TOML of format 1, numbers with units as in scenes, settings of a command line on top. Out: a plan within its
-//! limits, or what is wrong. A file for each table: `layout` of the tiles, `load` of what lies on them (`mesh` its file, if it
-//! has one), `timing` and `dynamics` of the clocks, `moves` of what is told, `sensing` and `instruments` of what reads,
-//! `policy` of who decides (`supervised`: who lets that through), `estimates` of what metrics go by.
+//! In: TOML of format 1 with numbers and units as in scenes, and settings of the command line, which override it. Out:
+//! a plan within its limits, or what is wrong. One file per table: `layout` (tiles), `load` (and `mesh`, its file if it
+//! has one), `timing` and `dynamics` (clocks), `moves` (orders to tiles), `sensing` and `instruments` (sensors),
+//! `policy` (who gives orders; `supervised`: who checks them), `estimates` (parameters of metrics).
 
 mod dynamics;
 mod estimates;
@@ -35,29 +35,29 @@ use std::path::PathBuf;
 use supervised::Controller;
 use timing::Timing;
 
-/// A plan's text, read.
+/// The contents of a plan's text.
 #[derive(Clone, Debug)]
 pub struct Read {
     /// The plan.
     pub plan: Plan,
-    /// What its `[sweep]` changes.
+    /// Keys and values of its `[sweep]`.
     pub axes: Axes,
-    /// The surface that it is read by.
+    /// The sensors of the bed's surface.
     pub sensors: Option<sensing::Sensing>,
-    /// What is read of the tiles.
+    /// The tiles' own instruments.
     pub instruments: Option<instruments::Instrumented>,
-    /// Who decides on the way.
+    /// The policy that gives orders during the run.
     pub policy: Option<policy::Chosen>,
-    /// Orders go through the tiles' controller and its supervisor.
+    /// Are orders checked by the tiles' controller and its supervisor?
     pub is_supervised: bool,
-    /// How the nurse scores the patient.
+    /// The nurse's scores of the patient.
     pub braden: Option<Braden>,
-    /// What metrics go by.
+    /// Parameters of the metrics.
     pub thresholds: Thresholds,
 }
 
 impl Read {
-    /// Runs the plan, under its policy if it has one; `at` hears the share that is done and says whether to go on.
+    /// Runs the plan, under its policy if it has one; `at` receives the fraction done and returns whether to go on.
     ///
     /// # Errors
     /// [`RunError`].
@@ -75,7 +75,8 @@ impl Read {
         )
     }
 
-    /// Holds the plan with more moves against its limits, and against those of the tiles' controller and its supervisor.
+    /// Checks the plan with additional moves against its limits, and against those of the tiles' controller and its
+    /// supervisor.
     ///
     /// # Errors
     /// The first limit that it exceeds.
@@ -85,7 +86,7 @@ impl Read {
         self.supervisor().map_or(Ok(()), |own| own.check(&plan, 0.0))
     }
 
-    /// Who lets orders through, if somebody does.
+    /// The supervisor that checks orders, if there is one.
     fn supervisor(&self) -> Option<&dyn Supervisor> {
         self.is_supervised.then_some(&Controller)
     }
@@ -94,7 +95,7 @@ impl Read {
 /// Reads a plan; `settings` are `--set`'s.
 ///
 /// # Errors
-/// Everything that is wrong in its text.
+/// All errors in its text.
 pub fn parse(path: &str, text: &str, settings: &[String]) -> Result<Read, Diagnostics> {
     let source = Source::new(path, text);
     let mut found = Diagnostics::new(source.clone());
@@ -109,7 +110,7 @@ pub fn parse(path: &str, text: &str, settings: &[String]) -> Result<Read, Diagno
     }
 }
 
-/// The mesh that a plan names, if it names one: what its results depend on beside its text.
+/// The file of the mesh that a plan names, if any: results depend on it as on the plan's text.
 #[must_use]
 pub fn mesh_file(path: &str, text: &str, settings: &[String]) -> Option<PathBuf> {
     let mut found = Diagnostics::new(Source::new(path, text));
@@ -121,7 +122,7 @@ pub fn mesh_file(path: &str, text: &str, settings: &[String]) -> Option<PathBuf>
     }
 }
 
-/// Holds a plan against its limits.
+/// Checks a plan against its limits.
 ///
 /// # Errors
 /// The first limit that it exceeds, with file, tile and time.
@@ -165,7 +166,7 @@ fn read(path: &str, table: &Table, found: &mut Diagnostics) -> Option<Read> {
         Some(table) => Some(policy::read(table, found)?),
         None => None,
     };
-    // A bed of other tiles has no such controller; what asks for one is told.
+    // The controller supports tiles of one size: a plan with others that asks for supervision is refused.
     let misfit = supervised::misfit(&layout);
     let is_supervised = is_supervised.unwrap_or(misfit.is_none() || policy.is_some());
     if let Some(misfit) = misfit.filter(|_| is_supervised) {

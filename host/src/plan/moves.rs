@@ -1,4 +1,4 @@
-//! What tiles are told over time: `[[move]]`, `[alternating]`; and what a `[sweep]` changes.
+//! Reads the orders to tiles over time, `[[move]]` and `[alternating]`, and the keys of a `[sweep]`.
 
 use crate::world::read::value::{Bound, list, number, scalar};
 use smartbed_bed::plan::{Layout, Move, Plan};
@@ -7,13 +7,14 @@ use smartbed_codegen::model::Fields;
 use smartbed_codegen::model::document::{Table, Value, wrong_kind};
 use smartbed_codegen::source::Span;
 
-/// What a sweep changes: keys with the texts of their values, in the author's order.
+/// Keys of a sweep with the texts of their values, in the author's order.
 pub type Axes = Vec<(String, Vec<String>)>;
 
-/// Most moves times equilibria: every equilibrium asks every move.
+/// Most moves times equilibria: each equilibrium evaluates each move.
 const MOST_ORDERS: f64 = 1e7;
 
-/// All moves of a plan, by when they begin; `pressure` (Pa) at the start, a run of `seconds` and from moment to moment.
+/// All moves of a plan, sorted by their beginning; `pressure` (Pa) is the initial one, `seconds` the length of the run,
+/// `every` the interval between its moments.
 pub(super) fn read(
     plan: &Fields<'_>,
     layout: &Layout,
@@ -151,7 +152,7 @@ pub(super) fn axes(table: &Table, found: &mut Diagnostics) -> Axes {
     axes
 }
 
-/// A value as a setting has it.
+/// A value as the text of a setting.
 fn text_of(value: &Value) -> Option<String> {
     match value {
         Value::Number(x, _) => Some(format!("{x}")),

@@ -1,4 +1,4 @@
-//! `[policy]`: who decides what tiles are told while a plan runs, and within which bounds.
+//! Reads `[policy]`: the policy that gives orders while a plan runs, and its bounds.
 
 use crate::world::read::value::{Bound, count, number, one_of};
 use smartbed_bed::plan::Plan;
@@ -18,9 +18,9 @@ const KINDS: [&str; 2] = ["planner", "alternating"];
 pub struct Chosen {
     /// Its name.
     pub name: &'static str,
-    /// What the planner goes by; low pressure and cycle of the alternation.
+    /// Goals of the planner; low pressure and cycle of the alternation.
     pub goal: Goal,
-    /// What it must keep to.
+    /// Its bounds.
     pub bounds: Bounds,
 }
 
@@ -77,7 +77,7 @@ pub(super) fn read(table: &Table, found: &mut Diagnostics) -> Option<Chosen> {
 }
 
 impl Chosen {
-    /// The policy at work.
+    /// Creates the policy.
     #[must_use]
     pub fn policy(&self, plan: &Plan) -> Box<dyn Policy> {
         let Goal { low, cycle, .. } = self.goal;

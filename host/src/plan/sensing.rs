@@ -1,4 +1,4 @@
-//! `[sensors]`: the surface that a bed is read by, and what it reads of a run.
+//! `[sensors]`: the sensors of a bed's surface, and their readings of a run.
 
 use crate::world::read::value::{Bound, count, number};
 use smartbed_bed::body::mesh::field::AROUND;
@@ -11,27 +11,27 @@ use smartbed_codegen::diagnostic::{Diagnostic, Diagnostics};
 use smartbed_codegen::model::Fields;
 use smartbed_codegen::model::document::Table;
 
-/// Most sites of a finer grid.
+/// Most sites of a grid finer than the sheets.
 const MOST_SITES: f64 = 4e6;
 
-/// A surface of sensors.
+/// Sensors on the surface of a bed.
 #[derive(Clone, Debug)]
 pub struct Sensing {
-    /// One of its sites.
+    /// A site of sensors; all are alike.
     pub site: Site,
-    /// Reads maps.
+    /// The reader of maps.
     pub reader: Reader,
-    /// Of all noise.
+    /// Seed of all noise.
     pub seed: u64,
-    /// Distance of sites (m); none for one a node.
+    /// Distance of sites (m); `None` for one per node.
     pub pitch: Option<f64>,
     /// Moisture (%) and pH of the skin.
     pub skin: [f64; 2],
-    /// They are mounted on the sheets: they weigh there and stand between sheet and skin.
+    /// Are they mounted on the sheets, where they add weight and separate sheet and skin?
     pub is_mounted: bool,
 }
 
-/// What a surface reads of a run.
+/// Readings of a run.
 #[derive(Clone, Debug)]
 pub struct Read {
     /// Rows and columns of sites.
@@ -40,7 +40,7 @@ pub struct Read {
     pub error: f64,
     /// Moisture (%) and pH.
     pub skin: [f64; 2],
-    /// kg of sensors on the bed.
+    /// Mass of the sensors on the bed (kg).
     pub mass: f64,
 }
 
@@ -82,7 +82,7 @@ pub(super) fn read(table: &Table, bed: f64, found: &mut Diagnostics) -> Option<S
     if skin[0] > 100.0 || !(3.0..=9.0).contains(&skin[1]) {
         return refuse("skin has a moisture of 0 to 100 % and a pH of 3 to 9".to_owned(), "moisture = 30");
     }
-    // Two substrates and the gap lie above each other.
+    // The two substrates and the gap are stacked.
     if site.thickness < site.gap + site.shear.height + site.moisture.height {
         return refuse(
             "sensors thinner than what is in them".to_owned(),
@@ -112,7 +112,7 @@ pub(super) fn read(table: &Table, bed: f64, found: &mut Diagnostics) -> Option<S
 }
 
 impl Sensing {
-    /// What they are on sheets with cells of this area (m^2): nothing unless they are mounted.
+    /// Their mass and thickness on sheets with cells of this area (m^2); zero unless they are mounted.
     #[must_use]
     pub fn cover(&self, cell: f64) -> Cover {
         if !self.is_mounted {
@@ -122,7 +122,7 @@ impl Sensing {
         Cover { density, thickness: self.site.thickness }
     }
 
-    /// What is read of the last frame, on the sensors' own grid.
+    /// Readings of the last frame, on the sensors' own grid.
     #[must_use]
     pub fn of(&self, history: &History) -> Option<Read> {
         let (number, last) =

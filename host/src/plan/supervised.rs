@@ -1,9 +1,10 @@
-//! A plan's orders, held against the code that runs in a tile's controller and in the supervisor of several tiles.
+//! Checks a plan's orders by the code that runs in a tile's controller and in the supervisor of several tiles.
 //!
-//! In: a plan, a time. Out: the first order from then on that the tile's controller refuses or the supervisor denies, with its
-//! limit and tile. Each order goes through the controller's own functions (mode, pressure, heights, time of the way) and
-//! through `supervisor::Bed::order`, whose peers hear where every tile stands then. Drives, valves and faults are not
-//! simulated: a tile stands where the plan has told it to, and moves as long as the plan's move lasts.
+//! In: a plan, a time. Out: the first order from then on that the tile's controller refuses or the supervisor denies,
+//! with the limit and the tile. Each order goes through the controller's own functions (mode, pressure, heights, time
+//! of the way) and through `supervisor::Bed::order`, to whose peers the state of every tile at that time is reported.
+//! Drives, valves and faults are not simulated: a tile is where the plan has ordered it to be, and moves as long as the
+//! plan's move lasts.
 
 use smartbed_bed::plan::check::Refusal;
 use smartbed_bed::plan::{Layout, Move, Plan};
@@ -22,12 +23,12 @@ use smartbed_firmware::tile::mode::Mode;
 use smartbed_firmware::tile::motion::{Motion, heights};
 use smartbed_firmware::tile::profile::TICK;
 
-/// Times are sums of steps: a move that ends where another begins is not missed by rounding (s).
+/// Tolerance for times (s), which are sums of steps: a move may begin exactly when another ends.
 const ROUNDING: f64 = 1e-6;
-/// Lengths (m) of a plan and of the controller that differ by less are the same.
+/// Lengths (m) of a plan and of the controller that differ by less count as equal.
 const ALIKE: f64 = 1e-4;
 
-/// The controller's and the supervisor's own decisions.
+/// The supervisor made of the firmware's own code.
 #[derive(Clone, Copy, Debug)]
 pub struct Controller;
 
@@ -37,7 +38,7 @@ impl Supervisor for Controller {
         for told in plan.moves.iter().filter(|m| m.at >= from || m.at + m.over > from) {
             for tile in &told.tiles {
                 let judged = tiles.order(told, *tile);
-                // What began before was let through then.
+                // Earlier orders were checked then.
                 let judged = if told.at >= from { judged } else { Ok(()) };
                 judged.map_err(|what| Refusal { time: told.at, tile: Some(*tile + 1), what })?;
             }
@@ -46,7 +47,7 @@ impl Supervisor for Controller {
     }
 }
 
-/// What is wrong with a bed that the controller is not made for.
+/// Why the controller does not fit this bed; `None` if it does.
 pub(super) fn misfit(layout: &Layout) -> Option<String> {
     let own = [2.0 * f64::from(HALF_SIDES.0), 2.0 * f64::from(HALF_SIDES.1), f64::from(RADIUS)];
     let [x, y] = layout.pitch;
@@ -62,21 +63,21 @@ pub(super) fn misfit(layout: &Layout) -> Option<String> {
 /// Tiles as their supervisor knows them.
 struct Tiles<'a> {
     plan: &'a Plan,
-    /// Row by row from the foot, as y of a pose runs to the head.
+    /// Row by row from the foot, because a pose's y points to the head.
     peers: Vec<Peer>,
-    /// Until when (s) each moves, by the plan's numbers.
+    /// The time (s) until which each tile moves, by its index in the plan.
     until: Vec<f64>,
 }
 
 impl Tiles<'_> {
     fn new(plan: &Plan) -> Tiles<'_> {
         let count = plan.layout.count();
-        // Nothing is sent: any key signs.
+        // Nothing is sent, so that any key will do.
         let peers = (0..count).map(|number| Peer::new(number as u8, Key::new([0; 16]))).collect();
         Tiles { plan, peers, until: vec![f64::NEG_INFINITY; count] }
     }
 
-    /// Where a tile of the plan stands among the peers.
+    /// Index of a tile of the plan among the peers.
     fn place(&self, tile: usize) -> usize {
         let Layout { rows, columns, .. } = self.plan.layout;
         (rows - 1 - tile / columns) * columns + tile % columns
@@ -86,12 +87,12 @@ impl Tiles<'_> {
         if time < self.until[tile] - ROUNDING { Mode::Moving } else { Mode::Ready }
     }
 
-    /// Where a tile stands when moves of that time are told.
+    /// Pose of a tile when the moves of that time are ordered.
     fn pose(&self, tile: usize, time: f64) -> Pose {
         pose(&self.plan.order_before(tile, time).command)
     }
 
-    /// All tiles say where they are.
+    /// Reports the state of all tiles to their peers.
     fn report(&mut self, time: f64) {
         for tile in 0..self.until.len() {
             let heights = self.pose(tile, time).heights(RADIUS);
@@ -109,7 +110,7 @@ impl Tiles<'_> {
         }
     }
 
-    /// One tile's share of a move: what the tile's controller says of it, then the supervisor.
+    /// Checks one tile's part of a move by the tile's controller, then by the supervisor.
     fn order(&mut self, told: &Move, tile: usize) -> Result<(), String> {
         let mode = self.mode(tile, told.at);
         let allow = |command: &Command| mode.allows(command, true, Faults::default()).map_err(refused);
@@ -147,12 +148,12 @@ fn pose(command: &tile::Command) -> Pose {
     Pose { zc: command.heave as f32, tx, ty }
 }
 
-/// A time (s) on the supervisor's clock (ms).
+/// A time (s) in ticks of the supervisor's clock (ms).
 fn ticks(time: f64) -> u32 {
     (time / f64::from(TICK)).round() as u32
 }
 
-/// The tile's controller says no.
+/// The message if the tile's controller refuses.
 fn refused(why: message::Refusal) -> String {
     let most = match why {
         message::Refusal::Stroke => format!(": {:.1} mm up and down at most", 1e3 * STROKE),
@@ -164,7 +165,7 @@ fn refused(why: message::Refusal) -> String {
     format!("its controller refuses: {why:?}{most}")
 }
 
-/// The supervisor says no.
+/// The message if the supervisor denies.
 fn denied(why: Denied) -> String {
     let most = match why {
         Denied::Step => {

@@ -1,4 +1,4 @@
-//! `[run]` and `[dynamics]`: how long, how often, by which clock, how the load comes to lie.
+//! Reads `[run]` and the clock: length and interval of a run, its clock, and how the load is laid on.
 
 use super::{dynamics, load};
 use crate::world::read::value::{Bound, count, number};
@@ -10,10 +10,10 @@ use smartbed_codegen::source::Span;
 
 /// Most equilibria of a run.
 const MOST_EQUILIBRIA: f64 = 100_000.0;
-/// Most parts in which a weight is laid on.
+/// Most steps in which a weight is laid on.
 const MOST_PARTS: usize = 100;
 
-/// When and how.
+/// Length, intervals and clock of a run.
 pub(super) struct Timing {
     pub seconds: f64,
     pub every: f64,
@@ -23,7 +23,7 @@ pub(super) struct Timing {
     pub is_supervised: Option<bool>,
 }
 
-/// Reads `[run]` and `[dynamics]` of a plan; nothing may lie on a bed that moves in f32.
+/// Reads `[run]` and `[dynamics]` of a plan; motion in f32 requires an empty bed.
 pub(super) fn read(plan: &Fields<'_>, is_empty: bool, found: &mut Diagnostics) -> Option<Timing> {
     let empty = Table::default();
     let table = plan.table("run", found).unwrap_or(&empty);
@@ -67,7 +67,7 @@ pub(super) fn read(plan: &Fields<'_>, is_empty: bool, found: &mut Diagnostics) -
     Some(Timing { seconds, every, cycle, clock, laying, is_supervised })
 }
 
-/// What is wrong with times and parts, where, and what to do.
+/// Reports invalid times and parts, with their places and what to do.
 fn wrong_times(
     [seconds, every]: [f64; 2],
     parts: usize,

@@ -1,6 +1,6 @@
-//! An axis: values on pixels, round numbers as ticks, as many digits as they need.
+//! An axis: maps values to pixels, with ticks at round numbers and as many digits as these need.
 
-/// An axis shows no range narrower than this share of its numbers' size.
+/// An axis shows no range narrower than this fraction of its values' size.
 pub const NARROWEST: f64 = 1e-6;
 
 /// Values from `low` to `high` on pixels from `from` to `to`.
@@ -10,15 +10,15 @@ pub struct Axis {
     pub low: f64,
     /// Largest value.
     pub high: f64,
-    /// Where the least stands (pixels).
+    /// Position of the least value (pixels).
     pub from: f64,
-    /// Where the largest stands (pixels).
+    /// Position of the largest value (pixels).
     pub to: f64,
     tick: f64,
 }
 
 impl Axis {
-    /// Around all finite values, with round numbers for ticks, about `ticks` of them.
+    /// An axis that contains all finite values, with about `ticks` ticks at round numbers.
     pub fn around<'a>(
         values: impl Iterator<Item = &'a f64>,
         (from, to): (f64, f64),
@@ -28,7 +28,7 @@ impl Axis {
         let finite = values.copied().filter(|x| x.is_finite());
         let (low, high) = finite.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), x| (l.min(x), h.max(x)));
         let (low, high) = if low <= high { (low, high) } else { (0.0, 1.0) };
-        // A constant still needs a range, wide enough for its ticks to differ in print.
+        // A constant still needs a range wide enough for its tick labels to differ.
         let size = low.abs().max(high.abs());
         let constant = if size > 0.0 { 0.2 * size } else { 1.0 };
         let spread = if high > low { (high - low).max(NARROWEST * size) } else { constant };
@@ -37,13 +37,13 @@ impl Axis {
         Self { low: middle - half, high: middle + half, from, to, tick: round_step(spread / ticks) }
     }
 
-    /// Ten times as wide about the same middle: labels have a digit less.
+    /// Ten times as wide about the same middle: labels have one digit less.
     pub fn widened(self) -> Self {
         let (middle, half) = (0.5 * (self.low + self.high), 5.0 * (self.high - self.low));
         Self { low: middle - half, high: middle + half, tick: round_step(10.0 * self.tick), ..self }
     }
 
-    /// Around sorted values in the middle, at a given number of pixels per unit.
+    /// An axis centred on sorted values, at a given number of pixels per unit.
     pub fn scaled(sorted: &[f64], (from, to): (f64, f64), pixels_per_unit: f64) -> Self {
         let middle = 0.5 * (sorted.first().unwrap_or(&0.0) + sorted.last().unwrap_or(&0.0));
         let half = 0.5 * (to - from).abs() / pixels_per_unit;
@@ -51,13 +51,13 @@ impl Axis {
         Self { low: middle - half, high: middle + half, from, to, tick: round_step(2.0 * half / ticks) }
     }
 
-    /// Where a value stands (pixels).
+    /// Position of a value (pixels).
     #[must_use]
     pub fn place(&self, value: f64) -> f64 {
         self.from + (value - self.low) / (self.high - self.low) * (self.to - self.from)
     }
 
-    /// The round numbers that are written beside it.
+    /// The values of the ticks.
     pub fn ticks(&self) -> impl Iterator<Item = f64> + '_ {
         let first = (self.low / self.tick - 1e-9).ceil();
         let count = ((self.high / self.tick + 1e-9).floor() - first).clamp(0.0, 40.0) as usize;

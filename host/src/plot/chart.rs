@@ -1,21 +1,21 @@
-//! Panels one above the other with one axis across: ticks, grid, curves with marks, events, legend.
+//! Panels one above the other with a common horizontal axis: ticks, grid, curves with marks, events, legend.
 //!
-//! In: a [`Chart`]. Out: a [`Drawing`] in which no two texts overlap: titles and legends are broken by the font's
-//! own widths, a panel is as high as its legend, ticks keep their distance. Curves that cannot be told apart
-//! share one entry of the legend.
+//! In: a [`Chart`]. Out: a [`Drawing`] in which no two texts overlap: titles and legends are wrapped by the font's own
+//! widths, a panel is as high as its legend, ticks keep their distance. Curves that cannot be distinguished share one
+//! entry of the legend.
 
 use super::axis::{Axis, NARROWEST};
 use super::drawing::{Anchor, Color, Drawing, INK, Item, PALE};
 use super::font;
 
-/// Colours told apart by most eyes (Okabe & Ito 2008), the yellow left out.
+/// Colours that most people can distinguish (Okabe & Ito 2008), without the yellow.
 pub const COLORS: [Color; 7] =
     [[0, 114, 178], [213, 94, 0], [0, 158, 115], [204, 121, 167], [86, 180, 233], [230, 159, 0], [0, 0, 0]];
-/// Events.
+/// Colour of events.
 const EVENT: Color = [150, 150, 150];
 const WIDTH: usize = 1000;
 const PANEL: f64 = 220.0;
-/// Height of a panel in which nothing moves.
+/// Height of a panel whose curves are constant.
 const FLAT: f64 = 96.0;
 const GAP: f64 = 30.0;
 const LEFT: f64 = 96.0;
@@ -23,19 +23,19 @@ const LEFT: f64 = 96.0;
 const RIGHT: f64 = 190.0;
 const TOP: f64 = 18.0;
 const BOTTOM: f64 = 56.0;
-/// Letters of ticks and legends.
+/// Letter size of ticks and legends.
 pub const SMALL: f64 = 13.0;
-/// Letters of labels and titles.
+/// Letter size of labels and titles.
 pub const LARGE: f64 = 15.0;
-/// From line to line of a text.
+/// Distance between lines of text.
 const LEADING: f64 = 18.0;
 /// Marks on a curve.
 const MARKS: usize = 9;
 /// Half of a mark's width.
 const MARK: f64 = 3.6;
-/// Curves closer than this share of a panel's height are one to the eye.
+/// Curves closer than this fraction of a panel's height cannot be distinguished.
 const ALIKE: f64 = 0.004;
-/// Curves on each other that are all named; of more the first and the last.
+/// Of up to this many coinciding curves all are named, of more only the first and the last.
 const NAMED: usize = 6;
 /// Most events drawn over the whole height; more are ticks at the upper edge.
 const MOST_EVENTS: usize = 40;
@@ -47,9 +47,9 @@ pub struct Curve {
     pub name: String,
     /// One value per time.
     pub values: Vec<f64>,
-    /// Its colour; else one by its place.
+    /// Its colour; `None` for the one of its index.
     pub color: Option<Color>,
-    /// Its own abscissae; else the common ones.
+    /// Its own abscissae; `None` for the common ones.
     pub across: Option<Vec<f64>>,
 }
 
@@ -67,14 +67,14 @@ impl Curve {
         self.values.iter().filter(|x| x.is_finite()).fold(0.0, |most, x| most.max(x.abs()))
     }
 
-    /// From the least to the largest value; 0 where no axis would show the difference.
+    /// Difference of its largest and least value; 0 if no axis would show it.
     #[must_use]
     pub fn motion(&self) -> f64 {
         let (low, high) = self.range();
         if high - low > NARROWEST * self.size() { high - low } else { 0.0 }
     }
 
-    /// Do the two lie on each other, to within a distance?
+    /// Do the two curves coincide to within a distance?
     #[must_use]
     pub fn is_alike(&self, other: &Self, distance: f64) -> bool {
         let close = |(x, y): (&f64, &f64)| (x - y).abs() <= distance || (x.is_nan() && y.is_nan());
@@ -102,18 +102,18 @@ impl Panel {
     }
 }
 
-/// What is drawn.
+/// Contents of a chart.
 #[derive(Clone, Copy, Debug)]
 pub struct Chart<'a> {
-    /// What it is.
+    /// Title.
     pub title: &'a str,
     /// How it was made; may be empty.
     pub note: &'a str,
-    /// Quantity and unit of the axis across.
+    /// Quantity and unit of the horizontal axis.
     pub across: &'a str,
     /// Common abscissae.
     pub time: &'a [f64],
-    /// From above.
+    /// Panels from top to bottom.
     pub panels: &'a [Panel],
     /// Times of events.
     pub events: &'a [f64],
@@ -162,7 +162,7 @@ fn draw_panel(
     let least = if is_flat { FLAT } else { PANEL };
     let bottom = top + least.max(LEADING * lines as f64 + 12.0).max(font::width(&panel.label, LARGE));
     let mut y = Axis::around([low, high].iter(), (bottom, top), (bottom - top) / 32.0, 0.08);
-    // Labels wider than the margin would stand on the panel's own: motion that small beside its size is flat.
+    // Labels wider than the margin would overlap the panel's label: such a small variation is drawn as constant.
     while widest_label(&y) > LEFT - 8.0 - 18.0 - LARGE && y.high - y.low < 0.01 * low.abs().max(high.abs()) {
         y = y.widened();
     }
@@ -192,7 +192,7 @@ fn widest_label(y: &Axis) -> f64 {
     y.ticks().map(|tick| font::width(&y.label(tick), SMALL)).fold(0.0, f64::max)
 }
 
-/// Curves that lie on each other, each list in order; the first of a list is drawn.
+/// Groups of coinciding curves, each in order; the first of a group is drawn.
 fn groups(panel: &Panel, distance: f64) -> Vec<Vec<usize>> {
     let mut groups: Vec<Vec<usize>> = Vec::new();
     for (number, curve) in panel.curves.iter().enumerate() {
@@ -204,7 +204,7 @@ fn groups(panel: &Panel, distance: f64) -> Vec<Vec<usize>> {
     groups
 }
 
-/// Names of curves that lie on each other, as lines that fit.
+/// Names of coinciding curves, as lines that fit.
 fn legend_lines(panel: &Panel, group: &[usize]) -> Vec<String> {
     let names: Vec<&str> = group.iter().map(|&n| panel.curves[n].name.as_str()).collect();
     let names = match names.as_slice() {
@@ -232,7 +232,7 @@ fn grid(x: &Axis, y: &Axis, is_last: bool, items: &mut Vec<Item>) {
     items.push(line(vec![(l, t), (r, t), (r, b), (l, b), (l, t), (r, t)], INK, 1.0));
 }
 
-/// A tick at the upper edge for every event, and a line through the panel where they are few.
+/// A tick at the upper edge for every event, and a line through the panel if they are few.
 fn events(times: &[f64], x: &Axis, y: &Axis, items: &mut Vec<Item>) {
     let inside: Vec<f64> = times.iter().copied().filter(|t| (x.low..=x.high).contains(t)).collect();
     for at in inside.iter().map(|t| x.place(*t)) {
@@ -255,7 +255,7 @@ fn draw_curve(
     let across = curve.across.as_deref().unwrap_or(time);
     let finite = across.iter().zip(&curve.values).filter(|(t, v)| t.is_finite() && v.is_finite());
     let points: Vec<(f64, f64)> = finite.map(|(t, v)| (x.place(*t), y.place(*v))).collect();
-    // Marks of different curves stand at different places.
+    // Marks of different curves are at different abscissae.
     let step = (points.len() / MARKS).max(1);
     let first = step * (number % COLORS.len()) / COLORS.len() + step / 8;
     let marks: Vec<Item> =
@@ -309,7 +309,7 @@ pub(crate) fn text(at: (f64, f64), text: &str, size: f64, anchor: Anchor) -> Ite
     Item::Text { at, text: text.to_owned(), size, anchor, upwards: false }
 }
 
-/// Puts a drawing under another.
+/// Appends a drawing below another.
 pub fn below(drawing: &mut Drawing, lower: Drawing) {
     let down = drawing.height as f64;
     drawing.items.extend(lower.items.into_iter().map(|item| item.lowered(down)));

@@ -1,8 +1,8 @@
-//! Colours of energies and of what the ledger books, one for each name wherever it is drawn.
+//! Colours of energies and of the ledger's accounts, the same for a name in every drawing.
 
 use super::drawing::Color;
 
-/// The thesis' colours (chapter 5) as Okabe & Ito have them; what it does not draw in darker ones.
+/// The thesis' colours (chapter 5) in the palette of Okabe & Ito; darker ones for quantities that it does not draw.
 const COLORS: [(&str, Color); 14] = [
     ("kinetic", [230, 159, 0]),
     ("gravity", [204, 121, 167]),

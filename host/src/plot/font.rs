@@ -1,16 +1,15 @@
-//! The letters of pictures: Noto Sans (SIL Open Font License, `font/LICENSE-OFL.txt`), its Latin and Greek
-//! letters and the signs of mathematics. Made from release 2.015 by
-//! `pyftsubset NotoSans-Regular.ttf --unicodes=20-7E,A0-17F,370-3FF,2010-2026,2070-2094,2190-2193,2200-2265
-//! --no-hinting`.
+//! The font of pictures: Noto Sans (SIL Open Font License, `font/LICENSE-OFL.txt`), its Latin and Greek letters and the
+//! signs of mathematics. Made from release 2.015 by `pyftsubset NotoSans-Regular.ttf
+//! --unicodes=20-7E,A0-17F,370-3FF,2010-2026,2070-2094,2190-2193,2200-2265 --no-hinting`.
 
 use ttf_parser::Face;
 
-/// Its name in SVG, with others that are as wide.
+/// Its name in SVG, with others of the same width.
 pub const FAMILY: &str = "Noto Sans, Open Sans, Arial, sans-serif";
 
 static FILE: &[u8] = include_bytes!("font/noto_sans.ttf");
 
-/// The font; `None` if its file is no font, which a test excludes.
+/// The font; `None` if its file is invalid, which a test excludes.
 pub(super) fn face() -> Option<Face<'static>> {
     Face::parse(FILE, 0).ok()
 }
@@ -24,7 +23,7 @@ pub fn width(text: &str, size: f64) -> f64 {
     units * size / f64::from(face.units_per_em())
 }
 
-/// The text in lines of at most `most` pixels; broken at spaces, and inside a word that alone is too long.
+/// The text in lines of at most `most` pixels, wrapped at spaces, and inside a word that is too long by itself.
 #[must_use]
 pub fn wrapped(text: &str, size: f64, most: f64) -> Vec<String> {
     let mut lines = vec![String::new()];
@@ -41,7 +40,7 @@ pub fn wrapped(text: &str, size: f64, most: f64) -> Vec<String> {
     lines
 }
 
-/// A word in pieces that fit; names are broken at their joints.
+/// A word in pieces that fit; names are broken between their parts.
 fn pieces(word: &str, size: f64, most: f64) -> Vec<String> {
     let (mut pieces, mut piece) = (Vec::new(), String::new());
     for c in word.chars() {

@@ -1,7 +1,8 @@
 //! Plots of a run: coordinates by unit, and energies, over time; SVG or PNG by the file's name.
 //!
-//! In: recorded rows. [`panels`] says which curves stand together, [`chart`] lays them out as a [`Drawing`] of lines,
-//! shapes and words ([`side`] those of pictures from the side), which [`svg`] and [`png`] (painted by `tiny-skia` with the letters of [`font`]) write.
+//! In: recorded rows. [`panels`] decides which curves share a panel, [`chart`] lays them out as a [`Drawing`] of lines,
+//! shapes and words, [`side`] adds pictures from the side; [`svg`] and [`png`] (painted by `tiny-skia` with the letters of
+//! [`font`]) write the drawing.
 
 mod axis;
 pub mod chart;
@@ -74,7 +75,7 @@ pub enum Format {
     Png,
 }
 
-/// The format that a file's name asks for.
+/// The format by the ending of a file's name.
 ///
 /// # Errors
 /// [`Failure::Wrong`] for any other ending.

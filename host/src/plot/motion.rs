@@ -10,11 +10,11 @@ use super::{Recording, chart::Panel};
 use crate::failure::Failure;
 use smartbed_codegen::model::{Coordinate, Model, SpeedMeaning};
 
-/// Entries of the ledger that are drawn.
+/// Columns of the ledger that are drawn.
 pub const ENERGIES: [&str; 8] =
     ["kinetic", "gravity", "spring", "damping", "actuator", "external", "drive", "total"];
 
-/// What a chart of a run needs beside the rows.
+/// Contents of the chart of a run.
 #[derive(Clone, Copy, Debug)]
 pub struct Motion<'a> {
     /// The model.
@@ -23,13 +23,13 @@ pub struct Motion<'a> {
     pub names: &'a [String],
     /// The rows.
     pub recording: &'a Recording,
-    /// How it was made.
+    /// A note on how the run was made.
     pub note: &'a str,
     /// Times at which a coordinate leaves its declared range or returns.
     pub crossings: &'a [f64],
-    /// Patterns of `--show`; nothing for coordinates and outputs.
+    /// Patterns of `--show`; `None` for coordinates and outputs.
     pub show: Option<&'a str>,
-    /// What rounding leaves of a number of size 1.
+    /// Rounding error of a number of size 1.
     pub noise: f64,
 }
 
@@ -74,9 +74,9 @@ pub(crate) struct Column<'a> {
     pub(crate) name: &'a str,
     /// As the model writes it.
     pub(crate) unit: String,
-    /// SI units in one of it.
+    /// SI units per such unit.
     pub(crate) factor: f64,
-    /// Natural size in SI units; 0 if unknown.
+    /// Typical size in SI units; 0 if unknown.
     pub(crate) natural: f64,
     by_default: bool,
 }
@@ -99,7 +99,7 @@ pub(crate) fn columns(model: &Model, seconds: f64) -> Vec<Column<'_>> {
         }
         SpeedMeaning::Combination(_) => plain(&s.name, &s.unit, false),
     });
-    // An output may repeat a coordinate in closed form.
+    // An output may repeat a coordinate in closed form, which is listed already.
     let is_coordinate = |name: &str| model.coordinates.iter().any(|c| c.name == name);
     let outputs = model.outputs.iter().filter(|o| !is_coordinate(&o.name));
     let outputs = outputs.map(|o| plain(&o.name, &o.unit, true));
@@ -112,7 +112,7 @@ fn plain<'a>(name: &'a str, unit: &str, by_default: bool) -> Column<'a> {
     Column { name, unit: unit.to_owned(), factor: 1.0, natural, by_default }
 }
 
-/// The accounts that something was booked to.
+/// Panels of the ledger's accounts that are not zero.
 fn accounts(motion: &Motion<'_>) -> Vec<Panel> {
     let curve = |name: &str| {
         let values = motion.recording.column(index(motion, name)?);

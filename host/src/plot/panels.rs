@@ -1,29 +1,29 @@
-//! Which curves share a panel: those of one unit, as long as none flattens another.
+//! Decides which curves share a panel: those of one unit, as long as none looks flat beside another.
 //!
-//! In: curves with units, in the author's order. Out: panels. A curve of nothing but rounding noise is 0.
+//! In: curves with units, in the author's order. Out: panels. Curves that consist of rounding errors are set to 0.
 
 use super::chart::{Curve, Panel};
 
-/// A panel may be this many times as high as the motion of a curve in it.
+/// A panel's height may be at most this multiple of the variation of any curve in it.
 const FLATTENED: f64 = 15.0;
-/// Different curves in one panel that a reader can tell apart: as many as there are marks.
+/// Most different curves in one panel: as many as there are marks.
 const CURVES: usize = 7;
 
-/// Curves closer than this share of their size are one look.
+/// Curves closer than this fraction of their size count as one.
 const ALIKE: f64 = 1e-9;
 
-/// A curve and its unit as shown, with what counts as noise in it.
+/// A curve with its unit as shown and its typical size.
 #[derive(Clone, Debug)]
 pub struct Shown {
     /// The curve.
     pub curve: Curve,
     /// Unit.
     pub unit: String,
-    /// The size that numbers of this unit have by nature (1 for an angle in rad); 0 if unknown.
+    /// Typical size of a quantity of this unit (1 for an angle in rad); 0 if unknown.
     pub natural: f64,
 }
 
-/// Panels of curves; `noise` is what rounding leaves of a number of size 1.
+/// Panels of curves; `noise` is the rounding error of a number of size 1.
 #[must_use]
 pub fn of(shown: Vec<Shown>, noise: f64) -> Vec<Panel> {
     let mut units: Vec<(String, Vec<Shown>)> = Vec::new();
@@ -36,7 +36,7 @@ pub fn of(shown: Vec<Shown>, noise: f64) -> Vec<Panel> {
     units.into_iter().flat_map(|(unit, list)| of_unit(&label(&unit), quiet(list, noise))).collect()
 }
 
-/// The curves of one unit, noise set to 0: what is small beside the largest of them and beside its nature.
+/// The curves of one unit. Those are set to 0 that are rounding errors relative to the largest and to the typical size.
 fn quiet(list: Vec<Shown>, noise: f64) -> Vec<Curve> {
     let largest = list.iter().map(|s| s.curve.size().max(s.natural)).fold(0.0, f64::max);
     let silence = |mut curve: Curve| {
@@ -48,9 +48,9 @@ fn quiet(list: Vec<Shown>, noise: f64) -> Vec<Curve> {
     list.into_iter().map(|s| silence(s.curve)).collect()
 }
 
-/// Panels in which every motion is at least a fifteenth of the height; curves at rest join where they fit.
+/// Panels in which each varying curve takes at least a fifteenth of the height; constant curves join where they fit.
 fn of_unit(label: &str, curves: Vec<Curve>) -> Vec<Panel> {
-    // The largest motions first: what they leave over is finer.
+    // The curves with the largest variation first.
     let mut order: Vec<usize> = (0..curves.len()).collect();
     order.sort_by(|&a, &b| curves[b].motion().total_cmp(&curves[a].motion()));
     let mut panels: Vec<Vec<usize>> = Vec::new();
@@ -79,7 +79,7 @@ fn of_unit(label: &str, curves: Vec<Curve>) -> Vec<Panel> {
                 None => looks.push(vec![curve]),
             }
         }
-        // As many in each as there are marks, shared out evenly.
+        // At most as many in each as there are marks, evenly distributed.
         let parts = looks.len().div_ceil(CURVES);
         for part in looks.chunks(looks.len().div_ceil(parts)) {
             split.push(Panel { label: label.to_owned(), curves: part.concat() });
@@ -146,7 +146,7 @@ mod tests {
     fn rounding_noise_is_zero() {
         let panels = of(vec![shown("noise", "rad", |t| 1e-16 * (37.0 * t).sin())], 1e-12);
         assert!(panels[0].curves[0].values.iter().all(|x| *x == 0.0));
-        // A small motion of a small mechanism is none.
+        // A variation that is rounding for a mechanism of this size is set to 0.
         let panels = of(vec![shown("small", "m", |t| 1e-16 * t.sin())], 1e-12);
         assert!(panels[0].curves[0].values.iter().any(|x| *x != 0.0));
     }
@@ -155,7 +155,7 @@ mod tests {
     fn many_curves_are_shared_out() {
         let list = (0..10).map(|n| shown(&n.to_string(), "rad", move |t| (t + f64::from(n)).sin())).collect();
         assert_eq!(of(list, 1e-12).iter().map(|p| p.curves.len()).collect::<Vec<_>>(), [5, 5]);
-        // Curves on each other take one place.
+        // Coinciding curves count as one.
         let list = (0..20).map(|n| shown(&n.to_string(), "rad", |t| t.sin())).collect();
         assert_eq!(of(list, 1e-12).len(), 1);
     }

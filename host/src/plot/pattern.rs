@@ -1,12 +1,12 @@
-//! Names by patterns, as `--show 'h*,u_*'` gives them: `*` stands for any letters, `?` for one.
+//! Selects names by patterns such as `--show 'h*,u_*'`: `*` stands for any letters, `?` for one.
 
 use crate::failure::Failure;
 use crate::suggest;
 
-/// The names that one of the patterns between commas fits, in the names' order.
+/// The names that match one of the patterns separated by commas, in the names' order.
 ///
 /// # Errors
-/// [`Failure::Wrong`] for a pattern that fits none.
+/// [`Failure::Wrong`] for a pattern that matches none.
 pub fn chosen<'a>(patterns: &str, names: &[&'a str]) -> Result<Vec<&'a str>, Failure> {
     let patterns: Vec<&str> = patterns.split(',').map(str::trim).filter(|p| !p.is_empty()).collect();
     if let Some(wrong) = patterns.iter().find(|p| !names.iter().any(|n| fits(p, n))) {
@@ -16,7 +16,7 @@ pub fn chosen<'a>(patterns: &str, names: &[&'a str]) -> Result<Vec<&'a str>, Fai
     Ok(names.iter().copied().filter(|n| patterns.iter().any(|p| fits(p, n))).collect())
 }
 
-/// Does the pattern fit the whole name? At each `*` the shortest way is tried first, and lengthened later.
+/// Does the pattern match the whole name? Each `*` first matches as little as possible, then more (backtracking).
 fn fits(pattern: &str, name: &str) -> bool {
     let (pattern, name): (Vec<char>, Vec<char>) = (pattern.chars().collect(), name.chars().collect());
     let (mut p, mut n, mut star) = (0, 0, None);

@@ -5,13 +5,13 @@ use super::font;
 use tiny_skia::{FillRule, LineCap, LineJoin, Paint, Path, PathBuilder, Pixmap, Stroke, Transform};
 use ttf_parser::{Face, OutlineBuilder};
 
-/// Pixels of the file per pixel of the drawing: screens have more dots than they had.
+/// Pixels of the file per pixel of the drawing, for screens of high resolution.
 pub const SCALE: u32 = 2;
 
-/// The file.
+/// The contents of the file.
 ///
 /// # Errors
-/// In words, if there is no memory for so many pixels.
+/// A message if there is not enough memory for the pixels.
 pub fn bytes(drawing: &Drawing) -> Result<Vec<u8>, String> {
     let size = |n: usize| u32::try_from(n).unwrap_or(u32::MAX).saturating_mul(SCALE);
     let (width, height) = (size(drawing.width), size(drawing.height));
@@ -71,7 +71,7 @@ fn polygon(points: &[(f64, f64)], closed: bool) -> Option<Path> {
     path.finish()
 }
 
-/// From the text's left end on its base line to its place.
+/// Transformation from the start of the text's base line to its position in the drawing.
 fn placed((x, y): (f64, f64), width: f64, size: f64, anchor: Anchor, upwards: bool) -> Transform {
     let back = match anchor {
         Anchor::Start => 0.0,
@@ -84,7 +84,7 @@ fn placed((x, y): (f64, f64), width: f64, size: f64, anchor: Anchor, upwards: bo
     base.post_concat(turn).post_translate(x as f32, y as f32)
 }
 
-/// Outlines of a text from its left end on, the base line at 0.
+/// Outlines of a text that starts at 0 on the base line.
 fn letters(face: &Face<'_>, text: &str, size: f64) -> Option<Path> {
     let scale = size as f32 / f32::from(face.units_per_em());
     let mut outline = Outline { path: PathBuilder::new(), x: 0.0, scale };
@@ -97,7 +97,7 @@ fn letters(face: &Face<'_>, text: &str, size: f64) -> Option<Path> {
     outline.path.finish()
 }
 
-/// Takes outlines over, upside down: a font's y points up.
+/// Collects outlines with y downwards; a font's y is upwards.
 struct Outline {
     path: PathBuilder,
     x: f32,

@@ -50,9 +50,10 @@ pub fn items(items: &[Item]) -> String {
                 } else {
                     String::new()
                 };
-                // Letters are centred by hand: renderers disagree about `dominant-baseline`.
+                // Vertical centring is computed here: renderers disagree about `dominant-baseline`.
                 let base = y + 0.35 * size;
-                // Another font may be wider: its letters move together, and words stay where they have room.
+                // If another font is wider, letters move closer together, but words keep their place where there is
+                // room.
                 let length = font::width(text, *size);
                 let _ = writeln!(
                     svg,
@@ -71,7 +72,7 @@ fn hex([r, g, b]: Color) -> String {
     format!("#{r:02x}{g:02x}{b:02x}")
 }
 
-/// Text without what XML and HTML read as markup, also between quotes.
+/// Text with the characters escaped that XML and HTML read as markup, also inside quotes.
 #[must_use]
 pub fn escaped(text: &str) -> String {
     let mut out = String::with_capacity(text.len());

@@ -1,4 +1,4 @@
-//! A scene of a flexible body under measurement.
+//! A scene of a flexible body as a subject of the report.
 
 use super::clock::{Deadline, Stop};
 use super::point::Control;
@@ -17,14 +17,14 @@ use smartbed_codegen::words::count;
 use smartbed_runtime::real::Scalar;
 use std::time::Duration;
 
-/// Part of the largest stable step with which a ladder begins.
+/// Fraction of the largest stable step with which a ladder begins.
 const STABLE: f64 = 0.9;
-/// Where there is free fall, adaptive methods are stopped at least so often (s): nothing there tells them of
-/// the stable step, and beyond it rounding grows.
+/// In free fall, adaptive methods use at most this step (s): their error estimate does not see the stable step there,
+/// and beyond it rounding errors grow.
 const OUTER_STEP: f64 = 1e-2;
-/// The references' outer step (s): rounding is amplified less.
+/// Largest step of the references (s), so that rounding is amplified less.
 const REFERENCE_STEP: f64 = 1e-3;
-/// Springs stepped between two looks at the clock.
+/// Springs stepped between two checks of the clock.
 const LOOK: usize = 20_000;
 /// Rows of a graph.
 const ROWS: usize = 500;
@@ -48,7 +48,7 @@ impl Body {
         Ok(Self { name: name.to_owned(), path: path.to_owned(), settings: settings.to_vec(), scene })
     }
 
-    /// What was read.
+    /// The scene as read.
     #[must_use]
     pub fn scene(&self) -> &Scene {
         &self.scene
@@ -56,7 +56,7 @@ impl Body {
 
     fn with(&self, method: &str, tolerance: f64, step: f64) -> Result<Scene, String> {
         let mut variation = vec![format!("step={step:e}")];
-        // Moreau's law has no method to be named: it steps by itself.
+        // Moreau's law is a time-stepping scheme of its own: there is no method to be named.
         if method != "moreau" {
             variation.push(format!("method={method}"));
         }
@@ -90,9 +90,9 @@ impl Body {
     }
 }
 
-/// Steps to the end, `steps` to a sample.
+/// Steps to the end, with `steps` per sample.
 fn trace<S: Scalar>(scene: &Scene, steps: usize, limit: Duration) -> Result<Trace, Stop> {
-    // To look at the clock costs as much as a hundred springs: seldom is enough.
+    // A check of the clock costs as much as a hundred springs.
     let looks = (LOOK / scene.lists.springs.len().max(1)).max(1);
     let deadline = Deadline::within(limit);
     let mut simulation =

@@ -9,10 +9,10 @@ use crate::failure::Failure;
 use crate::firmware;
 use std::time::{Duration, Instant};
 
-/// Steps that an image runs.
+/// Steps run by an image.
 const STEPS: u32 = 200;
 
-/// Where costs on the chip come from, as long as they can be had.
+/// Measures costs on the chip, as long as tools and time allow.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Chip {
     end: Instant,
@@ -26,13 +26,13 @@ impl Chip {
         Self { end: Instant::now() + time, lacking: None }
     }
 
-    /// None at all, and why.
+    /// Measures nothing, for this reason.
     #[must_use]
     pub fn none(why: &str) -> Self {
         Self { end: Instant::now(), lacking: Some(why.to_owned()) }
     }
 
-    /// Why there are no costs, if nothing can be measured any more.
+    /// The reason, if nothing can be measured any more.
     #[must_use]
     pub fn lacking(&self) -> Option<&str> {
         self.lacking.as_deref()
@@ -41,7 +41,7 @@ impl Chip {
     /// Builds and runs an image.
     ///
     /// # Errors
-    /// Why it could not be done.
+    /// A message if it could not be done.
     pub fn measure(&mut self, name: &str, method: &str, variant: &Variant) -> Result<ChipCost, String> {
         if let Some(why) = &self.lacking {
             return Err(why.clone());
@@ -77,8 +77,8 @@ impl Chip {
         })
     }
 
-    /// Fills in the sections' costs: every method of fixed step of a scene; a mechanism has one, rk4 at 1 ms.
-    /// Method after method over all subjects: where time ends, every subject has some.
+    /// Fills in the sections' costs: every method of fixed step for a scene; rk4 at 1 ms for a mechanism. Goes method
+    /// by method over all subjects, so that every subject has some when time runs out.
     pub fn add(&mut self, subjects: &[Box<dyn Subject>], sections: &mut [Section]) {
         let methods: Vec<Vec<String>> = subjects.iter().map(|s| methods(s.as_ref())).collect();
         for n in 0..methods.iter().map(Vec::len).max().unwrap_or(0) {
@@ -88,7 +88,7 @@ impl Chip {
                 let set = if is_body { vec![format!("method={method}")] } else { Vec::new() };
                 match self.measure(subject.name(), method, &Variant { set, everything: false }) {
                     Ok(cost) => section.chip.push(cost),
-                    // What nothing can be done about is said once, at the head of the report.
+                    // A lack of tools is stated once, at the head of the report.
                     Err(_) if self.lacking.is_some() => return,
                     Err(why) => section.notes.push(format!("{method} on the chip: {}", first_line(&why))),
                 }
@@ -97,12 +97,12 @@ impl Chip {
     }
 }
 
-/// Those that an image can have.
+/// The methods for which an image can be built.
 fn methods(subject: &dyn Subject) -> Vec<String> {
     match subject.kind() {
         Kind::Body => subject.methods().into_iter().filter(|m| !m.adaptive).map(|m| m.name).collect(),
         Kind::Mechanism => vec!["rk4".to_owned()],
-        // Its image has as many nodes as the memory carries: another world than the one measured.
+        // Its image would have as many nodes as fit into the memory: a different world from the one measured.
         Kind::World => Vec::new(),
     }
 }

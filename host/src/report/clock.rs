@@ -1,8 +1,8 @@
-//! Computing time of this thread: what other programs do meanwhile does not count.
+//! Computing time of this thread, which does not include that of other programs.
 
 use std::time::Duration;
 
-/// A time of computing that is not exceeded by much.
+/// A limit on computing time.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Deadline {
     end: Duration,
@@ -10,29 +10,29 @@ pub struct Deadline {
 }
 
 impl Deadline {
-    /// From now on.
+    /// Begins now.
     #[must_use]
     pub fn within(limit: Duration) -> Self {
         Self { end: now() + limit, limit }
     }
 
-    /// [`Stop::Late`] at simulated time `t` (s), if it is over.
+    /// Checks the limit at simulated time `t` (s).
     ///
     /// # Errors
-    /// That.
+    /// [`Stop::Late`] if it is exceeded.
     pub fn check(&self, t: f64) -> Result<(), Stop> {
         if now() > self.end { Err(Stop::Late { reached: t, limit: self.limit }) } else { Ok(()) }
     }
 }
 
-/// Why a run ended early.
+/// Reasons for which a run ended early.
 #[derive(Clone, PartialEq, Debug)]
 pub enum Stop {
-    /// It took too long.
+    /// It exceeded its computing time.
     Late {
-        /// Simulated time that it came to (s).
+        /// Simulated time reached (s).
         reached: f64,
-        /// The computing time that it had.
+        /// The limit.
         limit: Duration,
     },
     /// A step was refused, in words.
@@ -56,7 +56,7 @@ impl std::fmt::Display for Stop {
     }
 }
 
-/// Time that the processor has spent on this thread.
+/// Processor time of this thread.
 #[cfg(unix)]
 #[must_use]
 pub fn now() -> Duration {
@@ -66,7 +66,7 @@ pub fn now() -> Duration {
     Duration::new(seconds, u32::try_from(time.tv_nsec).unwrap_or(0))
 }
 
-/// Time since the first call: there is nothing better here.
+/// Wall-clock time since the first call: this system offers nothing better.
 #[cfg(not(unix))]
 #[must_use]
 pub fn now() -> Duration {

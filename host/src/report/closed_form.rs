@@ -1,4 +1,4 @@
-//! Exact motions of scenes that have one.
+//! Exact motions of the scenes that have a closed form.
 //!
 //! Regular polygon let go stretched, without gravity: its radius swings as r'' = -w^2 (r - r_rest) with
 //! w^2 = 4 K sin^2(pi/n)/m. Vertical spring of two equal masses: harmonic in the air (relative motion,
@@ -9,7 +9,7 @@ use crate::scene::Scene;
 use smartbed_runtime::contact::ContactLaw;
 use std::time::Duration;
 
-/// The motion of a scene of this name, if it is one of those.
+/// The exact motion if the scene of this name has one.
 #[must_use]
 pub fn of(name: &str, scene: &Scene, seconds: f64) -> Option<(&'static str, Trace)> {
     let undamped = scene.around.air_drag == 0.0 && scene.lists.damping.iter().all(|c| *c == 0.0);
@@ -67,7 +67,7 @@ impl Bouncing {
         })
     }
 
-    /// Places of both masses at rising times.
+    /// Positions of both masses at increasing times.
     fn at(&self, times: impl Iterator<Item = f64>) -> Vec<Vec<f64>> {
         let (mut begin, mut state, mut held) = (0.0, [self.start[0], self.start[1], 0.0, 0.0], false);
         let mut end = self.phase_end(state, held);
@@ -106,14 +106,14 @@ impl Bouncing {
         [centre - half, centre + half, fall - 0.5 * rate, fall + 0.5 * rate]
     }
 
-    /// Time until the lower mass touches, or the ground would have to pull it.
+    /// Time until the lower mass touches the ground, or until the ground would have to pull it.
     fn phase_end(&self, state: State, held: bool) -> f64 {
         let release = self.length + self.mass * self.gravity / self.stiffness;
         let guard = |t: f64| {
             let [low, high, ..] = self.after(state, held, t);
             if held { release - high } else { low }
         };
-        // Fine against the fastest oscillation: no touch hides between two times.
+        // Fine relative to the fastest oscillation, so that no touch is missed between two times.
         let stride = 0.01 / (2.0 * self.stiffness / self.mass).sqrt();
         let mut n = 1_u32;
         while guard(f64::from(n) * stride) > 0.0 && f64::from(n) * stride < 100.0 {
@@ -130,10 +130,11 @@ impl Bouncing {
         late
     }
 
-    /// The impact: the lower mass stops, the upper one takes its energy; does the ground hold the lower one?
+    /// The impact: the lower mass stops, the upper one takes its energy. Returns whether the ground then holds the
+    /// lower one.
     fn touch(&self, [_, high, v_low, v_high]: State) -> (State, bool) {
         let speed = v_low.hypot(v_high);
-        // Downwards, unless the upper mass already rises or the ground would have to pull.
+        // Downwards, unless the upper mass is already rising or the ground would have to pull.
         let down = v_high <= 0.0 && -v_low - v_high - speed >= 0.0;
         let v_high = if down { -speed } else { speed };
         let pushes = self.mass * self.gravity - self.stiffness * (high - self.length) > 0.0;

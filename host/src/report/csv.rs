@@ -1,4 +1,4 @@
-//! All points as CSV: a row per run, its command last.
+//! All points as CSV: one row per run, its command in the last column.
 
 use super::point::{Control, Report};
 use crate::number::digits;

@@ -2,8 +2,8 @@
 
 use super::point::Point;
 
-/// Is `a` no worse than `b` in error and time, and better in one? Errors stand at the reference's certainty at least,
-/// everybody's: nobody is ahead by rounding.
+/// Is `a` no worse than `b` in error and time, and better in one? Errors have been raised to the reference's certainty
+/// before, so that none is better by rounding alone.
 #[must_use]
 pub fn dominates(a: &Point, b: &Point) -> bool {
     let no_worse = a.error <= b.error && a.nanoseconds <= b.nanoseconds;

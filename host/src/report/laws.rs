@@ -1,8 +1,9 @@
-//! The table law x method measured: two springs on top of each other fall, touch and leave, with every law and method.
+//! The table of laws and methods, measured: two springs on top of each other fall, touch and leave, with every law and
+//! method.
 //!
-//! Error: the largest of any position at the end, its mean over several heights of the fall, so that a touch falls
-//! elsewhere in its step each time; against Dormand-Prince 8(5,3) at 1e-13 (Moreau's law: against itself, 128
-//! times finer). Order: slope of error over step, of adaptive methods over work.
+//! Error: the largest of any position at the end, averaged over several heights of the fall so that the touch occurs at
+//! different places within a step; against Dormand-Prince 8(5,3) at 1e-13 (Moreau's law: against itself, 128 times
+//! finer). Order: slope of error over step, for adaptive methods over work.
 
 use super::front::slope;
 use super::point::Table;
@@ -12,13 +13,13 @@ use crate::scene::{Scene, Simulation, parse};
 
 /// Heights of the fall (m).
 const HEIGHTS: [f64; 9] = [0.1, 0.1037, 0.1071, 0.1113, 0.1159, 0.1191, 0.1213, 0.1267, 0.1289];
-/// Length of a run (s): the first touches and releases.
+/// Length of a run (s): it contains the first touches and releases.
 const SECONDS: f64 = 0.32;
-/// Steps of the coarsest run, and runs, each of twice as many.
+/// Steps of the coarsest run, and number of runs, each with twice as many steps as the one before.
 const STEPS: (u32, u32) = (80, 7);
 /// Tolerances 10^-n of an adaptive method.
 const TOLERANCES: std::ops::Range<i32> = 6..13;
-/// Errors that are neither rounding nor too coarse for the line (m).
+/// Errors in the asymptotic range: above rounding, below those of coarse steps (m).
 const LINE: std::ops::Range<f64> = 2e-12..3e-3;
 
 /// One entry of the table and what was observed of it.
@@ -28,9 +29,9 @@ pub struct Observation {
     pub row: Row,
     /// The method.
     pub method: &'static str,
-    /// What the table says.
+    /// The table's entry.
     pub entry: Entry,
-    /// Order observed and the number of runs on its line, unless it is refused.
+    /// Order observed and the number of runs used, unless the combination is refused.
     pub observed: Option<(f64, usize)>,
 }
 
@@ -49,7 +50,7 @@ pub fn scene(row: &Row, height: f64, settings: &[String]) -> Result<Scene, Strin
         "massless_point" => "law = \"massless_point\"",
         _ => "law = \"compensation\"\nanchor = false",
     };
-    // A ground that dissipates is damped without dampers.
+    // A ground that dissipates makes the scene damped without dampers.
     let dampers = if row.damped && !matches!(row.law, "hunt_crossley" | "moreau") { 2.0 } else { 0.0 };
     let unstable = if row.law == "moreau" { "" } else { "allow_unstable = true\n" };
     let text = format!(
@@ -61,7 +62,7 @@ pub fn scene(row: &Row, height: f64, settings: &[String]) -> Result<Scene, Strin
 
 fn settings(method: &str, step: f64, tolerance: Option<f64>) -> Vec<String> {
     let mut settings = vec![format!("step={step:e}")];
-    // Moreau's law steps by itself.
+    // Moreau's law is a time-stepping scheme of its own: there is no method to be named.
     settings.extend((method != "moreau").then(|| format!("method={method}")));
     settings.extend(tolerance.map(|e| format!("tolerance={e:e}")));
     settings
@@ -111,7 +112,7 @@ fn observe_one(row: &Row, truth: &[Vec<f64>], method: &str, adaptive: bool) -> R
 /// Measures the whole table.
 ///
 /// # Errors
-/// An entry that the table allows and a run refuses.
+/// A message if a run refuses an entry that the table allows.
 pub fn observe() -> Result<Vec<Observation>, String> {
     let mut all = Vec::new();
     for row in TABLE {
@@ -133,7 +134,7 @@ pub fn observe() -> Result<Vec<Observation>, String> {
     Ok(all)
 }
 
-/// A row per law, a column per method: observed order, the stated one in brackets, `-` where it is refused.
+/// One row per law, one column per method: observed order, the stated one in brackets, `-` if it is refused.
 #[must_use]
 pub fn table(observations: &[Observation], command: &str) -> Table {
     let mut columns = vec!["law".to_owned()];

@@ -28,7 +28,7 @@ pub fn text(report: &Report) -> String {
     text
 }
 
-/// Everything but the points.
+/// The text without the points.
 #[must_use]
 pub fn results(report: &Report) -> String {
     let mut text = format!(
@@ -50,7 +50,7 @@ fn tables(text: &mut String, report: &Report) {
     report.tables.iter().for_each(|t| push(text, t));
 }
 
-/// The fastest way to a given error, subject by subject.
+/// The fastest method for a given error, subject by subject.
 #[must_use]
 pub fn summary(report: &Report) -> Table {
     let mut columns = vec!["subject".to_owned(), "simulated".to_owned(), "reference sure to".to_owned()];
@@ -68,7 +68,7 @@ pub fn summary(report: &Report) -> Table {
     Table { title: "The fastest way to an error".to_owned(), columns, rows, command: report.command.clone() }
 }
 
-/// The fastest point within an error.
+/// The fastest point with at most this error.
 fn cheapest(section: &Section, error: f64) -> Option<&Point> {
     let fits = section.points.iter().filter(|p| p.error <= error);
     fits.min_by(|a, b| a.nanoseconds.total_cmp(&b.nanoseconds))
@@ -79,13 +79,13 @@ fn way(point: &Point) -> String {
     format!("{} {}{control}: {}", point.method, point.scalar, duration(point.nanoseconds))
 }
 
-/// At most four digits.
+/// Rounded to at most four digits.
 #[must_use]
 pub fn short(x: f64) -> f64 {
     format!("{x:.3e}").parse().unwrap_or(x)
 }
 
-/// Nanoseconds with a unit.
+/// Nanoseconds as text with a suitable unit.
 #[must_use]
 pub fn duration(nanoseconds: f64) -> String {
     let units = [(1e9, "s"), (1e6, "ms"), (1e3, "us"), (1.0, "ns")];
@@ -139,13 +139,13 @@ pub fn points(section: &Section) -> Table {
     }
 }
 
-/// An error, or the reference's certainty where it is not larger.
+/// The error, or the reference's certainty if that is larger.
 fn error(error: f64, section: &Section) -> String {
     let sign = if error <= section.reference.certainty() { "<= " } else { "" };
     format!("{sign}{error:.2e}")
 }
 
-/// On the front? Of another simulator?
+/// Marks points on the front and those of other simulators.
 fn standing(point: &Point) -> &'static str {
     match (point.front, point.is_peer) {
         (true, true) => "front, peer",
@@ -196,7 +196,7 @@ fn push_rows(text: &mut String, table: &Table) {
     text.push('\n');
 }
 
-/// A cell of a table. What stands between back ticks is code, in which a bar would still end the cell.
+/// Escapes a cell. A bar would end the cell even inside code between backticks.
 fn cell(text: &str) -> String {
     match text.strip_prefix('`').and_then(|text| text.strip_suffix('`')) {
         Some(code) => markdown_code(code).replace('|', "\\|"),

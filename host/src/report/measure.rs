@@ -1,7 +1,8 @@
 //! Runs a subject with every method and a ladder of steps, in f64 and f32.
 //!
-//! In: a subject, its reference, a plan. Out: points. A ladder ends where rounding takes over, where a
-//! run would take longer than the plan allows, or where its share of the time is used up.
+//! In: a subject, its reference, a plan. Out: points. A ladder is a sequence of ever finer steps or tolerances. It ends
+//! where rounding dominates, where a run would take longer than the plan allows, or where its share of the time is used
+//! up.
 
 use super::clock::{self, Stop};
 use super::plan::Plan;
@@ -11,17 +12,17 @@ use super::subject::{Method, Subject, Time, Trace};
 use crate::engine::ScalarKind;
 use std::time::Duration;
 
-/// Shorter runs are repeated: the fastest of three counts.
+/// Runs shorter than this are repeated, and the fastest of three counts.
 const SHORT: Duration = Duration::from_millis(5);
 const REPEATS: usize = 3;
-/// A run that takes so many times what is expected of the longest one is ended.
+/// A run is ended if it takes this many times the plan's limit for a run.
 const LONGEST: u32 = 8;
-/// An error above this share of the motion's size is no answer.
+/// A run whose error is above this fraction of the motion's size is discarded.
 const NONSENSE: f64 = 0.3;
-/// Two finer steps in a row that do not lower the least error to this share have met rounding.
+/// Rounding dominates if two finer steps in a row do not reduce the least error to this fraction.
 const GAIN: f64 = 0.7;
 
-/// What the ladders gave.
+/// Results of all ladders.
 #[derive(Clone, PartialEq, Debug, Default)]
 pub struct Measured {
     /// Points, in order of method and step.
@@ -30,8 +31,8 @@ pub struct Measured {
     pub notes: Vec<String>,
 }
 
-/// Measures a subject. What is left of the time is shared evenly by the ladders that are left: one that took longer
-/// than its share costs all later ones a little, not the next one everything.
+/// Measures a subject. The remaining time is shared evenly by the remaining ladders: if one takes longer than its
+/// share, all later ones lose a little instead of the next one everything.
 #[must_use]
 pub fn measure(subject: &dyn Subject, truth: &Truth, plan: &Plan) -> Measured {
     let mut measured = Measured::default();
@@ -71,7 +72,7 @@ fn ladder(
                 refusal = Some(why);
                 continue;
             }
-            // A finer one would take longer.
+            // A finer rung would take even longer.
             Err(late @ Stop::Late { .. }) => {
                 refusal = Some(late.to_string());
                 break;
@@ -84,7 +85,7 @@ fn ladder(
         }
         taken += 1;
         measured.points.push(point(subject, truth, plan, method, rung.control, scalar, error, &trace));
-        // A tolerance that asks for no more work says nothing about rounding.
+        // A tolerance that takes no more evaluations does not show whether rounding dominates.
         let worked = trace.evaluations.is_none_or(|e| last_work.is_none_or(|last| e > last));
         idle = if error <= GAIN * least { 0 } else { idle + usize::from(worked) };
         last_work = trace.evaluations;
@@ -98,7 +99,7 @@ fn ladder(
     }
 }
 
-/// Error and run; the fastest of several, if it is short.
+/// Error and trace of a run; the fastest of several, if it is short.
 ///
 /// # Errors
 /// Why it stopped.
@@ -153,7 +154,7 @@ fn point(
     }
 }
 
-/// Largest distance of a coordinate from where it is at another sample: the motion's size.
+/// Size of the motion: the largest change of a coordinate between two samples.
 #[must_use]
 pub fn extent(truth: &Truth) -> f64 {
     let n = truth.trace.samples.first().map_or(0, Vec::len);

@@ -1,4 +1,4 @@
-//! A mechanism under measurement.
+//! A mechanism as a subject of the report.
 
 use super::clock;
 use super::clock::{Deadline, Stop};
@@ -28,9 +28,9 @@ use smartbed_runtime::ode::step_size::Tolerance;
 use smartbed_runtime::ode::{DormandPrince, dormand_prince};
 use std::time::Duration;
 
-/// A ladder of steps begins at this many steps of the model's own length.
+/// A ladder begins at this multiple of the model's own step.
 const COARSE: f64 = 32.0;
-/// Steps between two looks at the clock, which cost as much as a short step.
+/// Steps between two checks of the clock: a check costs as much as a short step.
 const LOOK: usize = 1024;
 /// Rows of a graph.
 const ROWS: f64 = 500.0;
@@ -76,7 +76,7 @@ impl Mechanism {
         self.settings.row_interval()
     }
 
-    /// Other equations of the same mechanism under its laws.
+    /// A plant with other equations of the same mechanism, under its laws.
     fn plant_of(&self, program: &Program) -> Result<Plant64, String> {
         let engine = engine::new::<f64>(self.engine, program).map_err(|e| e.to_string())?;
         Ok(Plant::new(engine, program, &self.observers))
@@ -136,7 +136,7 @@ impl Mechanism {
                         let before = t;
                         match adaptive.advance_to(&mut plant, &mut t, end, LOOK as u32, &mut state) {
                             Ok(_) => break,
-                            // So many steps were not enough; but some were made.
+                            // The limit of steps was reached, but time advanced.
                             Err(Fault::StepSize) if t > before => deadline.check(t.to_f64())?,
                             Err(fault) => return Err(refused(fault).into()),
                         }
@@ -196,7 +196,7 @@ impl Subject for Mechanism {
         }
     }
 
-    /// Without projections: at this tolerance the constraints stay met to the rounding of the coordinates.
+    /// Without projections: at this tolerance the constraints remain satisfied up to rounding.
     fn reference(&self, Time { seconds, limit }: Time) -> Result<Trace, Stop> {
         let deadline = Deadline::within(limit);
         let mut plant: Plant64 = self.plant(EngineKind::Interpreter)?;

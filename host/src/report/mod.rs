@@ -1,9 +1,9 @@
 //! `smartbed report`: speed against error, for every scene and mechanism, method, step and scalar.
 //!
 //! Subjects ([`subject`]: [`body`], [`mechanism`], [`world`]) get a [`mod@reference`], are run over a ladder of steps
-//! ([`plan`], [`measure`]) and become points ([`point`]), of which the [`front`] is marked; [`order`]s are
-//! observed, costs taken on the [`chip`] and put on a [`sheet`], other simulators set beside ours ([`peers`]). The
-//! renderings know points alone: [`markdown`], [`csv`], [`json`], [`work_precision`] plots, one [`page`].
+//! ([`plan`], [`measure`]) and become points ([`point`]), of which the [`front`] is marked; [`order`]s are observed,
+//! costs are measured on the [`chip`] and listed in a [`sheet`], other simulators are compared ([`peers`]). The
+//! renderings use only points: [`markdown`], [`csv`], [`json`], [`work_precision`] plots, one [`page`].
 
 pub mod body;
 pub mod chip;
@@ -102,12 +102,12 @@ pub struct Arguments {
 }
 
 impl Arguments {
-    /// Is one row asked for?
+    /// Is only one row asked for?
     fn is_row(&self) -> bool {
         self.step.is_some() || self.tolerance.is_some()
     }
 
-    /// Where costs on the chip come from, so many seconds after the report's begin.
+    /// Source of the costs on the chip, if `elapsed` seconds of the report have passed.
     fn chip(&self, elapsed: f64) -> Chip {
         match (self.quick, self.no_chip, self.is_row()) {
             (true, ..) => Chip::none("left out by --quick"),
@@ -153,7 +153,7 @@ impl Arguments {
     }
 }
 
-/// Does what the command line asks for.
+/// Runs the command.
 ///
 /// # Errors
 /// Status 1 for a wrong scene, model or setting; status 2 without a compiler for `--engine compiled`.
@@ -181,7 +181,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     output::print(&text)
 }
 
-/// Measures everything that is asked for; progress on standard error.
+/// Measures everything asked for; shows progress on standard error.
 ///
 /// # Errors
 /// As [`run`].
@@ -189,7 +189,7 @@ pub fn make(arguments: &Arguments) -> Result<Report, Failure> {
     let plan = arguments.plan()?;
     let names =
         if arguments.subjects.is_empty() { model_argument::all() } else { arguments.subjects.clone() };
-    // Whatever is wrong is said before anything is measured.
+    // All subjects are read first, so that errors are reported before anything is measured.
     let mut subjects = Vec::with_capacity(names.len());
     for name in &names {
         let subject = open::open(name, plan.engine)?;
@@ -225,12 +225,12 @@ pub fn make(arguments: &Arguments) -> Result<Report, Failure> {
             progress.seconds()
         ));
         let plan = plan.hurried(progress.seconds(), clock::now() - begin, names.len() - n);
-        // Beside others, as long as they run; what is in a hurry is not.
+        // Over the same time as other simulators' points, if they state it, except in the quick report.
         let told = others.iter().find_map(|extras: &Extras| extras.seconds(subject.name()));
         let seconds = arguments.seconds.or(told.filter(|_| !arguments.quick));
         match section(subject.as_ref(), &plan, seconds) {
             Ok(section) => report.sections.push(section),
-            // Of several subjects one that cannot be measured is told of, and the others are measured.
+            // If there are several subjects, one that cannot be measured is reported and skipped.
             Err(why) if names.len() > 1 => {
                 output::say(&format!("warning: not measured: {why}"));
                 failed.push(vec![subject.name().to_owned(), why.to_string()]);
@@ -239,7 +239,7 @@ pub fn make(arguments: &Arguments) -> Result<Report, Failure> {
         }
         progress.at((n + 1) as f64 / names.len() as f64);
     }
-    // What cannot be measured has no place beside what is.
+    // Subjects that could not be measured are left out from here on.
     subjects.retain(|s| report.sections.iter().any(|section| section.name == s.name()));
     if subjects.is_empty() {
         let why: Vec<String> = failed.iter().map(|row| row.join(": ")).collect();
@@ -295,7 +295,7 @@ pub fn make(arguments: &Arguments) -> Result<Report, Failure> {
     Ok(report)
 }
 
-/// Refuses a method that the subject has not, or a step for a method that takes a tolerance.
+/// Refuses a method that the subject does not have, or a step for a method that takes a tolerance.
 fn check_method(subject: &dyn Subject, plan: &Plan) -> Result<(), Failure> {
     let Some(name) = &plan.method else { return Ok(()) };
     match (check_name(subject, name)?.adaptive, plan.control) {
@@ -312,7 +312,7 @@ fn check_method(subject: &dyn Subject, plan: &Plan) -> Result<(), Failure> {
 /// The subject's method of this name.
 ///
 /// # Errors
-/// [`Failure::Wrong`] with the likely name, if it has none.
+/// [`Failure::Wrong`], with a suggestion, if it has none.
 pub fn check_name(subject: &dyn Subject, name: &str) -> Result<Method, Failure> {
     let methods = subject.methods();
     let help = suggest::help(name, methods.iter().map(|m| m.name.as_str()));
@@ -322,7 +322,7 @@ pub fn check_name(subject: &dyn Subject, name: &str) -> Result<Method, Failure> 
     })
 }
 
-/// Measures one subject; without a time of its own for as long as its references agree.
+/// Measures one subject; if no time is given, for as long as its references agree.
 ///
 /// # Errors
 /// [`Failure::Wrong`] if it cannot be run.
@@ -371,7 +371,7 @@ pub fn write(report: &Report, folder: &Path) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Names of the plots' files: a subject may be named by a path, and two of them end alike.
+/// Names of the plots' files, made unique: subjects may be named by paths, two of which may end alike.
 fn plot_names<'a>(subjects: impl Iterator<Item = &'a str>) -> Vec<String> {
     let mut names: Vec<String> = Vec::new();
     for subject in subjects {
@@ -390,7 +390,8 @@ fn plot_names<'a>(subjects: impl Iterator<Item = &'a str>) -> Vec<String> {
     names
 }
 
-/// Writes the summary, the points of our own fronts and all of other simulators, named after the processor.
+/// Writes the summary, the points of our own fronts and all those of other simulators, to files named after the
+/// processor.
 ///
 /// # Errors
 /// [`Failure::Wrong`] if one cannot be written.
@@ -398,7 +399,7 @@ pub fn write_results(report: &Report, folder: &Path) -> Result<(), Failure> {
     let wrong = |e: std::io::Error| Failure::Wrong(format!("{}: {e}", folder.display()));
     std::fs::create_dir_all(folder).map_err(wrong)?;
     let mut fronts = report.clone();
-    // Ours that only a peer dominates stay: whether one does can be seen in the file.
+    // Our points that only a peer dominates are kept, so that the file shows them.
     fronts.sections.iter_mut().for_each(|section| {
         let ours: Vec<_> = section.points.iter().filter(|p| !p.is_peer).cloned().collect();
         section.points.retain(|p| p.is_peer || !ours.iter().any(|own| front::dominates(own, p)));
@@ -411,7 +412,7 @@ pub fn write_results(report: &Report, folder: &Path) -> Result<(), Failure> {
     put("json", &json::text(&fronts))
 }
 
-/// Lower case, what stands in brackets left out, words joined by hyphens.
+/// The name in lower case, without parts in brackets, words joined by hyphens.
 fn file_name(machine: &str) -> String {
     let mut depth = 0_usize;
     let plain = machine.chars().filter(|c| {

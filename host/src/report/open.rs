@@ -1,4 +1,4 @@
-//! Subjects by name: a mechanism, a scene or a world.
+//! Finds a subject by name: a mechanism, a scene or a world.
 
 use super::body::Body;
 use super::mechanism::Mechanism;

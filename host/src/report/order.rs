@@ -1,19 +1,20 @@
-//! Observed order of a method on a subject: the slope of its line, where it is a line.
+//! Observed order of a method on a subject: the slope of its line in a double logarithmic plot, over the part that is
+//! straight.
 //!
-//! Fixed steps: error over step. Adaptive: error over force evaluations, falling. Used are errors below a
-//! thousandth of the motion (coarser runs are not yet on the line) and above 100 times the rounding or the
-//! reference's own uncertainty, whichever is larger.
+//! Fixed steps: error over step. Adaptive: error over force evaluations, falling. Only errors are used that are below a
+//! thousandth of the motion (coarser runs are not yet asymptotic) and above 100 times the rounding or the reference's
+//! own uncertainty, whichever is larger.
 
 use super::front::slope;
 use super::point::{Control, Point, Section, Table};
 use super::subject::Method;
 
-/// Errors above this share of the motion tell nothing about an order.
+/// Errors above this fraction of the motion are not asymptotic.
 const COARSE: f64 = 1e-3;
-/// Errors below this many roundings tell nothing either.
+/// Errors below this multiple of the rounding say nothing about the order.
 const ROUNDINGS: f64 = 100.0;
-/// An adaptive run whose next finer one takes hardly more evaluations, or has hardly less error, was limited by
-/// something else than its tolerance: by the stable step, for example.
+/// An adaptive run is left out if the next finer one takes hardly more evaluations (less than this factor), or has
+/// hardly less error: it was limited by something other than its tolerance, for example by the stable step.
 const MORE: f64 = 1.05;
 const LESS: f64 = 3.0;
 
@@ -22,11 +23,11 @@ const LESS: f64 = 3.0;
 pub struct Order {
     /// Its name.
     pub method: String,
-    /// The order it is known for, on this subject.
+    /// Its theoretical order on this subject.
     pub nominal: u32,
-    /// The slope.
+    /// The observed slope.
     pub observed: f64,
-    /// Points that it is taken from.
+    /// Number of points used.
     pub points: usize,
 }
 
@@ -41,7 +42,7 @@ pub fn observe(section: &Section, methods: &[Method]) -> Vec<Order> {
     methods.iter().filter_map(order).collect()
 }
 
-/// (step or its like, error) of the points that count.
+/// (step or its equivalent, error) of the points used.
 fn line(section: &Section, method: &Method) -> Vec<(f64, f64)> {
     let least = ROUNDINGS * section.reference.agreement.max(f64::EPSILON * section.extent);
     let of_method = |p: &&Point| p.method == method.name && p.scalar == "f64";
@@ -63,16 +64,16 @@ fn line(section: &Section, method: &Method) -> Vec<(f64, f64)> {
     line
 }
 
-/// Fewer points than these are no line to be shown.
+/// Slopes of fewer points are not shown.
 const SHOWN: usize = 3;
 
-/// Observed orders of all subjects: a row each, a column per method.
+/// Observed orders of all subjects: a row per subject, a column per method.
 #[must_use]
 pub fn table(title: &str, rows: &[(String, Vec<Order>)], command: &str) -> Table {
     let mut names: Vec<(&str, u32)> = Vec::new();
     for order in rows.iter().flat_map(|(_, orders)| orders).filter(|o| o.points >= SHOWN) {
         match names.iter_mut().find(|(name, _)| *name == order.method) {
-            // Where forces depend on speeds a method may be known for less.
+            // The theoretical order may be lower on a subject whose forces depend on speeds: the largest is shown.
             Some((_, nominal)) => *nominal = order.nominal.max(*nominal),
             None => names.push((&order.method, order.nominal)),
         }

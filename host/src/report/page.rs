@@ -1,4 +1,4 @@
-//! The report as one HTML page without anything from outside: every plot, every graph, every table.
+//! The report as one self-contained HTML page with all plots, graphs and tables.
 
 use super::markdown;
 use super::point::{Point, Report, Section, Table};
@@ -60,7 +60,7 @@ fn section_text(section: &Section) -> String {
     text + "</section>\n"
 }
 
-/// A plot in which every method can be hidden, and every point says what it is and how it is made again.
+/// A plot in which methods can be hidden, and every point shows its numbers and its command.
 fn drawn(plot: &Plot<'_>) -> String {
     let base = svg::text(&plot.base);
     let mut text = base.trim_end().strip_suffix("</svg>").unwrap_or(&base).to_owned();
@@ -86,7 +86,7 @@ fn drawn(plot: &Plot<'_>) -> String {
     text + "</svg>\n"
 }
 
-/// What a point says of itself.
+/// The text that a point shows.
 fn tip(point: &Point) -> String {
     let control = point.control.map_or_else(String::new, |control| format!(", {}", control.text()));
     let evaluations = point.evaluations.map_or_else(String::new, |e| format!(", {e:.0} evaluations/s"));
@@ -102,7 +102,7 @@ fn tip(point: &Point) -> String {
 
 fn table(table: &Table) -> String {
     let mut text = format!("<h3>{}</h3>\n<table>\n<tr>", escaped(&table.title));
-    // Methods' names may break, so that a table of all of them is no wider than the page.
+    // Names of methods may wrap, so that a table with all of them is no wider than the page.
     let heads = table.columns.iter().map(|c| unbroken(c).replace('_', "_<wbr>"));
     heads.for_each(|head| text += &format!("<th>{head}</th>"));
     text += "</tr>\n";
@@ -120,7 +120,7 @@ fn table(table: &Table) -> String {
     text
 }
 
-/// What stands between back ticks is code.
+/// Marks up text between backticks as code.
 fn code(cell: &str) -> String {
     match cell.strip_prefix('`').and_then(|c| c.strip_suffix('`')) {
         Some(inner) => format!("<code>{}</code>", escaped(inner)),
@@ -128,7 +128,8 @@ fn code(cell: &str) -> String {
     }
 }
 
-/// A cell whose lines break between words alone, and never between a number and its unit: `1e-6` breaks at its sign else.
+/// A cell that wraps only between words, never between a number and its unit; browsers would also wrap `1e-6` at its
+/// sign.
 fn unbroken(cell: &str) -> String {
     let mut text = String::new();
     for word in cell.split(' ') {

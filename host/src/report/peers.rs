@@ -1,13 +1,14 @@
-//! Other simulators beside ours: how much longer they take for their error, and whether one of their points dominates.
+//! Comparison with other simulators (peers): how much longer they take for the same error, and whether one of their
+//! points dominates ours.
 //!
-//! A point dominates another if it is no worse in error and time, and better in one. All errors are lifted to the
-//! reference's certainty before ([`super::point::Reference::certainty()`]): below it nothing is known.
+//! A point dominates another if it is no worse in error and time, and better in one. All errors below the reference's
+//! certainty ([`super::point::Reference::certainty()`]) are first raised to it, since smaller ones are not known.
 
 use super::front;
 use super::markdown::duration;
 use super::point::{Point, Report, Section, Table};
 
-/// Peers' points that dominate one on our own front, in words.
+/// Messages about peers' points that dominate one on our own front.
 #[must_use]
 pub fn dominating(report: &Report) -> Vec<String> {
     let of_section = |section: &Section| {
@@ -17,7 +18,8 @@ pub fn dominating(report: &Report) -> Vec<String> {
     report.sections.iter().flat_map(of_section).collect()
 }
 
-/// Method by method, how much longer its points take than our fastest of no larger error; `None` without peers.
+/// For each method of a peer, how much longer its points take than our fastest with no larger error; `None` without
+/// peers.
 #[must_use]
 pub fn table(report: &Report) -> Option<Table> {
     let columns = [
@@ -37,7 +39,7 @@ pub fn table(report: &Report) -> Option<Table> {
     })
 }
 
-/// A section's points, ours and theirs.
+/// Our points of a section, and those of peers.
 struct Sides<'a> {
     ours: Vec<&'a Point>,
     peers: Vec<&'a Point>,
@@ -50,7 +52,7 @@ impl<'a> Sides<'a> {
     }
 }
 
-/// A row per method of a peer.
+/// One row per method of a peer.
 fn rows(section: &Section) -> Vec<Vec<String>> {
     let Sides { ours, peers } = Sides::of(section);
     let mut methods: Vec<&str> = peers.iter().map(|p| p.method.as_str()).collect();
@@ -87,7 +89,7 @@ fn fastest<'a>(ours: &[&'a Point], error: f64) -> Option<&'a Point> {
     exact.min_by(|a, b| a.nanoseconds.total_cmp(&b.nanoseconds))
 }
 
-/// Does it dominate one of our points that none of ours dominates?
+/// Does it dominate one of the points on our own front?
 fn beats(peer: &Point, ours: &[&Point]) -> bool {
     let on_front = |own: &&&Point| !ours.iter().any(|other| front::dominates(other, own));
     ours.iter().filter(on_front).any(|own| front::dominates(peer, own))

@@ -1,7 +1,7 @@
-//! Picks method and step for an error or a computing time, from curves measured on the spot.
+//! Picks method and step for a given error or computing time, from curves measured at once.
 //!
-//! The subject's own motion is run with every method and a ladder of steps, as in a report, within a second
-//! or so. The motion decides what an error costs: curves of another scene or machine would be a guess.
+//! The subject's own motion is run with every method and a ladder of steps, as in a report, within about a second. The
+//! cost of an error depends on the motion, so that curves of another scene or machine would be a guess.
 
 use super::markdown::duration;
 use super::measure::measure;
@@ -14,7 +14,7 @@ use crate::failure::Failure;
 use smartbed_codegen::words::count;
 use std::time::Duration;
 
-/// What is asked for.
+/// The aim of the choice.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum Aim {
     /// Largest error of a coordinate (m or rad).
@@ -30,21 +30,21 @@ pub struct Pick {
     pub method: String,
     /// Its step or tolerance.
     pub control: Control,
-    /// What and why, with numbers.
+    /// The choice and its reason, with numbers.
     pub text: String,
 }
 
-/// Longest calibration: of a run, of all runs.
+/// Time limits of the calibration: for one run, for all runs.
 const RUN: Duration = Duration::from_millis(50);
 const ALL: Duration = Duration::from_millis(900);
-/// A step of a world costs as much as many of one body: so many times as long.
+/// Factor of these limits for a world, a step of which costs as much as many steps of one body.
 const WORLD: u32 = 12;
-/// Longest computation of what errors are taken against.
+/// Time limit for the reference.
 const REFERENCE: Duration = Duration::from_secs(6);
-/// Most work of a calibration: springs times seconds.
+/// Most work of a calibration, in springs times simulated seconds.
 const WORK: f64 = 50.0;
 
-/// The curves that the pick is read from.
+/// The plan of the calibration runs.
 fn plan(kind: Kind, method: Option<&str>, scalar: ScalarKind, engine: EngineKind) -> Plan {
     let times = if kind == Kind::World { WORLD } else { 1 };
     Plan {
@@ -62,7 +62,7 @@ fn plan(kind: Kind, method: Option<&str>, scalar: ScalarKind, engine: EngineKind
 /// Picks among all methods, or the steps of one.
 ///
 /// # Errors
-/// [`Failure::Wrong`] if nothing measured meets the aim; it says what comes nearest.
+/// [`Failure::Wrong`] if no measured point meets the aim; it names the nearest one.
 pub fn pick(
     subject: &dyn Subject,
     aim: Aim,
@@ -91,7 +91,7 @@ pub fn pick(
     Ok(Pick { method: best.method.clone(), control, text })
 }
 
-/// A point in words.
+/// A point as text.
 fn words(point: &Point) -> String {
     let control = point.control.map_or(String::new(), Control::options);
     format!(
@@ -123,7 +123,7 @@ fn explain(
     )
 }
 
-/// What to say where nothing meets the aim.
+/// The message if no point meets the aim.
 fn nearest(points: &[Point], aim: Aim) -> String {
     let least = |key: fn(&Point) -> f64| points.iter().min_by(|a, b| key(a).total_cmp(&key(b)));
     let (point, help) = match aim {

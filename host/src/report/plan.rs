@@ -1,4 +1,4 @@
-//! How much is measured: the full report, the quick one, or one point.
+//! The extent of the measurements: the full report, the quick one, or one point.
 
 use super::point::Control;
 use super::subject::{Method, SAMPLES, Subject};
@@ -10,28 +10,28 @@ use std::time::Duration;
 pub struct Rung {
     /// Its step or tolerance.
     pub control: Control,
-    /// Expected work over the last rung's.
+    /// Expected work relative to the rung before.
     pub work: f64,
 }
 
-/// Limits of the measuring.
+/// Limits of the measurements.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Plan {
-    /// Each step is the last one's over this.
+    /// Each step is the previous one divided by this.
     pub factor: usize,
     /// Most steps of a ladder.
     pub rungs: usize,
-    /// Each tolerance is the last one's times this.
+    /// Each tolerance is the previous one times this.
     pub tolerance_factor: f64,
-    /// Longest run that is begun.
+    /// A run expected to take longer is not started.
     pub run: Duration,
-    /// Computing time for all runs of a subject, its reference not counted.
+    /// Computing time for all runs of a subject, without its reference.
     pub subject: Duration,
-    /// Computing time for the reference of a subject; for its graph as long.
+    /// Computing time for the reference of a subject, and the same for its graph.
     pub reference: Duration,
-    /// Time by the clock for all subjects, if it is limited.
+    /// Wall-clock time for all subjects, if it is limited.
     pub wall: Option<Duration>,
-    /// Most spring-seconds (or seconds of a mechanism) simulated; more is cut.
+    /// Most spring-seconds (or seconds of a mechanism) simulated; longer runs are cut.
     pub work: f64,
     /// Only this method.
     pub method: Option<String>,
@@ -44,7 +44,7 @@ pub struct Plan {
 }
 
 impl Plan {
-    /// Everything, in ten minutes, so that with the costs on the chip it stays below twenty.
+    /// All methods and steps, in ten minutes; with the costs on the chip it stays below twenty.
     #[must_use]
     pub fn full() -> Self {
         Self {
@@ -63,7 +63,7 @@ impl Plan {
         }
     }
 
-    /// In a minute.
+    /// Fewer steps and shorter runs, in a minute.
     #[must_use]
     pub fn quick() -> Self {
         Self {
@@ -80,8 +80,8 @@ impl Plan {
         }
     }
 
-    /// The plan of the next subject, of `left` ones: on a machine that is busy otherwise, where `wall` seconds by
-    /// the clock went by for `computed` ones of computing, ladders are shorter rather than the report late.
+    /// The plan for the next subject, if `left` remain. On a busy machine, on which `computed` took `wall` seconds of
+    /// wall-clock time, ladders become shorter so that the report ends in time.
     #[must_use]
     pub fn hurried(&self, wall: f64, computed: Duration, left: usize) -> Self {
         let Some(limit) = self.wall else { return self.clone() };
@@ -99,7 +99,7 @@ impl Plan {
         if most >= asked { asked } else { format!("{most:.1e}").parse().unwrap_or(most) }
     }
 
-    /// Is this method wanted with this scalar?
+    /// Does the plan include this method with this scalar?
     #[must_use]
     pub fn has(&self, method: &Method, scalar: ScalarKind) -> bool {
         let fits = |control| matches!(control, Control::Tolerance(_)) == method.adaptive;
@@ -135,7 +135,7 @@ impl Plan {
         let least = if scalar == ScalarKind::F32 { 1e-7 } else { 1e-13 };
         let work = self.tolerance_factor.powf(-1.0 / f64::from(method.order));
         let count = (f64::log10(1e-2 / least) / -self.tolerance_factor.log10()) as i32;
-        // As decimals that can be typed.
+        // As decimals that can be typed on the command line.
         let tolerance = |n: i32| format!("{:e}", 1e-2 * self.tolerance_factor.powi(n));
         let rounded = |n: i32| tolerance(n).parse::<f64>().ok().and_then(|x| format!("{x:.0e}").parse().ok());
         (0..count).filter_map(rounded).map(|e| Rung { control: Control::Tolerance(e), work }).collect()

@@ -1,12 +1,12 @@
-//! What a report holds: subjects with their points, extra tables, and where all of it was measured.
+//! The data of a report: subjects with their points, extra tables, and the machine on which all was measured.
 //!
-//! A point is one run: its error against the subject's reference and what it cost. Points and tables may
-//! come from elsewhere too, other simulators for example: [`Extras`] are read from JSON.
+//! A point is one run: its error against the subject's reference and its cost. Points and tables may also come from
+//! elsewhere, for example from other simulators: [`Extras`] are read from JSON.
 
 use crate::failure::Failure;
 use serde_json::Value;
 
-/// What sets the accuracy of a run.
+/// The parameter that sets the accuracy of a run.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum Control {
     /// Fixed step (s).
@@ -40,35 +40,35 @@ impl Control {
 pub struct Point {
     /// Method, or the name of another simulator.
     pub method: String,
-    /// f64, f32.
+    /// Scalar: f64 or f32.
     pub scalar: String,
-    /// Step or tolerance; none where another simulator does not tell.
+    /// Step or tolerance; `None` if another simulator does not state it.
     pub control: Option<Control>,
     /// Largest error of a coordinate at any sample (m or rad).
     pub error: f64,
-    /// Evaluations of all forces per simulated second, where counted.
+    /// Evaluations of all forces per simulated second, if counted.
     pub evaluations: Option<f64>,
     /// Computing time per simulated second (ns).
     pub nanoseconds: f64,
-    /// No other point of the subject is both more exact and faster.
+    /// On the Pareto front: no other point of the subject dominates it.
     pub front: bool,
-    /// Of another simulator.
+    /// Does it belong to another simulator?
     pub is_peer: bool,
-    /// The command that makes these numbers.
+    /// The command that reproduces these numbers.
     pub command: String,
 }
 
-/// What errors are taken against.
+/// The reference solution for errors.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Reference {
     /// How it was made.
     pub text: String,
-    /// Largest difference to a second, independent reference (m or rad): errors below mean nothing.
+    /// Largest difference to a second, independent reference (m or rad): smaller errors are meaningless.
     pub agreement: f64,
 }
 
 impl Reference {
-    /// The smallest error that means anything (m or rad): below it nobody is more exact than another.
+    /// The smallest meaningful error (m or rad): below it points cannot be ranked.
     #[must_use]
     pub fn certainty(&self) -> f64 {
         self.agreement.max(f64::EPSILON)
@@ -82,19 +82,19 @@ pub struct ChipCost {
     pub method: String,
     /// Instructions of the median step.
     pub instructions: u64,
-    /// Cycles of the median step, an interval by model.
+    /// Cycles of the median step, as an interval of the model.
     pub cycles: [u64; 2],
     /// Flash (bytes).
     pub flash: u64,
     /// Static RAM (bytes).
     pub ram: u64,
-    /// Bound of the stack (bytes).
+    /// Upper bound of the stack (bytes).
     pub stack: u64,
-    /// The command that makes these numbers.
+    /// The command that reproduces these numbers.
     pub command: String,
 }
 
-/// A scene or a mechanism.
+/// A scene, a mechanism or a world with its points.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Section {
     /// Its name under models/ or models/scenes/.
@@ -103,11 +103,11 @@ pub struct Section {
     pub title: String,
     /// Simulated time (s).
     pub seconds: f64,
-    /// Simulated time that its file asks for (s).
+    /// Simulated time stated in its file (s).
     pub asked: f64,
-    /// What errors are taken against.
+    /// The reference solution.
     pub reference: Reference,
-    /// Size of the motion: the longest way of a coordinate (m or rad).
+    /// Size of the motion: the largest change of a coordinate (m or rad).
     pub extent: f64,
     /// All runs.
     pub points: Vec<Point>,
@@ -119,7 +119,7 @@ pub struct Section {
     pub graph: String,
 }
 
-/// A table of words.
+/// A table of text.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Table {
     /// What it shows.
@@ -132,16 +132,16 @@ pub struct Table {
     pub command: String,
 }
 
-/// Everything.
+/// All data of a report.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Report {
-    /// Processor.
+    /// Name of the processor.
     pub machine: String,
     /// The command that makes the report.
     pub command: String,
-    /// What evaluates mechanisms.
+    /// The engine that evaluates mechanisms.
     pub engine: String,
-    /// Costs on the chip: where from, or why not.
+    /// Source of the costs on the chip, or why there are none.
     pub chip: String,
     /// Computing time of the report itself (s).
     pub elapsed: f64,
@@ -154,7 +154,7 @@ pub struct Report {
 /// Points and tables from elsewhere.
 #[derive(Clone, PartialEq, Debug, Default)]
 pub struct Extras {
-    /// Subject, its simulated time (s) where that is told, and point.
+    /// Subject, its simulated time (s) if stated, and point.
     pub points: Vec<(String, Option<f64>, Point)>,
     /// Tables.
     pub tables: Vec<Table>,
@@ -163,7 +163,7 @@ pub struct Extras {
 impl Extras {
     /// Reads a JSON text: `{"points": [{"subject", "seconds", "method", "scalar", "step", "error", "nanoseconds",
     /// "evaluations", "command"}], "tables": [{"title", "columns", "rows", "command"}]}`; seconds, scalar, step and
-    /// evaluations may be left out, and points that say `"peer": false` are.
+    /// evaluations are optional, and points with `"peer": false` are ignored.
     ///
     /// # Errors
     /// [`Failure::Wrong`] with the place of the first entry that lacks something.
@@ -172,7 +172,7 @@ impl Extras {
         let value: Value = serde_json::from_str(text).map_err(|e| wrong(format!("not JSON: {e}")))?;
         let list = |key: &str| value[key].as_array().cloned().unwrap_or_default();
         let mut extras = Self::default();
-        // What a report of ours says of itself is measured here, and no peer's.
+        // Our own points in a report are measured anew here, and are not those of a peer.
         let points = list("points").into_iter().filter(|entry| entry["peer"] != Value::Bool(false));
         for (n, entry) in points.collect::<Vec<Value>>().iter().enumerate() {
             let expected =
@@ -186,7 +186,7 @@ impl Extras {
         Ok(extras)
     }
 
-    /// The simulated time of the first point of a subject that tells it (s).
+    /// The simulated time (s) of the first point of a subject that states it.
     #[must_use]
     pub fn seconds(&self, subject: &str) -> Option<f64> {
         self.points.iter().find_map(|(name, seconds, _)| seconds.filter(|_| name == subject))
@@ -194,8 +194,8 @@ impl Extras {
 }
 
 impl Report {
-    /// Adds them, their errors lifted to the reference's certainty as ours are. Points of subjects that the report
-    /// has not are left out; those over another simulated time too, with a note.
+    /// Adds them, with their errors raised to the reference's certainty like our own. Points of subjects that are not
+    /// in the report are left out; so are those over another simulated time, with a note.
     pub fn add(&mut self, extras: Extras) {
         for (subject, seconds, mut point) in extras.points {
             let Some(section) = self.sections.iter_mut().find(|s| s.name == subject) else { continue };
@@ -215,7 +215,7 @@ impl Report {
     }
 }
 
-/// Relative difference up to which two simulated times are the same.
+/// Relative difference up to which two simulated times count as equal.
 const SAME_TIME: f64 = 1e-9;
 
 fn read_point(entry: &Value) -> Option<(String, Option<f64>, Point)> {

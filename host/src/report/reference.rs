@@ -1,20 +1,20 @@
-//! What a subject's errors are taken against, and over which time.
+//! The reference solution of a subject, and the time over which it is valid.
 //!
-//! The reference is the closed form where there is one, else the most exact run, DOP853 at 1e-13 where equations are
-//! smooth; a second method must agree with it. Where motion is chaotic, or touches hang on rounding, two exact methods part after a while:
-//! the time is then cut to the samples over which they still agree, and the report says so.
+//! It is the closed form if there is one, else the most accurate run, DOP853 at 1e-13 if equations are smooth; a second
+//! method must agree with it. If motion is chaotic, or touches depend on rounding, two accurate methods diverge after a
+//! while: the simulated time is then cut to the samples over which they still agree, and the report says so.
 
 use super::clock::{self, Stop};
 use super::point::Reference;
 use super::subject::{SAMPLES, Subject, Time, Trace};
 use std::time::Duration;
 
-/// Times the simulated time may be cut.
+/// How often the simulated time may be cut.
 const CUTS: usize = 6;
-/// A share of the time below which a reference says nothing about the whole.
+/// A reference over less than this fraction of the time is not representative, and is refused.
 const LEAST: f64 = 1e-4;
 
-/// A subject's reference: how it was made, how long it holds, where the subject is at the samples.
+/// A subject's reference: how it was made, how long it is valid, the motion at the samples.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Truth {
     /// How it was made.
@@ -25,16 +25,16 @@ pub struct Truth {
     pub trace: Trace,
 }
 
-/// The reference over at most `seconds`, in a limited time of computing; `cut` allows less of `seconds`.
+/// Makes the reference over at most `seconds`, within a limit of computing time; `cut` allows it to be shorter.
 ///
 /// # Errors
-/// Why no reference agrees with another, or is there in time, in words.
+/// A message if no two references agree, or none is finished in time.
 pub fn make(subject: &dyn Subject, seconds: f64, cut: bool, limit: Duration) -> Result<Truth, String> {
     let (mut seconds, asked) = (seconds, seconds);
     let mut last = String::new();
     let end = clock::now() + limit;
     for _ in 0..CUTS {
-        // A try that is not done in time leaves some for a shorter one.
+        // Each attempt leaves some time for a shorter one.
         let left = end.saturating_sub(clock::now());
         let share = if cut { left / 3 } else { left };
         let (trace, text, differences) = match pair(subject, Time { seconds, limit: share / 2 }) {
@@ -67,7 +67,7 @@ fn words(time: Duration) -> String {
     format!("{:.0} s", time.as_secs_f64())
 }
 
-/// Reference, how it was made, and how far a second one is from it at each sample.
+/// Reference, how it was made, and the difference of a second one at each sample.
 fn pair(subject: &dyn Subject, time: Time) -> Result<(Trace, String, Vec<f64>), Stop> {
     let first = subject.reference(time)?;
     if let Some((name, exact)) = subject.closed_form(time.seconds) {
@@ -83,11 +83,11 @@ fn pair(subject: &dyn Subject, time: Time) -> Result<(Trace, String, Vec<f64>), 
     Ok((first, format!("{}, checked by {name}", subject.reference_name()), differences))
 }
 
-/// To two digits, so that a time that was cut can be typed.
+/// Rounds down to two digits, so that a cut time can be typed.
 fn round_down(x: f64) -> f64 {
     let digits = 10.0_f64.powf(x.log10().floor() - 1.0);
     let rounded = (x / digits + 1e-9).floor() * digits;
-    // Decimal, not the nearest neighbour of a product.
+    // By its decimal digits: a product would be off by a rounding.
     format!("{rounded:.3e}").parse().unwrap_or(rounded)
 }
 

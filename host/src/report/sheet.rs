@@ -1,19 +1,19 @@
-//! Cost sheets: what a subject asks for and what that costs, beside the same subject with everything on.
+//! Cost sheets: the cost of a subject as asked for, compared with the same subject with everything turned on.
 //!
-//! Everything of a scene: ground, friction, dampers, air, gas where there are facets, at values that move
-//! nothing, and the energy ledger. Everything of a mechanism: every parameter tunable, and energies, all
-//! speeds and outputs after each step. The ratio is what is saved by modelling only what is asked for.
+//! Everything for a scene: ground, friction, dampers, air, gas if it has facets, at values that do not affect the
+//! motion, and the energy ledger. Everything for a mechanism: every parameter tunable, and energies, all speeds and
+//! outputs after each step. The ratio is what is saved by modelling only what is asked for.
 
-/// How a subject's image differs from what its file asks for.
+/// Changes to a subject's image relative to what its file asks for.
 #[derive(Clone, PartialEq, Eq, Default, Debug)]
 pub struct Variant {
-    /// Changes `key=value`.
+    /// Settings `key=value`.
     pub set: Vec<String>,
-    /// Of a mechanism: every parameter tunable, every answer in each step.
+    /// For a mechanism: every parameter tunable, every answer in each step.
     pub everything: bool,
 }
 
-/// What a step costs.
+/// Cost of a step.
 #[derive(Clone, Copy, PartialEq, Debug, Default)]
 pub struct Cost {
     /// Operations.
@@ -27,10 +27,10 @@ pub struct Cost {
 pub struct Sheet {
     /// What was asked for.
     pub asked: String,
-    /// What was left out.
+    /// What was not asked for.
     pub left_out: String,
-    /// As asked, and with everything.
+    /// Costs as asked for, and with everything.
     pub costs: [Cost; 2],
-    /// What turns everything on.
+    /// The variant with everything turned on.
     pub everything: Variant,
 }

@@ -9,15 +9,15 @@ use smartbed_codegen::words;
 use smartbed_runtime::real::Scalar;
 use smartbed_runtime::real::counting::{Counting, count};
 
-/// Springs times steps that are counted; the number of steps lies between these.
+/// Springs times steps to be counted; it sets the number of steps, within limits.
 const WORK: usize = 200_000;
 const STEPS: [usize; 2] = [20, 1000];
-/// The fastest of so many runs counts.
+/// The fastest of this many runs counts.
 const REPEATS: usize = 5;
-/// A damper, drag, friction or pressure that moves nothing.
+/// A damper, drag, friction or pressure too small to affect the motion.
 const NOTHING: &str = "1e-12";
 
-/// Makes it; the scene is that of the file at `path` with `settings`.
+/// Makes the sheet of `scene`, read from `path` with `settings`.
 ///
 /// # Errors
 /// Why the scene could not be run, in words.
@@ -42,7 +42,7 @@ pub fn make(scene: &Scene, path: &str, settings: &[String]) -> Result<Sheet, Str
     })
 }
 
-/// What a scene goes without, and the settings that turn it on.
+/// What the scene does not use, and the settings that turn it on.
 fn rest(scene: &Scene) -> (Vec<&'static str>, Vec<String>) {
     let around = &scene.around;
     let mut rest = vec![("ledger of 7 accounts", None)];
@@ -54,7 +54,7 @@ fn rest(scene: &Scene) -> (Vec<&'static str>, Vec<String>) {
     lacks(scene.lists.damping.iter().all(|c| *c == 0.0), "dampers", format!("C={NOTHING}"));
     lacks(around.air_drag == 0.0, "air", format!("air_drag={NOTHING}"));
     lacks(around.ground.is_none(), "ground", "law=compensation".to_owned());
-    // Far below: every gap is looked at, none closes.
+    // A ground far below: every gap is evaluated, none closes.
     let below = "floor={\"normal\":[0,0,1],\"offset\":-1000}".to_owned();
     lacks(around.ground.is_none(), "touches", below);
     lacks(around.ground.is_none_or(|g| g.friction == 0.0), "friction", format!("mu={NOTHING}"));
@@ -64,7 +64,7 @@ fn rest(scene: &Scene) -> (Vec<&'static str>, Vec<String>) {
     (names, rest.into_iter().filter_map(|(_, setting)| setting).collect())
 }
 
-/// Operations and time of a step, the mean over the first ones.
+/// Operations and time of a step, averaged over the first ones.
 fn cost(scene: &Scene, ledger: bool) -> Result<Cost, String> {
     let steps = (WORK / scene.lists.springs.len().max(1)).clamp(STEPS[0], STEPS[1]).min(scene.steps().max(1));
     let (done, operations) = count(|| steps_of::<Counting>(scene, steps, ledger));
@@ -76,7 +76,7 @@ fn cost(scene: &Scene, ledger: bool) -> Result<Cost, String> {
     Ok(Cost { operations: operations.total() as f64 / steps as f64, nanoseconds })
 }
 
-/// Steps; returns the time of one (ns).
+/// Takes steps; returns the time of one (ns).
 fn steps_of<S: Scalar>(scene: &Scene, steps: usize, observed: bool) -> Result<f64, String> {
     let mut simulation =
         Simulation::<S>::new(&scene.lists, &scene.around, scene.method).map_err(|e| describe(&e))?;

@@ -10,7 +10,7 @@ use smartbed_codegen::{ParameterChoice, Program, program};
 use smartbed_runtime::ode::Method;
 use smartbed_runtime::ode::State;
 
-/// Steps that are timed; the fastest of so many runs counts.
+/// Number of steps timed in a run, and number of runs, of which the fastest counts.
 const STEPS: usize = 200;
 const REPEATS: usize = 5;
 /// Evaluations in a step of rk4.
@@ -19,7 +19,8 @@ const STAGES: f64 = 4.0;
 /// A mechanism in f64 under its laws.
 pub(super) type Plant64 = Plant<Box<dyn engine::Engine<f64>>, f64>;
 
-/// Makes it of a model and its equations; `plant_of` sets equations under the mechanism's laws, to start at `start` with a step (s).
+/// Makes the sheet from a model and its equations. `plant_of` joins equations with the mechanism's laws, to start at
+/// `start` with a step (s).
 ///
 /// # Errors
 /// Why the mechanism could not be derived or run, in words.
@@ -63,7 +64,7 @@ fn full_operations(program: &Program) -> f64 {
     lean_operations(program) + after.iter().sum::<usize>() as f64
 }
 
-/// Time of a step (ns), all answers taken after it if `full`.
+/// Time of a step (ns), with all answers after it if `full`.
 fn time(
     plant: impl Fn() -> Result<Plant64, String>,
     (start, h): (&[f64], f64),

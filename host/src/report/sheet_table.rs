@@ -6,7 +6,7 @@ use super::point::{ChipCost, Table};
 use super::sheet::Variant;
 use super::subject::Subject;
 
-/// One table of all sheets. What of the chip could not be had is told by `chip`.
+/// One table of all sheets. `chip` says why a cost on the chip is missing.
 ///
 /// # Errors
 /// Why a subject could not be run, in words.
@@ -44,15 +44,15 @@ pub fn table(subjects: &[Box<dyn Subject>], chip: &mut Chip, command: &str) -> R
     Ok(Table { title, columns: columns.map(str::to_owned).to_vec(), rows, command: command.to_owned() })
 }
 
-/// Both numbers and their ratio.
+/// Two costs and their ratio.
 fn against(asked: f64, all: f64, text: impl Fn(f64) -> String) -> String {
     format!("{} / {} = {:.2} x", text(asked), text(all), all / asked)
 }
 
-/// A cost of both images, or of the one that could be had.
+/// A cost of both images, or of the one that could be built.
 fn both(images: &[Option<ChipCost>; 2], cost: impl Fn(&ChipCost) -> u64) -> String {
     match images.each_ref().map(|image| image.as_ref().map(&cost)) {
-        // Without statics there is nothing to multiply.
+        // A cost of 0, as static memory often has, gives no ratio.
         [Some(asked), Some(all)] if asked == 0 || asked == all => format!("{asked} / {all}"),
         [Some(asked), Some(all)] => against(asked as f64, all as f64, |x| format!("{x:.0}")),
         [Some(asked), None] => format!("{asked} / -"),

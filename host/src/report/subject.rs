@@ -1,4 +1,4 @@
-//! What is measured: a scene of a flexible body, a mechanism or a world, all behind one trait.
+//! The trait of what is measured: a scene of a flexible body, a mechanism or a world.
 
 use super::clock::Stop;
 use super::point::Control;
@@ -6,28 +6,28 @@ use super::sheet::Sheet;
 use crate::engine::ScalarKind;
 use std::time::Duration;
 
-/// Largest difference of the references (m or rad) for the time to be used, where equations are smooth.
+/// If equations are smooth, the reference is used for the time over which references differ by at most this (m or rad).
 pub const AGREEMENT: f64 = 1e-8;
-/// Times at which a run is compared, evenly over it, its end included.
+/// Number of times at which runs are compared, equally spaced, the last one at the end.
 pub const SAMPLES: usize = 10;
 
-/// A method of integration as a report sees it.
+/// A method of integration.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Method {
     /// Its name on the command line.
     pub name: String,
-    /// Order of the error in the step, on this subject; of an adaptive method, that of its step control.
+    /// Order of the error in the step, on this subject; for an adaptive method the order of its step control.
     pub order: u32,
-    /// Chooses its own steps.
+    /// Does it choose its own steps?
     pub adaptive: bool,
 }
 
-/// A run.
+/// The result of a run.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Trace {
     /// Coordinates at the samples.
     pub samples: Vec<Vec<f64>>,
-    /// Evaluations of all forces, where they are counted.
+    /// Evaluations of all forces, if they are counted.
     pub evaluations: Option<u64>,
     /// Computing time.
     pub elapsed: Duration,
@@ -39,7 +39,7 @@ impl Trace {
     pub fn differences(&self, other: &Trace) -> Vec<f64> {
         let largest = |(a, b): (&Vec<f64>, &Vec<f64>)| {
             let differences = a.iter().zip(b).map(|(a, b)| (a - b).abs());
-            // A number that is none is the largest of all.
+            // NaN counts as the largest difference.
             differences.fold(0.0, |m: f64, d| if d <= m { m } else { d })
         };
         self.samples.iter().zip(&other.samples).map(largest).collect()
@@ -52,7 +52,7 @@ impl Trace {
     }
 }
 
-/// How long a run is, and how long it may take.
+/// Simulated time and the limit on computing time.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Time {
     /// Simulated time (s).
@@ -61,7 +61,7 @@ pub struct Time {
     pub limit: Duration,
 }
 
-/// What a subject is.
+/// Kinds of subjects.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Kind {
     /// A mechanism.
@@ -72,7 +72,7 @@ pub enum Kind {
     World,
 }
 
-/// A scene or a mechanism that can be run with any method.
+/// A scene, a mechanism or a world that can be run with any method.
 pub trait Subject {
     /// Its name.
     fn name(&self) -> &str;
@@ -80,19 +80,19 @@ pub trait Subject {
     fn title(&self) -> String;
     /// Simulated time that its file asks for (s).
     fn seconds(&self) -> f64;
-    /// The step to start a method's ladder with (s): the largest that is stable, or a coarse one.
+    /// The step with which a method's ladder begins (s): the largest stable one, or a coarse one.
     fn coarsest_step(&self, method: &str) -> f64;
-    /// Without touches and releases?
+    /// Is the motion smooth, without touches and releases?
     fn is_smooth(&self) -> bool;
-    /// Work of a simulated second in rough units of one spring over one second: what quick runs are cut by.
+    /// Work per simulated second, in rough units of one spring; quick runs are shortened by it.
     fn weight(&self) -> f64;
     /// All methods.
     fn methods(&self) -> Vec<Method>;
-    /// What it is computed in.
+    /// The scalars it can be computed in.
     fn scalars(&self) -> &'static [ScalarKind] {
         &[ScalarKind::F64, ScalarKind::F32]
     }
-    /// Largest difference of its two references for them to be used (m or rad).
+    /// Its reference is used if two references differ by at most this (m or rad).
     fn agreement(&self) -> f64 {
         AGREEMENT
     }
@@ -101,12 +101,12 @@ pub trait Subject {
     /// # Errors
     /// Why it stopped.
     fn run(&self, how: (&str, Control, ScalarKind), time: Time) -> Result<Trace, Stop>;
-    /// The most exact run: DOP853 at 1e-13 where the equations are smooth.
+    /// The most accurate run: DOP853 at 1e-13 if the equations are smooth.
     ///
     /// # Errors
     /// Why it stopped.
     fn reference(&self, time: Time) -> Result<Trace, Stop>;
-    /// A second, independent method for the same.
+    /// The same run with a second, independent method, and that method's name.
     ///
     /// # Errors
     /// Why it stopped.
@@ -115,16 +115,16 @@ pub trait Subject {
     fn reference_name(&self) -> String {
         "DOP853 at 1e-13".to_owned()
     }
-    /// The exact motion, where it is known, and its name.
+    /// The exact motion and its name, if there is a closed form.
     fn closed_form(&self, seconds: f64) -> Option<(&'static str, Trace)>;
     /// What it is.
     fn kind(&self) -> Kind;
-    /// What is asked for and what it costs, beside everything on; none where there is no everything.
+    /// The cost as asked for and with everything turned on; `None` for subjects that have no such comparison.
     ///
     /// # Errors
     /// Why it could not be run, in words.
     fn sheet(&self) -> Result<Option<Sheet>, String>;
-    /// Motion and energies at its own settings, as SVG, as far as they come within a time of computing.
+    /// A plot of motion and energies at its own settings, as SVG, as far as they come within a limit of computing time.
     ///
     /// # Errors
     /// Why the run stopped, in words.

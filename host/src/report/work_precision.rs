@@ -1,13 +1,13 @@
-//! Error against cost, both as powers of ten: a line per method with marks of its own, full in f64, open in f32, arms
-//! for other simulators, the front in amber.
+//! Work-precision diagram: error against cost, both logarithmic: a line per method with marks of its own, filled in
+//! f64, open in f32, arms for other simulators, the Pareto front in amber.
 
 use super::point::{Point, Section};
 use crate::plot::chart::{line, text};
 use crate::plot::drawing::{Anchor, Color, Drawing, INK, Item, PALE};
 
-/// Behind the points that no other one beats.
+/// Colour behind the points of the front.
 pub const FRONT: Color = [255, 196, 0];
-/// Colours told apart by most eyes (Okabe & Ito 2008, then Tol), the yellow left out.
+/// Colours that most people can distinguish (Okabe & Ito 2008, then Tol), without the yellow.
 const COLORS: [Color; 14] = [
     [0, 114, 178],
     [213, 94, 0],
@@ -35,16 +35,16 @@ const LARGE: f64 = 16.0;
 /// Half of a marker's width.
 const MARK: f64 = 3.5;
 
-/// A cost: its axis and how a point tells it.
+/// A cost: the label of its axis and its value for a point.
 type Cost = (&'static str, fn(&Point) -> Option<f64>);
 
-/// Costs that a point may tell.
+/// Costs that a point may have.
 pub const COSTS: [Cost; 2] = [
     ("computing time per simulated second [ns]", |p| Some(p.nanoseconds)),
     ("force evaluations per simulated second", |p| p.evaluations),
 ];
 
-/// An axis of powers of ten.
+/// A logarithmic axis.
 struct LogAxis {
     low: i32,
     high: i32,
@@ -65,7 +65,7 @@ impl LogAxis {
         self.from + share * (self.to - self.from)
     }
 
-    /// Powers with a label: not closer than `apart` pixels.
+    /// Powers of ten with a label, at least `apart` pixels apart.
     fn labelled(&self, apart: f64) -> Vec<i32> {
         let pixels = (self.to - self.from).abs() / f64::from(self.high - self.low);
         let every = (apart / pixels).ceil().max(1.0) as usize;
@@ -73,7 +73,7 @@ impl LogAxis {
     }
 }
 
-/// A plot whose points can be told apart: what stands still, and the points by method and scalar.
+/// A plot whose points can be shown and hidden: the fixed part, and the points by method and scalar.
 #[derive(Clone, Debug)]
 pub struct Plot<'p> {
     /// Title, axes, front, legend.
@@ -91,11 +91,11 @@ pub struct Layer<'p> {
     pub scalar: &'p str,
     /// Lines and marks.
     pub items: Vec<Item>,
-    /// Where each point stands.
+    /// Position of each point.
     pub places: Vec<((f64, f64), &'p Point)>,
 }
 
-/// The plot of a section over a cost as one drawing; `None` without points that tell it.
+/// The plot of a section over a cost as one drawing; `None` if no point has this cost.
 #[must_use]
 pub fn draw(section: &Section, cost: Cost) -> Option<Drawing> {
     let Plot { mut base, layers } = plot(section, cost)?;
@@ -103,7 +103,7 @@ pub fn draw(section: &Section, cost: Cost) -> Option<Drawing> {
     Some(base)
 }
 
-/// The plot of a section over a cost; `None` without points that tell it.
+/// The plot of a section over a cost; `None` if no point has this cost.
 #[must_use]
 pub fn plot(section: &Section, (label, cost): Cost) -> Option<Plot<'_>> {
     let points: Vec<(&Point, f64)> = section.points.iter().filter_map(|p| Some((p, cost(p)?))).collect();
@@ -191,7 +191,7 @@ fn legend(methods: usize, has_peers: bool, items: &mut Vec<Item>) {
     }
 }
 
-/// Corners of the marks of our methods (degrees), told apart by shape where colours are not.
+/// Corners of the marks of our methods (degrees): shapes distinguish methods of similar colours.
 const SHAPES: [&[f64]; 9] = [
     &[0.0, 30.0, 60.0, 90.0, 120.0, 150.0, 180.0, 210.0, 240.0, 270.0, 300.0, 330.0],
     &[45.0, 135.0, 225.0, 315.0],
@@ -203,7 +203,7 @@ const SHAPES: [&[f64]; 9] = [
     &[18.0, 90.0, 162.0, 234.0, 306.0],
     &[20.0, 160.0, 200.0, 340.0],
 ];
-/// Arms of those of other simulators.
+/// Directions of the arms of marks for other simulators.
 const ARMS: [&[f64]; 4] = [
     &[45.0, 135.0, 225.0, 315.0],
     &[0.0, 90.0, 180.0, 270.0],
@@ -211,10 +211,10 @@ const ARMS: [&[f64]; 4] = [
     &[90.0, 210.0, 330.0],
 ];
 
-/// How a point is drawn; the number is the method's.
+/// The mark of a point; the number is the method's.
 #[derive(Clone, Copy)]
 enum Mark {
-    /// Full: f64.
+    /// Filled: f64.
     Full(usize),
     /// Open: f32.
     Open(usize),

@@ -1,9 +1,9 @@
-//! A scene of format 2 under measurement.
+//! A scene of format 2 as a subject of the report.
 //!
-//! In: an assembly. Out: its runs by every method that it has. Without contacts its equations are smooth and DOP853 is the
-//! reference. With contacts, flow through lines or controllers nothing converges faster than the world's own step, so the reference
-//! is that step, halved while the time allows; what the last halving changed is what is known of its error. Controllers act at
-//! their times, whatever the step: it is a part of the scene's own.
+//! In: an assembly. Out: its runs by every method that it has. Without contacts its equations are smooth and DOP853 is
+//! the reference. With contacts, flow through lines or controllers no method converges faster than the world's own
+//! step; the reference is then that step, halved as long as time allows, and its uncertainty is the change made by the
+//! last halving. Controllers act at fixed times, whatever the step, which is a whole fraction of the scene's own.
 
 use super::clock::{self, Deadline, Stop};
 use super::point::Control;
@@ -31,20 +31,20 @@ use std::cell::Cell;
 use std::path::Path;
 use std::time::Duration;
 
-/// A ladder of steps begins at this many steps of the scene's own length.
+/// A ladder begins at this multiple of the scene's own step.
 const COARSE: f64 = 8.0;
-/// Part of the largest stable step with which it begins where there is one.
+/// Fraction of the largest stable step with which it begins, if there is one.
 const STABLE: f64 = 0.9;
-/// Largest difference of two halvings for a world with contacts to have a reference (m or rad).
+/// A world with contacts has a reference if two halvings differ by at most this (m or rad).
 const TOUCHING: f64 = 1e-4;
-/// Times the step of the reference is halved.
+/// Most halvings of the reference's step.
 const HALVINGS: u32 = 8;
-/// Steps between two looks at the clock.
+/// Steps between two checks of the clock.
 const LOOK: usize = 16;
 /// Rows of a graph.
 const ROWS: usize = 500;
 
-/// What moves the world, at its start.
+/// A world with its engine at the start.
 #[derive(Clone)]
 enum Start {
     Rigid(Box<RigidWorld>),
@@ -71,7 +71,7 @@ impl Start {
     }
 }
 
-/// Sensors that controllers read.
+/// Sensors that controllers use.
 fn read(assembly: &Assembly) -> impl Iterator<Item = &Sensing> {
     let reads = |sensor: &Sensing| {
         let read = |own: &Controlling| own.reads.strip_prefix("sensors.") == Some(&sensor.name);
@@ -80,7 +80,7 @@ fn read(assembly: &Assembly) -> impl Iterator<Item = &Sensing> {
     assembly.sensors.iter().filter(move |sensor| reads(sensor))
 }
 
-/// A sensor of those whose readings belong to steps, not to times.
+/// A sensor used by a controller whose readings depend on the number of the step, not on time.
 fn read_by_step(assembly: &Assembly) -> Option<&str> {
     let chatters =
         |own: &Sensing| matches!(own.transducer, Transducer::Switch { chatter, .. } if chatter > 0.0);
@@ -88,7 +88,7 @@ fn read_by_step(assembly: &Assembly) -> Option<&str> {
     found.map(|own| own.name.as_str())
 }
 
-/// Does a controller read a membrane that follows from step to step?
+/// Does a controller read a pressure gauge with a lag, whose reading is updated once per step?
 fn lags(assembly: &Assembly) -> bool {
     read(assembly).any(|own| matches!(own.transducer, Transducer::Pressure { lag } if lag > 0.0))
 }
@@ -98,9 +98,9 @@ pub struct World {
     name: String,
     assembly: Assembly,
     start: Start,
-    /// Numbers of the rows that are coordinates.
+    /// Indices of the rows' values that are coordinates.
     coordinates: Vec<usize>,
-    /// Step of the reference, once there is one (s).
+    /// Step of the reference, if there is one (s).
     finest: Cell<f64>,
 }
 
@@ -113,7 +113,7 @@ impl World {
         Self::of(name, model_argument::open_world(path, settings)?)
     }
 
-    /// One that is read.
+    /// From an assembly that is already read.
     ///
     /// # Errors
     /// [`Failure::Wrong`] if it cannot be assembled.
@@ -132,24 +132,24 @@ impl World {
         Ok(Self { name: name.to_owned(), assembly, start, coordinates, finest: Cell::new(0.0) })
     }
 
-    /// As it is read.
+    /// The assembly.
     #[must_use]
     pub fn assembly(&self) -> &Assembly {
         &self.assembly
     }
 
-    /// Is one of its methods chosen by `run.method`, or is there its own step alone?
+    /// Does `run.method` choose a method? Otherwise there is only its own step.
     #[must_use]
     pub fn takes_method(&self) -> bool {
         matches!(&self.start, Start::Carried(_))
     }
 
-    /// Controllers act at times that are whole numbers of the scene's steps.
+    /// Are there controllers, which act at whole numbers of the scene's steps?
     fn is_controlled(&self) -> bool {
         !self.assembly.controllers.is_empty()
     }
 
-    /// A step of at most `longest` (s), and the numbers of the steps that samples stand behind.
+    /// A step of at most `longest` (s), and the number of steps after which each sample is taken.
     fn steps(&self, longest: f64, seconds: f64) -> Result<(f64, Vec<usize>), Stop> {
         let parts = |whole: f64| (whole / longest - 1e-9).ceil().max(1.0) as usize;
         if !self.is_controlled() {
@@ -210,14 +210,14 @@ impl World {
         Ok(Trace { samples, evaluations: None, elapsed: clock::now() - begin })
     }
 
-    /// The world's own step, halved as long as the next run fits into the time.
+    /// Runs with the world's own step, halved as long as the next run fits into the time.
     fn halved(&self, time: Time) -> Result<Trace, Stop> {
         let deadline = clock::now() + time.limit;
         let mut step = self.assembly.run.step.min(time.seconds / SAMPLES as f64);
         let mut best = self.trace(None, step, time)?;
         for _ in 0..HALVINGS {
             let left = deadline.saturating_sub(clock::now());
-            // Twice the steps, and as many sweeps in each at most.
+            // The next run takes twice as many steps, each with at most as many sweeps.
             if left < best.elapsed.mul_f64(2.5) {
                 break;
             }
@@ -280,7 +280,7 @@ impl World {
                 });
                 match done {
                     Ok(_) => break,
-                    // So many steps were not enough; but some were made.
+                    // The limit of steps was reached, but time advanced.
                     Err(Fault::StepSize) if t > before => deadline.check(t)?,
                     Err(fault) => return Err(words(fault).into()),
                 }
@@ -291,7 +291,7 @@ impl World {
         Ok(Trace { samples, evaluations: None, elapsed: clock::now() - begin })
     }
 
-    /// The world whose equations are smooth, with something to integrate.
+    /// The world, if its equations are smooth and it has state to integrate.
     fn smooth(&self) -> Option<&CarriedWorld> {
         match &self.start {
             Start::Carried(world) if world.is_smooth() && !world.numbers().is_empty() => {
@@ -336,7 +336,8 @@ impl Subject for World {
         match &self.start {
             Start::Rigid(_) => vec![method("rigid", 2)],
             Start::Carried(world) => {
-                // Events are located to the order of a step's chord; flow and motion take turns, membranes lag by steps.
+                // Events are located only to the order of a step's chord; flow and motion are split; gauges with a lag
+                // are updated once per step.
                 let order = |nominal: u32| match (world.contacts(), self.assembly.has_lines()) {
                     (Contacts::None, _) if lags(&self.assembly) => 1,
                     (Contacts::None, true) => nominal.min(2),
@@ -394,14 +395,14 @@ impl Subject for World {
     }
 
     fn sheet(&self) -> Result<Option<Sheet>, String> {
-        // A world has only the parts that its scene names: there is no everything to hold it against.
+        // A world has only the parts that its scene names: there is no variant with everything.
         Ok(None)
     }
 
     fn graph(&self, limit: Duration) -> Result<String, String> {
         let deadline = Deadline::within(limit);
         let mut assembly = self.assembly.clone();
-        // The start is settled already.
+        // The start has been settled already.
         assembly.run.settled = false;
         assembly.run.every = assembly.run.every.max(assembly.run.steps() / ROWS).max(1);
         let mut start = self.start.clone();

@@ -28,7 +28,7 @@ pub(super) use read::is_scene;
 /// Points whose heights the page plots.
 const HEIGHTS: usize = 7;
 
-/// Runs it; gives the summary, and the data of `--view`.
+/// Runs it; returns the summary, and the data of `--view`.
 ///
 /// # Errors
 /// Status 1 for a wrong scene or setting and for a motion that cannot go on.
@@ -51,7 +51,7 @@ pub(super) fn simulate(arguments: &Arguments, path: &Path) -> Result<Outcome, Fa
     Ok(Outcome { text, film: done.film, findings })
 }
 
-/// The command line as settings of the scene's own keys.
+/// Translates the command line to settings of the scene's own keys.
 pub(super) fn settings(arguments: &Arguments) -> Vec<String> {
     let mut settings = Vec::new();
     let mut set = |key: &str, value: Option<String>| settings.extend(value.map(|v| format!("--{key}={v}")));
@@ -64,7 +64,7 @@ pub(super) fn settings(arguments: &Arguments) -> Vec<String> {
     settings
 }
 
-/// What a run of a scene was.
+/// Results of a run of a scene.
 struct Done {
     events: Vec<EventRecord>,
     film: Option<String>,
@@ -114,7 +114,7 @@ impl Done {
         ) + &self.cut_short()
     }
 
-    /// What the limit of work per step has changed.
+    /// What the limit on work per step has changed.
     fn cut_short(&self) -> String {
         if self.cut_short == 0 {
             return String::new();
@@ -127,7 +127,7 @@ impl Done {
     }
 }
 
-/// The method, and why it was taken where the scene names none.
+/// The method, and why it was chosen if the scene does not name one.
 fn method(scene: &Scene) -> String {
     let chosen = &scene.chosen;
     let why = if chosen.why.is_empty() { String::new() } else { format!(" by default: {}", chosen.why) };
@@ -195,7 +195,7 @@ fn record<S: Scalar>(arguments: &Arguments, scene: &Scene) -> Result<Done, Failu
     Ok(Done { events, film, rows, imbalance, total, cut_short, health })
 }
 
-/// Curves beside the motion, in the order of [`record`]'s values.
+/// Curves that the page shows beside the motion, in the order of [`record`]'s values.
 fn series(n: usize) -> Vec<Series> {
     let series = |name: String, group: &str| Series { name, group: group.to_owned(), factor: 1.0 };
     let heights = (0..n.min(HEIGHTS)).map(|i| series(format!("z{i}"), "height [m]"));
@@ -207,7 +207,7 @@ fn series(n: usize) -> Vec<Series> {
         .collect()
 }
 
-/// Events in words.
+/// Texts of events.
 fn told(events: &[EventRecord]) -> Vec<(f64, String)> {
     let words = |event: &EventRecord| match event.touches.as_slice() {
         [] => format!("{} let go", count(event.released, "point")),

@@ -1,5 +1,4 @@
-//! `--error` and `--budget`: method and step are picked by calibration, then the run goes on as if they had
-//! been given.
+//! `--error` and `--budget`: picks method and step by calibration; the run then goes on as if they had been given.
 
 use super::arguments::Arguments;
 use super::body::is_scene;
@@ -16,10 +15,10 @@ use crate::report::subject::{Kind, Subject};
 use crate::report::world::World;
 use std::path::Path;
 
-/// The arguments with method and step in place of an aim; says on standard error what was picked and why.
+/// The arguments with method and step instead of the error or budget; says on standard error what was picked and why.
 ///
 /// # Errors
-/// [`Failure::Wrong`] for a wrong aim, or one that no method meets.
+/// [`Failure::Wrong`] for a wrong error or budget, or one that no method meets.
 pub(super) fn resolve(arguments: &Arguments, path: &Path) -> Result<Arguments, Failure> {
     let aim = match (arguments.error, &arguments.budget) {
         (None, None) => return Ok(arguments.clone()),
@@ -55,7 +54,7 @@ pub(super) fn resolve(arguments: &Arguments, path: &Path) -> Result<Arguments, F
         let interval = mechanism.row_interval();
         (Box::new(mechanism), interval)
     };
-    // Rows stay as far apart as they were asked for, whatever the step; and a scene has one engine.
+    // The interval between rows stays as asked for, whatever the step; and a scene has only one engine.
     let engine = match subject.kind() {
         Kind::Mechanism => arguments.engine,
         Kind::Body | Kind::World => EngineKind::Interpreter,

@@ -1,30 +1,30 @@
-//! Events of a mechanism's motion for the page of `--view`, and for plots: an independent coordinate turns back, a
+//! Events of a mechanism's motion, for the page of `--view` and for plots: an independent coordinate reverses, a
 //! coordinate leaves its declared range or returns.
 //!
-//! In: rows one after the other. Out: times and words. Between rows a speed is taken as linear, so that a turn lies
-//! at t + h |u| / (|u| + |u'|) and the coordinate there at q + u (t* - t)/2.
+//! In: rows one after the other. Out: times and texts. Between rows a speed is interpolated linearly: a reversal is at
+//! t* = t + h |u| / (|u| + |u'|), u' the speed of the next row, and the coordinate there is q + u (t* - t)/2.
 
 use super::health::Range;
 use smartbed_codegen::model::{Model, SpeedMeaning};
 use std::collections::BTreeMap;
 
-/// Most events; a page lists no more.
+/// Most events; a page lists no more than this.
 const MOST: usize = 400;
-/// A coordinate that moves less than this between two turns (rad or m, relative above 1) rests.
+/// A coordinate that moves less than this between two reversals (rad or m, relative above 1) is at rest.
 const REST: f64 = 1e-6;
 
 /// A coordinate that is watched.
 #[derive(Clone, Debug)]
 struct Watched {
     name: String,
-    /// Places in a row: of the coordinate, and of its speed if it is watched for turns.
+    /// Index in a row: of the coordinate, and of its speed if it is watched for reversals.
     place: usize,
     speed: Option<usize>,
     /// Unit as declared, and how many SI units make one.
     unit: (String, f64),
     range: Option<Range>,
     is_outside: bool,
-    /// Where it last turned.
+    /// Its value at the last reversal.
     turned: Option<f64>,
 }
 
@@ -38,7 +38,7 @@ pub struct Events {
 }
 
 impl Events {
-    /// Nothing seen yet; `names` are those of a row's numbers, time first.
+    /// Without events; `names` are those of a row's numbers, time first.
     #[must_use]
     pub fn new(model: &Model, names: &[String], ranges: &BTreeMap<String, Range>) -> Self {
         let place = |name: &str| names.iter().position(|n| n == name);
@@ -75,7 +75,7 @@ impl Events {
         self.last.extend_from_slice(values);
     }
 
-    /// When a coordinate left its declared range or returned, in order; some of them where they are many.
+    /// Times at which a coordinate left its declared range or returned, in order; thinned out if there are many.
     #[must_use]
     pub fn crossings(&self) -> Vec<f64> {
         let mut times: Vec<f64> = self.crossings.iter().copied().take(MOST).collect();
@@ -156,7 +156,7 @@ mod tests {
         );
         assert!((found[2].0 - 0.5 * std::f64::consts::PI).abs() < 1e-4, "{found:?}");
         assert!(found[2].1.starts_with("q turns at -17.18"), "{found:?}");
-        // cos(2 t) = 2/3 at t = 0.4205 s: the first row behind it.
+        // cos(2 t) = 2/3 at t = 0.4205 s: the first row after it.
         assert!((found[1].0 - 0.43).abs() < 1e-9, "{found:?}");
     }
 }

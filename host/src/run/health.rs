@@ -1,21 +1,21 @@
-//! What went wrong in a run although no step was refused: looked for all along, told once, at its end.
+//! Finds what went wrong in a run in which no step was refused; observed all along, reported once at the end.
 //!
-//! In: coordinates and energies as they come. Out: a line for each kind of finding. It observes; no step is changed.
+//! In: coordinates and energies, row by row. Out: one line per kind of finding. It observes; no step is changed.
 
 use crate::number::worst;
 use std::collections::BTreeMap;
 
-/// Part of the energy that moved (kinetic, stored, worked) which the ledger may miss.
+/// Largest admitted imbalance of the ledger, as a fraction of the energy that moved (kinetic, stored, worked).
 const IMBALANCE: f64 = 1e-3;
-/// Rounding units of the energies of a state that mean nothing.
+/// An imbalance below this many epsilons of the energies is rounding.
 const ROUNDING: f64 = 1e3;
-/// Pivots below this share of nominal are next to a singular configuration.
+/// Pivots below this fraction of nominal are close to a singular configuration.
 const NEARLY_SINGULAR: f64 = 1e-3;
-/// Parts of a range by which a coordinate may pass it: what rounding and a start at its end leave.
+/// A coordinate may exceed its range by this fraction of it, because of rounding or a start at its end.
 const SLACK: f64 = 1e-6;
-/// An angle whose range is more of a turn than this may go round.
+/// An angle whose range exceeds this fraction of a turn may rotate without limit.
 const WHOLE_TURN: f64 = 0.95;
-/// Coordinates named; more are counted.
+/// Most coordinates that are named; more are counted.
 const NAMED: usize = 4;
 
 /// A declared range of a coordinate.
@@ -25,7 +25,7 @@ pub struct Range {
     pub ends: (f64, f64),
     /// Unit that it was written in, and how many SI units make one of it.
     pub unit: (String, f64),
-    /// Whole turns change nothing: a crank may go round.
+    /// The value may be taken modulo whole turns, as that of a crank.
     pub is_angle: bool,
 }
 
@@ -44,7 +44,7 @@ impl Range {
     }
 }
 
-/// The farthest that a coordinate was outside its range.
+/// The largest excess of a coordinate over its range.
 #[derive(Clone, Copy, PartialEq, Debug)]
 struct Outside {
     t: f64,
@@ -52,12 +52,12 @@ struct Outside {
     excess: f64,
 }
 
-/// What was met so far.
+/// Observations so far.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Health {
     ranges: BTreeMap<String, Range>,
     outside: BTreeMap<String, Outside>,
-    /// Largest share of nominal that no pivot fell below.
+    /// Smallest pivot so far, relative to nominal.
     pivot: f64,
     imbalance: f64,
     moved: f64,
@@ -68,23 +68,23 @@ pub struct Health {
 /// Energies at a row (J).
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Energies<'a> {
-    /// Energies of the state.
+    /// Stored energies of the state, the kinetic one first.
     pub stored: &'a [f64],
     /// Work put in and taken out, and how much the total has changed.
     pub moved: &'a [f64],
-    /// What no account explains.
+    /// Imbalance of the ledger.
     pub imbalance: f64,
 }
 
 impl Health {
-    /// Nothing seen yet; `epsilon` is the scalar's.
+    /// Without observations; `epsilon` is the scalar's.
     #[must_use]
     pub fn new(ranges: BTreeMap<String, Range>, epsilon: f64) -> Self {
         let outside = BTreeMap::new();
         Self { ranges, outside, pivot: 1.0, imbalance: 0.0, moved: 0.0, size: 0.0, epsilon }
     }
 
-    /// A coordinate at a time.
+    /// Observes a coordinate at a time.
     pub fn place(&mut self, name: &str, value: f64, t: f64) {
         let Some(range) = self.ranges.get(name) else { return };
         let excess = range.excess(value);
@@ -94,22 +94,22 @@ impl Health {
         }
     }
 
-    /// The worst pivot of a step, relative to nominal.
+    /// Observes the worst pivot of a step, relative to nominal.
     pub fn pivot(&mut self, pivot: f64) {
         if pivot.is_nan() || pivot < self.pivot {
             self.pivot = pivot;
         }
     }
 
-    /// Energies at a row.
+    /// Observes the energies of a row.
     pub fn energies(&mut self, at: Energies<'_>) {
-        // The first stored energy is the kinetic one: it moves in any case.
+        // The first stored energy, the kinetic one, counts as energy that moved.
         self.moved = at.moved.iter().chain(at.stored.first()).fold(self.moved, |m, x| worst(m, *x));
         self.size = at.stored.iter().fold(self.size, |m, x| worst(m, *x));
         self.imbalance = worst(self.imbalance, at.imbalance);
     }
 
-    /// What a user should hear of.
+    /// The findings, as messages for the user.
     #[must_use]
     pub fn findings(&self) -> Vec<String> {
         [self.unbalanced(), self.left_ranges(), self.singular()].into_iter().flatten().collect()
@@ -117,7 +117,7 @@ impl Health {
 
     fn unbalanced(&self) -> Option<String> {
         let allowed = IMBALANCE * self.moved + ROUNDING * self.epsilon * self.size;
-        // Not a number is more than allowed.
+        // False also for NaN.
         let is_balanced = self.imbalance <= allowed;
         (!is_balanced).then(|| {
             format!(

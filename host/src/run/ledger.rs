@@ -1,14 +1,14 @@
-//! The energy ledger of a run, an observer in f64: what was put in, taken out, and is left over.
+//! The energy ledger of a run, an observer in f64: stored energies, work put in and taken out, and the imbalance.
 //!
-//! total = kinetic + gravity + spring; imbalance = total - total at the start + damping - actuator -
-//! external - drive, which is 0 in exact arithmetic. Works are integrals of powers over each step by
-//! Simpson's rule; between two states a cubic (Hermite) or the method's own dense output.
+//! imbalance = total - total at the start + damping - actuator - external - drive, with total = kinetic + gravity +
+//! spring; it is 0 in exact arithmetic. Works are integrals of powers over each step by Simpson's rule; states inside a
+//! step come from a cubic Hermite polynomial or from the method's own dense output.
 
 use crate::observers::{LEDGER, Observers};
 use smartbed_codegen::{Interpreted, Program};
 use smartbed_runtime::mechanism::{Fault, Mechanism};
 
-/// Names of the columns of a row, the contract's order; what a rigid mechanism has not stays 0.
+/// Names of the columns of a row, in the documented order; those that a rigid mechanism does not have stay 0.
 pub const COLUMNS: [&str; 12] = [
     "kinetic",
     "gravity",
@@ -24,7 +24,7 @@ pub const COLUMNS: [&str; 12] = [
     "imbalance",
 ];
 
-/// [`COLUMNS`], and `drive` after `external` where something drives the mechanism.
+/// [`COLUMNS`], with `drive` after `external` if the mechanism is driven.
 #[must_use]
 pub fn columns(program: &Program) -> Vec<&'static str> {
     let mut names = COLUMNS.to_vec();
@@ -34,7 +34,7 @@ pub fn columns(program: &Program) -> Vec<&'static str> {
     names
 }
 
-/// Where `drive` stands.
+/// Index of `drive`.
 const DRIVE: usize = 10;
 
 /// Stored energies and accounts (J).
@@ -42,9 +42,9 @@ const DRIVE: usize = 10;
 pub struct Accounts {
     /// Kinetic energy.
     pub kinetic: f64,
-    /// Energy of weight, zero at the origin.
+    /// Gravitational energy, zero at the origin.
     pub gravity: f64,
-    /// Energy of springs.
+    /// Elastic energy of springs.
     pub spring: f64,
     /// Work taken out by loads that depend on speeds.
     pub damping: f64,
@@ -52,7 +52,7 @@ pub struct Accounts {
     pub actuator: f64,
     /// Work put in by other loads.
     pub external: f64,
-    /// Work put in by what makes the mechanism follow time; none where nothing does.
+    /// Work put in by the drive; `None` if the mechanism is not driven.
     pub drive: Option<f64>,
     /// kinetic + gravity + spring at the start.
     pub start: f64,
@@ -65,7 +65,7 @@ impl Accounts {
         self.kinetic + self.gravity + self.spring
     }
 
-    /// What no account explains.
+    /// Change of the total that no account explains.
     #[must_use]
     pub fn imbalance(&self) -> f64 {
         self.total() - self.start + self.damping - self.actuator - self.external - self.drive.unwrap_or(0.0)
@@ -82,7 +82,7 @@ impl Accounts {
     }
 }
 
-/// A state with what the ledger needs to know of it.
+/// A state with the powers that the ledger integrates.
 #[derive(Clone, Debug, Default)]
 struct Moment {
     t: f64,
@@ -93,7 +93,7 @@ struct Moment {
     entries: [f64; 6],
 }
 
-/// Keeps the accounts.
+/// The ledger.
 #[derive(Debug)]
 pub struct Ledger {
     mechanism: Interpreted<f64>,
@@ -109,7 +109,7 @@ impl Ledger {
     /// Opens the ledger at a state x = [q, u].
     ///
     /// # Errors
-    /// [`Fault::Shape`] if the state has not the program's length.
+    /// [`Fault::Shape`] if the state does not have the program's length.
     pub fn open(program: &Program, observers: &Observers, t: f64, x: &[f64]) -> Result<Self, Fault> {
         let mut ledger = Self {
             mechanism: Interpreted::new(program),
@@ -133,7 +133,7 @@ impl Ledger {
         self.accounts
     }
 
-    /// Books the step from the last state to (t, x); between them a cubic is assumed.
+    /// Books the step from the last state to (t, x), with a cubic in between.
     ///
     /// # Errors
     /// As [`Ledger::open`].
@@ -146,7 +146,7 @@ impl Ledger {
         self.book(&[middle], new)
     }
 
-    /// Books the step through the given states, equally spaced in time, an odd number of them.
+    /// Books the step through the given intermediate states, equally spaced in time, an odd number of them.
     ///
     /// # Errors
     /// As [`Ledger::open`].
@@ -155,7 +155,7 @@ impl Ledger {
         self.book(between, new)
     }
 
-    /// Simpson's rule over the last state, those between, and the new one.
+    /// Simpson's rule over the last state, the intermediate ones, and the new one.
     fn book(&mut self, between: &[Vec<f64>], new: Moment) -> Result<(), Fault> {
         let h = (new.t - self.last.t) / (between.len() + 1) as f64;
         let mut sums: [f64; 4] = std::array::from_fn(|i| self.last.entries[2 + i] + new.entries[2 + i]);

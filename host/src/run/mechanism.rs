@@ -1,4 +1,4 @@
-//! A mechanism is run: derived, started, simulated; rows, plot, film and summary.
+//! Runs a mechanism: derives, starts and simulates it; rows, plot, film and summary.
 
 use super::arguments::Arguments;
 use super::events::Events;
@@ -23,7 +23,7 @@ use smartbed_codegen::program;
 use smartbed_codegen::words::count;
 use std::fmt::Write as _;
 
-/// Last values below this share of the largest of their unit are rounding.
+/// Last values below this fraction of the largest of their unit are rounding.
 const ROUNDING: f64 = 1e-12;
 
 pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
@@ -46,7 +46,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     Ok(Outcome { text, film, findings: summary.health.findings() })
 }
 
-/// Simulates and writes what is asked for; gives the data of `--view`.
+/// Simulates and writes what is asked for; returns the data of `--view`.
 fn record<S: EngineScalar>(
     arguments: &Arguments,
     model: &Model,
@@ -108,7 +108,7 @@ fn record<S: EngineScalar>(
     Ok((summary, film.map(|film| film.data(title, &note, &events.finish()))))
 }
 
-/// Curves beside the motion, and their places in a row.
+/// Curves that the page shows beside the motion, and their indices in a row.
 fn series(model: &Model, names: &[String]) -> (Vec<Series>, Vec<usize>) {
     let columns = motion::columns(model, 1.0).into_iter();
     let curves = columns.map(|c| (c.name.to_owned(), panels::label(&c.unit), c.factor));
@@ -123,7 +123,7 @@ fn series(model: &Model, names: &[String]) -> (Vec<Series>, Vec<usize>) {
     shown.unzip()
 }
 
-/// What was done, for people or for machines.
+/// The summary, as text or JSON.
 fn report(arguments: &Arguments, model: &Model, setup: Setup<'_>, summary: &Summary, elapsed: f64) -> String {
     let names = columns(setup.program, setup.observers);
     let (settings, method) = (setup.settings, setup.settings.method.name());
@@ -164,7 +164,7 @@ fn report(arguments: &Arguments, model: &Model, setup: Setup<'_>, summary: &Summ
     text + &last_row(model, settings.seconds, &names[..shown.min(names.len())], &summary.last)
 }
 
-/// Time, coordinates and speeds at the end, in the model's units; what is rounding beside others of its unit is 0.
+/// Time, coordinates and speeds at the end, in the model's units; values that are rounding are shown as 0.
 fn last_row(model: &Model, seconds: f64, names: &[String], last: &[f64]) -> String {
     let columns = motion::columns(model, seconds);
     let of = |name: &String, value: &f64| match columns.iter().find(|column| column.name == name) {

@@ -1,4 +1,4 @@
-//! `smartbed run`: a mechanism or a scene in motion; rows as CSV, plots, an animation, a summary.
+//! `smartbed run`: simulates a mechanism or a scene; rows as CSV, plots, an animation, a summary.
 
 pub mod arguments;
 #[cfg(feature = "whole")]
@@ -26,7 +26,7 @@ use crate::{model_argument, world::Assembly};
 use crate::{output, plot};
 use outcome::Outcome;
 
-/// Does what the command line asks for.
+/// Runs the command.
 ///
 /// # Errors
 /// Status 1 for a wrong model or setting and for a motion that cannot go on; status 2 without a
@@ -42,7 +42,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
 /// The world that the arguments name, changed by their settings.
 ///
 /// # Errors
-/// [`Failure::Found`] with all that is wrong in it; [`Failure::Wrong`] if the file is none.
+/// [`Failure::Found`] with all errors in it; [`Failure::Wrong`] if the file is no world.
 #[cfg(feature = "whole")]
 pub fn world(arguments: &Arguments) -> Result<Assembly, Failure> {
     let path = model_argument::find(&arguments.model)?;
@@ -55,7 +55,7 @@ pub fn world(arguments: &Arguments) -> Result<Assembly, Failure> {
     }
 }
 
-/// Runs, and gives what the page of the motion reads; `--view` is not written.
+/// Runs, and returns the data of the motion's page; does not write `--view`.
 ///
 /// # Errors
 /// As [`run`].
@@ -64,7 +64,7 @@ pub fn film(arguments: &Arguments) -> Result<String, Failure> {
     Ok(carry_out(&arguments)?.film.unwrap_or_default())
 }
 
-/// Runs and writes what is asked for but the page; gives the summary, and the page's data if `--view` is given.
+/// Runs and writes everything asked for except the page; returns the summary, and the page's data if `--view` is given.
 fn carry_out(arguments: &Arguments) -> Result<Outcome, Failure> {
     if let Some(file) = &arguments.plot {
         plot::format_of(file)?;
@@ -75,7 +75,7 @@ fn carry_out(arguments: &Arguments) -> Result<Outcome, Failure> {
     mechanism::run(arguments)
 }
 
-/// A world, a scene or a mechanism, each as it is run.
+/// Runs a world, a scene or a mechanism.
 #[cfg(feature = "whole")]
 fn any(arguments: &Arguments) -> Result<Outcome, Failure> {
     let path = model_argument::find(&arguments.model)?;
@@ -93,7 +93,7 @@ fn any(arguments: &Arguments) -> Result<Outcome, Failure> {
     }
 }
 
-/// The summary, where rows do not go; then what went wrong, which `--strict` makes a failure.
+/// Prints the summary, unless rows go there; then the findings, which `--strict` turns into a failure.
 fn tell(arguments: &Arguments, text: &str, findings: &[String]) -> Result<(), Failure> {
     if arguments.csv.as_deref() == Some("-") {
         output::say(text.trim_end());

@@ -1,4 +1,4 @@
-//! What a run leaves behind: its summary, rows that are whole, how it was made.
+//! The results of a run: its summary, complete rows, a note on how it was made.
 
 use super::arguments::Arguments;
 use crate::engine::ScalarKind;
@@ -8,17 +8,17 @@ use crate::output::Output;
 use smartbed_codegen::words::count;
 use std::fmt::Write as _;
 
-/// What a run leaves behind beside its files.
+/// The results of a run, apart from its files.
 pub(super) struct Outcome {
     /// The summary.
     pub(super) text: String,
     /// The data of the page.
     pub(super) film: Option<String>,
-    /// What went wrong.
+    /// Findings of [`super::health`].
     pub(super) findings: Vec<String>,
 }
 
-/// What there is of a run that ended early: whole rows.
+/// Completes a run that ended early: writes its rows and adds a note to the failure.
 pub(super) fn ended_early(failure: Failure, csv: Option<Output>, rows: u64, file: &str) -> Failure {
     let (Some(csv), Failure::Wrong(why)) = (csv, &failure) else { return failure };
     match csv.finish() {
@@ -30,7 +30,7 @@ pub(super) fn ended_early(failure: Failure, csv: Option<Output>, rows: u64, file
     }
 }
 
-/// How a run was made: method and step, the scalar if it is not the usual one, what was changed.
+/// A note on how a run was made: method and step, the scalar if it is not the usual one, changed settings.
 pub(super) fn noted(method: String, arguments: &Arguments) -> String {
     let scalar = (arguments.scalar != ScalarKind::default()).then(|| "f32".to_owned());
     let changed = arguments.set.iter().map(|change| change.replacen('=', " = ", 1));

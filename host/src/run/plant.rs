@@ -1,7 +1,7 @@
-//! A mechanism that integrators step: the engine of its equations and the laws of its inputs.
+//! The mechanism that integrators step: the engine of its equations together with the laws of its inputs.
 //!
 //! In: an engine and the laws as a program. Out: rates, projection, and the answers of the engine, with the inputs that
-//! the laws command at each state.
+//! the laws give at each state.
 
 use crate::engine::{Engine, EngineScalar};
 use crate::observers::Observers;
@@ -9,7 +9,7 @@ use smartbed_codegen::{Interpreted, Program};
 use smartbed_runtime::mechanism::Fault;
 use smartbed_runtime::ode::Ode;
 
-/// A mechanism with its laws: what integrators step.
+/// A mechanism with its laws, as integrators step it.
 #[derive(Debug)]
 pub struct Plant<E, S> {
     pub(super) engine: E,

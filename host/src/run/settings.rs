@@ -1,4 +1,4 @@
-//! What a run is: the model's `[start]` and `[run]`, changed by the command line.
+//! Settings of a run: the model's `[start]` and `[run]`, changed by the command line.
 
 use super::arguments::Arguments;
 use super::health::Range;
@@ -13,7 +13,7 @@ use std::collections::BTreeMap;
 
 /// Most steps of a run.
 const MOST_STEPS: f64 = 1e9;
-/// Error per step of the adaptive method, unless told otherwise.
+/// Default tolerance of the adaptive method.
 const TOLERANCE: f64 = 1e-9;
 
 /// Integration methods by the names of the command line and of models.
@@ -55,9 +55,9 @@ pub struct Settings {
     pub seconds: f64,
     /// Step (s); the first one of the adaptive method.
     pub step: f64,
-    /// Method.
+    /// Integration method.
     pub method: Method,
-    /// A row is written every so many steps of `step`.
+    /// A row is written after every this many steps of `step`.
     pub every: usize,
     /// Error per step of the adaptive method, absolute and relative.
     pub tolerance: f64,
@@ -150,7 +150,7 @@ impl Settings {
 
     fn set_start(&mut self, model: &Model, name: &str, value: f64) -> Result<(), Failure> {
         let coordinates = model.coordinates.iter().filter(|c| c.closed_form.is_none()).map(|c| &c.name);
-        // Dependent ones too: where the independent ones have a dead point they are state.
+        // Dependent ones too: if the independent ones have a dead point, all are state.
         let speeds = model.speeds.iter().map(|s| &s.name);
         let mut starts = coordinates.chain(speeds).map(String::as_str);
         if starts.clone().any(|s| s == name) {
@@ -171,8 +171,8 @@ impl Settings {
         }
     }
 
-    /// Intervals of this length in the run, the last one perhaps shorter; a rest below a thousandth of one is
-    /// rounding, but a run of any length has one.
+    /// Number of intervals of this length in the run, the last one perhaps shorter. A remainder below a thousandth of
+    /// one is rounding, but there is at least one interval.
     #[must_use]
     pub fn intervals(&self, length: f64) -> u64 {
         const ROUNDING: f64 = 1e-3;

@@ -1,8 +1,7 @@
-//! Steps a mechanism from start to end and hands over its rows.
+//! Steps a mechanism from start to end and hands out its rows.
 //!
-//! In: a program, its observers, settings, the start. Out: rows at equal intervals, each a list of
-//! numbers under [`columns`], and a [`Summary`]. Observers see states that are given; deleting them
-//! changes no bit of the motion.
+//! In: a program, its observers, settings, the start. Out: rows at equal intervals, each a list of numbers named by
+//! [`columns`], and a [`Summary`]. Observers only read states; without them the motion is the same bit for bit.
 
 use super::health::{Energies, Health, Range};
 use super::ledger::{self, Ledger};
@@ -26,9 +25,9 @@ use std::collections::BTreeMap;
 
 /// Most steps of the adaptive method.
 const MOST_STEPS: u64 = 100_000_000;
-/// Parts of an adaptive step in which powers are integrated: an even number.
+/// Intervals of Simpson's rule in an adaptive step: an even number.
 const PARTS: usize = 8;
-/// A rest of the time below this share of a step is rounding.
+/// A remainder of the time below this fraction of a step is rounding.
 const ROUNDING: f64 = 1e-3;
 
 /// One row of a run.
@@ -36,39 +35,39 @@ const ROUNDING: f64 = 1e-3;
 pub struct Row {
     /// Numbers under the names of [`columns`].
     pub values: Vec<f64>,
-    /// What a picture needs, see [`Observers::places`].
+    /// Values for a picture, see [`Observers::places`].
     pub places: Vec<f64>,
 }
 
-/// What a run was.
+/// The summary of a run.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Summary {
     /// Steps taken.
     pub steps: u64,
     /// Evaluations of the equations of motion.
     pub evaluations: u64,
-    /// Rows handed over.
+    /// Rows handed out.
     pub rows: u64,
-    /// Worst pivot met, relative to nominal.
+    /// Smallest pivot so far, relative to nominal.
     pub pivot: f64,
     /// Largest constraint residual before a projection.
     pub residual: f64,
     /// Largest absolute imbalance of the ledger at any row (J).
     pub imbalance: f64,
-    /// What went wrong.
+    /// Findings of the run.
     pub health: Health,
     /// The last row.
     pub last: Vec<f64>,
 }
 
-/// Everything a run needs.
+/// All arguments of a run.
 #[derive(Clone, Copy, Debug)]
 pub struct Setup<'a> {
     /// The equations.
     pub program: &'a Program,
-    /// What is watched.
+    /// Observed quantities.
     pub observers: &'a Observers,
-    /// Numbers.
+    /// Settings.
     pub settings: &'a Settings,
     /// Coordinates and independent speeds at the start.
     pub start: &'a [f64],
@@ -84,7 +83,7 @@ pub fn columns(program: &Program, observers: &Observers) -> Vec<String> {
     names.extend(ledger::columns(program).into_iter().map(str::to_owned));
     let more = program.outputs.iter().map(|(name, _)| name).chain(program.inputs.iter().map(|i| &i.name));
     for name in more {
-        // A name twice would make the table ambiguous; the contract's columns come first.
+        // A duplicate name would make the table ambiguous; the documented columns come first.
         if !names.contains(name) {
             names.push(name.clone());
         }
@@ -92,7 +91,7 @@ pub fn columns(program: &Program, observers: &Observers) -> Vec<String> {
     names
 }
 
-/// Makes rows, and keeps what the summary needs.
+/// Makes rows, and collects the summary.
 struct Recorder<'a, S, F> {
     program: &'a Program,
     closed_forms: Interpreted<S>,
@@ -202,7 +201,7 @@ pub fn simulate<S: EngineScalar>(
         .map_err(|fault| Failure::Wrong(format!("t = 0 s: {}", explain(fault))))?;
     let mut state = State::new(&mut x, &mut low).map_err(|f| Failure::Wrong(explain(f).to_owned()))?;
     recorder.row(&mut plant, 0.0, state.x(), &ledger)?;
-    // Where time gives every coordinate there is nothing to integrate: any method's steps are rows.
+    // If time determines every coordinate there is nothing to integrate: any method only makes rows.
     let stateless = state.x().is_empty().then_some(Method::Rk4);
     match setup.settings.method.fixed().or(stateless) {
         Some(method) => fixed(setup, method, &mut plant, &mut state, ledger, &mut recorder)?,
@@ -212,7 +211,7 @@ pub fn simulate<S: EngineScalar>(
     Ok(recorder.summary)
 }
 
-/// The declared ranges; of an angle that stands in nothing but sines, up to whole turns.
+/// The declared ranges; those of angles that appear only inside sines and cosines count modulo whole turns.
 pub(super) fn ranges(setup: Setup<'_>) -> BTreeMap<String, Range> {
     let mut ranges = setup.settings.ranges.clone();
     for angle in setup.program.q.iter().filter(|q| q.is_angle) {
@@ -225,7 +224,7 @@ fn widened<S: Scalar>(x: &[S]) -> Vec<f64> {
     x.iter().map(|x| x.to_f64()).collect()
 }
 
-/// Ends the run behind a whole step, if somebody asked for that.
+/// Ends the run after a complete step if the user interrupts.
 pub(super) fn interrupted(t: f64) -> Result<(), Failure> {
     match interrupt::is_asked() {
         true => Err(Failure::Wrong(format!("interrupted at t = {t:.6} s"))),
@@ -233,7 +232,7 @@ pub(super) fn interrupted(t: f64) -> Result<(), Failure> {
     }
 }
 
-/// A refused step in words.
+/// The message for a refused step.
 fn refused(t: f64, fault: Fault) -> Failure {
     let hint = match fault {
         Fault::Singular => "; expected a motion that keeps away from singular configurations",
@@ -309,7 +308,7 @@ where
     let mut dense = |method: &DormandPrince<'_, S>, plant: &mut Plant<E, S>, t: f64, theta: f64| {
         method.dense(S::from_f64(theta), &mut inside)?;
         plant.set_time(S::from_f64(t));
-        // Between two states on the constraints the interpolant is a little off them.
+        // The interpolant between two states on the constraints does not satisfy them exactly.
         plant.project(&mut inside)?;
         Ok::<Vec<S>, Fault>(inside.clone())
     };
@@ -323,7 +322,7 @@ where
         let h = taken.h.to_f64();
         let end = if h >= left * (1.0 - f64::from(f32::EPSILON)) { seconds } else { t + h };
         recorder.took(taken.report, end, state.x());
-        // The step is booked in two parts wherever a row lies inside it.
+        // A step is booked in parts if rows lie inside it.
         let mut from = 0.0;
         while next_row <= rows {
             let at = if next_row == rows { seconds } else { next_row as f64 * interval };
@@ -355,7 +354,7 @@ where
     )))
 }
 
-/// Books the share `from..to` of a step, which ends at time `t` with `x`.
+/// Books the part `from..to` (fractions) of a step, which ends at time `t` with `x`.
 fn book<S: Scalar>(
     ledger: &mut Ledger,
     (from, to): (f64, f64),

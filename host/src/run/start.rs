@@ -1,4 +1,4 @@
-//! Coordinates and speeds at the start: as given, dependent ones solved for, or refused with the lines that say so.
+//! Coordinates and speeds at the start: as given, with dependent ones solved for, or an error that names the lines.
 
 use super::settings::Settings;
 use crate::configuration::Configurations;
@@ -10,7 +10,7 @@ use smartbed_codegen::kinematics::Unreachable;
 use smartbed_codegen::model::{Model, StartRef};
 use smartbed_codegen::program::Quantity;
 
-/// A dependent start value counts as replaced where the solution differs by more than this, relative to it.
+/// A given dependent value counts as replaced if the solution differs by more than this, relative to it.
 const REPLACED: f64 = 1e-6;
 
 /// Coordinates and independent speeds at the start.
@@ -28,7 +28,7 @@ pub(crate) fn start(model: &Model, program: &Program, settings: &Settings) -> Re
     Ok(x)
 }
 
-/// Says which of the start values that were given are others now, and why.
+/// Reports which of the given start values were replaced, and why.
 fn note_replaced(quantities: &[Quantity], given: &[Option<f64>], found: &[f64], why: &str) {
     for ((quantity, given), found) in quantities.iter().zip(given).zip(found) {
         let replaced = given.filter(|given| (given - found).abs() > REPLACED * given.abs().max(1.0));
@@ -41,7 +41,7 @@ fn note_replaced(quantities: &[Quantity], given: &[Option<f64>], found: &[f64], 
     }
 }
 
-/// Speeds at the start: as given, made to meet the constraints where all of them are state.
+/// Speeds at the start: as given; corrected to meet the constraints if all of them are state.
 fn start_speeds(
     model: &Model,
     program: &Program,
@@ -65,7 +65,7 @@ fn start_speeds(
     Ok(speeds)
 }
 
-/// The start cannot be assembled: with the lines of `[start]` that say where it should be.
+/// The error for a start that cannot be assembled, with the lines of `[start]` concerned.
 fn start_unreachable(model: &Model, settings: &Settings, unreachable: &Unreachable) -> Failure {
     let mut error = Diagnostic::error(format!("the start cannot be assembled: {unreachable}"))
         .help("expected independent coordinates within reach of the nominal configuration");

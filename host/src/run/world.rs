@@ -1,4 +1,4 @@
-//! `smartbed run` of a scene of format 2: the same arguments, rows, plots, page and summary for any world.
+//! `smartbed run` of a scene of format 2: arguments, rows, plots, page and summary as for a mechanism.
 
 use super::arguments::Arguments;
 use super::health::{Energies as Moved, Health};
@@ -26,12 +26,13 @@ use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::path::Path;
 
-/// Events named in the summary; the rest is counted.
+/// Most events named in the summary; more are counted.
 const TOLD: usize = 12;
-/// What rounding leaves of a number of size 1: a touch is located to eps^(2/3) of the parts' size, and a run has many.
+/// Rounding error of a number of size 1: a touch is located to eps^(2/3) of the parts' size, and a run has many
+/// touches.
 const NOISE: f64 = 1e-8;
 
-/// Reads it, with the command line's settings.
+/// Reads the world, with the command line's settings.
 ///
 /// # Errors
 /// What is wrong in it, or an option that worlds do not have.
@@ -56,7 +57,7 @@ pub(super) fn open(arguments: &Arguments, path: &Path) -> Result<Assembly, Failu
     model_argument::open_world(path, &settings)
 }
 
-/// Runs it; gives the summary, and the data of `--view`.
+/// Runs it; returns the summary, and the data of `--view`.
 ///
 /// # Errors
 /// Status 1 for a wrong scene or setting and for a motion that cannot go on.
@@ -70,7 +71,7 @@ pub(super) fn simulate(arguments: &Arguments, path: &Path) -> Result<Outcome, Fa
     Ok(Outcome { text, film: done.film, findings })
 }
 
-/// What a run was.
+/// Results of a run.
 struct Done {
     method: String,
     names: Vec<String>,
@@ -201,7 +202,7 @@ fn checkpoint(file: &str) -> Result<Checkpoint, Failure> {
     })
 }
 
-/// Numbers of the columns that a plot shows.
+/// Indices of the columns that a plot shows.
 pub(crate) fn shown(columns: &[Column], show: Option<&str>) -> Result<Vec<usize>, Failure> {
     let Some(patterns) = show else {
         return Ok((0..columns.len()).filter(|n| columns[*n].by_default).collect());
@@ -211,7 +212,7 @@ pub(crate) fn shown(columns: &[Column], show: Option<&str>) -> Result<Vec<usize>
     Ok((0..columns.len()).filter(|n| chosen.contains(&names[*n])).collect())
 }
 
-/// Curves beside the motion, in the order of [`values`].
+/// Curves that the page shows beside the motion, in the order of [`values`].
 fn series(columns: &[Column]) -> Vec<Series> {
     let own = columns.iter().filter(|c| c.by_default).map(|c| (c.name.clone(), panels::label(&c.unit)));
     let accounts = ACCOUNTS.iter().map(|name| {
@@ -258,13 +259,13 @@ pub(crate) fn drawing(
     chart::draw(&chart)
 }
 
-/// Events in words.
+/// Texts of events.
 fn told(events: &[Event], assembly: &Assembly) -> Vec<(f64, String)> {
     let words = |event: &Event| {
         let [one, other] = event.parts.map(|n| assembly.parts[n].name.as_str());
         let points = count(event.points, "point");
         let (approach, impulse) = (event.approach, event.impulse);
-        // Without locating touches the speed of approach is not known.
+        // If touches are not located, the speed of approach is unknown.
         let approach = if approach.is_nan() { String::new() } else { format!(" {approach:.4} m/s,") };
         format!("{one} strikes {other} at {points},{approach} impulse {impulse:.4} N s")
     };

@@ -1,10 +1,10 @@
-//! Errors of the runtime in words.
+//! Messages for errors of the runtime.
 
 use smartbed_codegen::words::count;
 use smartbed_runtime::flexible::BodyError;
 use smartbed_runtime::real::Scalar;
 
-/// An error of the runtime in words.
+/// The message for an error of the runtime.
 #[must_use]
 pub fn describe<S: Scalar>(error: &BodyError<S>) -> String {
     match error {

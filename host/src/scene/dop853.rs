@@ -1,9 +1,9 @@
 //! DOP853 with dense output: y' = f(t, y) to any tolerance, and y at every time within a step.
 //!
-//! In: f as a function on slices, a tolerance (absolute and relative). Out: steps that can be read
-//! anywhere, so events are located on them without further evaluations. Memory is allocated: this is
-//! the host's tool for reference trajectories; the runtime steps bodies with the same tableau.
-//! Source: Hairer, Norsett & Wanner, Solving Ordinary Differential Equations I, 2nd ed. (1993), II.5, II.6, II.10.
+//! In: f as a function on slices, a tolerance (absolute and relative). Out: steps with dense output, on which events
+//! are located without further evaluations. It allocates memory: it is the host's tool for reference trajectories; the
+//! runtime steps bodies with the same tableau. Source: Hairer, Norsett & Wanner, Solving Ordinary Differential
+//! Equations I, 2nd ed. (1993), II.5, II.6, II.10.
 
 use smartbed_runtime::ode::tableau::DOP853;
 
@@ -12,10 +12,10 @@ const STAGES: usize = 12;
 const SHRINK: f64 = 0.2;
 const GROW: f64 = 5.0;
 const SAFETY: f64 = 0.9;
-/// Tries of one step: each failure shortens it at least by [`SAFETY`].
+/// Most attempts at one step: each failure shortens it at least by [`SAFETY`].
 const TRIES: usize = 200;
 
-/// Weights of the three stages for the dense output alone, at 0.1, 0.2 and 7/9 of the step.
+/// Weights of the three additional stages of the dense output, at 0.1, 0.2 and 7/9 of the step.
 #[rustfmt::skip]
 const EXTRA: [[f64; 16]; 3] = [
     [
@@ -88,7 +88,7 @@ impl Dense {
     }
 }
 
-/// The integrator: where it is and the step it will try.
+/// The integrator: its state and the length of the next step.
 #[derive(Clone, Debug)]
 pub struct Dop853<F> {
     f: F,
@@ -112,7 +112,7 @@ impl<F: FnMut(f64, &[f64], &mut [f64])> Dop853<F> {
         solver
     }
 
-    /// Goes on from another state, as after an event.
+    /// Continues from another state, as after an event.
     pub fn restart(&mut self, t: f64, y: Vec<f64>, step: f64) {
         (self.t, self.y, self.step) = (t, y, step);
         (self.f)(t, &self.y, &mut self.slope);
@@ -147,7 +147,7 @@ impl<F: FnMut(f64, &[f64], &mut [f64])> Dop853<F> {
                 self.step = h * factor.min(SAFETY);
                 continue;
             }
-            // A step cut short by `end` says nothing against the longer one that was planned.
+            // A step shortened to end at `end` is no reason to shorten the next one.
             self.step = if h < self.step { self.step.max(h * factor) } else { h * factor };
             return Ok(self.accept(h, k, y));
         }
@@ -185,7 +185,7 @@ impl<F: FnMut(f64, &[f64], &mut [f64])> Dop853<F> {
         h.abs() * fine / ((fine + 0.01 * coarse) * y.len() as f64).sqrt()
     }
 
-    /// Moves to the end of the step; the dense output takes four evaluations more, of which one starts the next step.
+    /// Accepts the step. The dense output takes four more evaluations, one of which is the first of the next step.
     fn accept(&mut self, h: f64, mut k: Vec<Vec<f64>>, y: Vec<f64>) -> Dense {
         let end_slope = self.evaluate(self.t + h, &y);
         k.push(end_slope.clone());

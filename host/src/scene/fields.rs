@@ -1,5 +1,5 @@
-//! Keys and values of a scene text (TOML or JSON) and of the settings on the command line, which override it;
-//! each error names its file and line, or its setting.
+//! Keys and values of a scene's text (TOML or JSON), and of settings on the command line, which override them; each
+//! error names its file and line, or its setting.
 
 use super::keys::ALIASES;
 use crate::json::Unique;
@@ -7,22 +7,22 @@ use serde_json::{Map, Value};
 use smartbed_codegen::model::marks;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Most marks of values, keys and lines in a text: the largest bodies have as many, and each takes some 180 bytes.
+/// Most values, keys and lines in a text: the largest bodies have this many, and each takes some 180 bytes.
 const MOST_MARKS: usize = 900_000;
 
-/// Has a text more values than its parser has memory for?
+/// Does a text have more values than its parser has memory for?
 #[must_use]
 pub fn is_too_much(text: &str) -> bool {
     marks(text) > MOST_MARKS
 }
 
-/// A scene taken apart, with what is needed to say where something stands.
+/// The keys and values of a scene, and their places in the text.
 #[derive(Clone, Debug)]
 pub struct Fields {
     path: String,
     text: String,
     map: Map<String, Value>,
-    /// Keys that stand in the text under another name, or come from a setting: how they are written there.
+    /// For keys that the text spells differently, or that come from a setting: how they are written there.
     written: BTreeMap<String, Written>,
 }
 
@@ -35,10 +35,10 @@ enum Written {
 }
 
 impl Fields {
-    /// Parses TOML, or JSON where the path ends in `.json` (then `geometry` is opened).
+    /// Parses TOML, or JSON if the path ends in `.json` (a table `geometry` is merged into the keys).
     ///
     /// # Errors
-    /// What the parser says, with file and line.
+    /// The parser's message, with file and line.
     pub fn parse(path: &str, text: &str) -> Result<Fields, String> {
         if is_too_much(text) {
             let marks = marks(text);
@@ -81,17 +81,17 @@ impl Fields {
         Ok(fields)
     }
 
-    /// Keys and values that come from another text: messages are `KEY: what is wrong`, their places are the caller's.
+    /// Keys and values read from another text: messages are `KEY: what is wrong`, to which the caller adds the place.
     #[must_use]
     pub fn of_map(map: Map<String, Value>) -> Fields {
         Fields { path: String::new(), text: String::new(), map, written: BTreeMap::new() }
     }
 
-    /// Sets a key: `name=value` as `--set` takes it, or an option of its own, `--name=value`. The value is TOML,
-    /// JSON or a bare word. Returns the key.
+    /// Sets a key: `name=value` as in `--set`, or an option of its own, `--name=value`. The value is TOML, JSON or a
+    /// bare word. Returns the key.
     ///
     /// # Errors
-    /// Not of this form.
+    /// If the setting does not have this form.
     pub fn set(&mut self, setting: &str) -> Result<String, String> {
         let (words, assignment) = match setting.strip_prefix("--") {
             Some(option) => (setting.replacen('=', " ", 1), option),
@@ -112,7 +112,7 @@ impl Fields {
         self.map.keys()
     }
 
-    /// Forgets a key.
+    /// Removes a key.
     pub fn remove(&mut self, key: &str) {
         self.map.remove(key);
     }
@@ -151,7 +151,7 @@ impl Fields {
         self.map.get(key)
     }
 
-    /// A number, or `default` where the key is missing.
+    /// A number, or `default` if the key is missing.
     ///
     /// # Errors
     /// Not a finite number.
@@ -309,7 +309,7 @@ impl Fields {
         Ok(list)
     }
 
-    /// A list whose items all read as wanted; the message names the first that does not.
+    /// A list whose items are all valid; the message names the first that is not.
     fn list<T>(
         &self,
         key: &str,
@@ -341,7 +341,7 @@ fn whole(value: &Value) -> Option<usize> {
     value.as_u64().and_then(|n| usize::try_from(n).ok())
 }
 
-/// A value on the command line. What is neither JSON nor TOML is a word; null, which JSON has, is no value.
+/// A value on the command line. Whatever is neither JSON nor TOML is a word; JSON's null counts as a word, too.
 fn value_of(text: &str) -> Value {
     let json = serde_json::from_str(text).ok().filter(|value: &Value| !value.is_null());
     let toml =
@@ -349,7 +349,7 @@ fn value_of(text: &str) -> Value {
     json.or_else(toml).unwrap_or_else(|| Value::String(text.to_owned()))
 }
 
-/// TOML has infinities, not-a-number and dates, JSON has none: they become words, which no number is read from.
+/// TOML has infinities, NaN and dates, JSON does not: they become strings, which no reader accepts as a number.
 fn of_toml(value: toml::Value) -> Value {
     match value {
         toml::Value::String(text) => Value::String(text),

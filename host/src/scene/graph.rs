@@ -1,7 +1,7 @@
-//! What a run of a scene looks like: heights, energies in the thesis' colours, work over impulse, pictures.
+//! The graph of a scene's run: heights, energies in the thesis' colours, work over impulse, pictures.
 //!
-//! In: rows and events as [`super::run::run`] gives them. Out: a [`Drawing`], written as SVG or PNG.
-//! Colours of chapter 5: total blue, kinetic orange, potential green, gravity purple, spring red.
+//! In: rows and events from [`super::run::run`]. Out: a [`Drawing`], written as SVG or PNG. Colours of chapter 5: total
+//! blue, kinetic orange, potential green, gravity purple, spring red.
 
 use super::pictures::Pictures;
 use super::read::Scene;
@@ -16,33 +16,33 @@ use crate::plot::{Recording, pattern};
 
 /// Energies of the graph, back to front.
 const ENERGIES: [&str; 6] = ["pressure", "spring", "gravity", "potential", "kinetic", "total"];
-/// Accounts of what left the body.
+/// Accounts of energy that left the body.
 const ACCOUNTS: [&str; 5] = ["damping", "drag", "impact", "friction", "actuator"];
-/// Most points whose height is plotted unasked.
+/// Most points whose height is plotted by default.
 const HEIGHTS: usize = 7;
-/// Most impacts whose work is plotted, the strongest; more curves cannot be told apart.
+/// Most impacts whose work is plotted, the strongest ones; more curves cannot be distinguished.
 const IMPACTS: usize = 7;
-/// Points of one phase of a work-impulse curve.
+/// Points in each phase of a work-impulse curve.
 const PHASE: usize = 24;
 
-/// What of a run is kept for its drawing.
+/// The part of a run that is kept for its drawing.
 #[derive(Clone, Debug)]
 pub struct Album {
-    /// Points' coordinates and velocities that are drawn: name, unit, place in a row's state.
+    /// Points' coordinates and velocities that are drawn: name, unit, index in a row's state.
     curves: Vec<(String, &'static str, usize)>,
-    /// Heights alone, unasked.
+    /// Are the curves the default ones, heights only?
     heights: bool,
-    /// How the run was made.
+    /// A note on how the run was made.
     note: String,
     recording: Recording,
     pictures: Pictures,
 }
 
 impl Album {
-    /// Nothing yet; the heights of the first points are drawn, or what `show` names (see [`pattern`]).
+    /// Without rows. The heights of the first points are drawn, or what `show` names (see [`pattern`]).
     ///
     /// # Errors
-    /// [`Failure::Wrong`] for a pattern that names nothing.
+    /// [`Failure::Wrong`] for a pattern that matches nothing.
     pub fn new(scene: &Scene, show: Option<&str>, note: &str) -> Result<Self, Failure> {
         let n = scene.lists.points.len();
         let axes = ["x", "y", "z"];
@@ -68,7 +68,7 @@ impl Album {
         })
     }
 
-    /// Looks at a row.
+    /// Records a row.
     pub fn push(&mut self, row: &Row) {
         let [kinetic, gravity, spring, pressure] = row.energy.stored;
         let potential = gravity + spring + pressure;
@@ -99,7 +99,7 @@ impl Album {
         drawing
     }
 
-    /// Heights or what was asked for, energies, losses over time; touches as events.
+    /// Heights or what was asked for, energies, and losses over time, with touches as events.
     fn charts(&self, scene: &Scene, events: &[EventRecord]) -> Drawing {
         let column = |name: &str, index: usize| {
             let values = self.recording.column(index);
@@ -113,7 +113,7 @@ impl Album {
         let energies = ENERGIES.iter().enumerate().map(|(n, name)| column(name, first + n));
         let first = first + ENERGIES.len();
         let accounts = ACCOUNTS.iter().enumerate().map(|(n, name)| column(name, first + n));
-        // An account that nothing was booked to tells nothing.
+        // Accounts that stay 0 are left out.
         let told = |c: &Curve| c.values.iter().any(|x| *x != 0.0);
         let mut panels = panels::of(curves.collect(), ScalarKind::F64.noise());
         if self.heights {

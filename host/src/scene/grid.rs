@@ -1,24 +1,25 @@
-//! A sheet's nodes in rows and columns, so that the runtime computes its forces row by row.
+//! The nodes of a sheet arranged in rows and columns, so that the runtime computes its forces row by row (SIMD).
 //!
 //! In: the nodes of each row as the shape was built ([`Table`]), the lists. Out: the memory that a [`Grid`] borrows, or
-//! nothing where the springs are not those of a grid.
+//! nothing if the springs are not those of a grid.
 
 use smartbed_runtime::flexible::grid::{Family, Grid, Run, pitch};
 use smartbed_runtime::real::Scalar;
 
 use super::lists::{Lists, Table};
 
-/// Shorter rows leave most of a register's work undone: their springs and facets are faster as lists (`docs/performance.md`).
+/// Rows shorter than this do not fill the registers: springs and facets are then faster as lists
+/// (`docs/performance.md`).
 const SHORTEST: usize = 12;
 
-/// The place in a table of each of the nodes from `first` on.
+/// The index in the table of each node from `first` on.
 struct Places {
     first: usize,
     list: Vec<usize>,
 }
 
 impl Places {
-    /// None where the table holds no nodes, or not all from its first to its last once.
+    /// `None` if the table has no nodes, or does not have each from its first to its last exactly once.
     fn new(nodes: &[Option<usize>]) -> Option<Self> {
         let all = || nodes.iter().flatten().copied();
         let (first, last) = (all().min()?, all().max()?);
@@ -37,7 +38,7 @@ impl Places {
     }
 }
 
-/// What a [`Grid`] borrows.
+/// The memory that a [`Grid`] borrows.
 #[derive(Clone, Debug)]
 pub struct Woven<S> {
     columns: usize,
@@ -54,8 +55,9 @@ pub struct Woven<S> {
 }
 
 impl<S: Scalar> Woven<S> {
-    /// Finds springs and facets of the lists in their table, numbers of nodes, springs and facets counted from those given;
-    /// none if there is no table, or rows too short to gain, or a spring elsewhere, or a node between those of the table.
+    /// Arranges the springs and facets of the lists by the table; indices of nodes, springs and facets are counted from
+    /// those given. `None` without a table, if rows are too short, if a spring does not connect neighbours of the grid,
+    /// or if the nodes of the table are not consecutive.
     pub fn new(lists: &Lists, [node, spring, facet]: [usize; 3]) -> Option<Self> {
         let Table { columns, nodes } = lists.table.as_ref().filter(|table| table.columns >= SHORTEST)?;
         let (columns, rows) = (*columns, nodes.len() / *columns);
@@ -71,7 +73,7 @@ impl<S: Scalar> Woven<S> {
                 way if way == columns => 1,
                 _ => return None,
             };
-            // A second one beside the first has no place.
+            // Two springs between the same nodes do not fit into a grid.
             if std::mem::replace(&mut taken[tail][family], true) {
                 return None;
             }
@@ -98,14 +100,14 @@ impl<S: Scalar> Woven<S> {
         Some(Woven { columns, rows, runs, starts, mass, right, up, cells, nodes, springs, facets })
     }
 
-    /// Number of its first node.
+    /// Index of its first node.
     #[must_use]
     pub fn first_node(&self) -> usize {
         self.nodes[0]
     }
 
-    /// The same where other nodes stand before its own: those before the first of two numbers are those before the second; its springs and
-    /// facets begin with these numbers.
+    /// The same grid with shifted indices: node `old` becomes `new`; its springs and facets begin with the numbers
+    /// given.
     #[must_use]
     pub fn from(&self, [old, new]: [usize; 2], spring: usize, facet: usize) -> Self {
         let mut moved = self.clone();
@@ -136,7 +138,7 @@ impl<S: Scalar> Woven<S> {
     }
 }
 
-/// Nodes that follow one another in a row and in the lists, and where the runs of each row begin.
+/// Runs of nodes that are consecutive both in a row and in the lists, and the index at which each row's runs begin.
 fn runs(nodes: &[Option<usize>], columns: usize) -> (Vec<Run>, Vec<usize>) {
     let (mut runs, mut starts): (Vec<Run>, Vec<usize>) = (Vec::new(), vec![0]);
     for row in nodes.chunks(columns) {
@@ -154,8 +156,8 @@ fn runs(nodes: &[Option<usize>], columns: usize) -> (Vec<Run>, Vec<usize>) {
     (runs, starts)
 }
 
-/// Which places of the table are first corners of facets, those of four corners that the list begins with, and their
-/// number; none if they do not go row by row.
+/// The cells of the table that have a facet of four corners, by their first corner, and their number: those that the
+/// list of facets begins with. `None` if these are not in row order.
 fn cells<S: Scalar>(lists: &Lists, place: &Places, columns: usize, rows: usize) -> Option<(Vec<S>, usize)> {
     let mut cells = vec![S::ZERO; rows * pitch(columns)];
     let (mut count, mut next) = (0, 0);

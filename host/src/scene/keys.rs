@@ -1,25 +1,25 @@
-//! Who reads which key of a scene: one table, by which the reader refuses a key that nobody reads.
+//! The keys of a scene: one table of which choice reads which key, by which the reader refuses keys that are not read.
 //!
-//! In: the choices that a scene makes (shape, law, method, gas). Out: the keys read with them, and for any other
-//! key whose it is.
+//! In: the choices that a scene makes (shape, law, method, gas). Out: the keys read with them, and for any other key
+//! the choices that would read it.
 
 use super::method::METHODS;
 
 /// A group of keys and the choice that reads them.
 #[derive(Clone, Copy, Debug)]
 pub struct Reader {
-    /// The choice in words, as a scene writes it.
+    /// The choice.
     pub choice: Choice,
-    /// The keys, with blanks between.
+    /// The keys, separated by blanks.
     pub keys: &'static str,
 }
 
-/// What a scene chooses.
+/// Choices that a scene makes.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Choice {
-    /// Nothing: read in every scene.
+    /// No choice: read in every scene.
     Always,
-    /// Lists of points and springs in place of a shape.
+    /// Lists of points and springs instead of a shape.
     Lists,
     /// A shape of this name.
     Shape(&'static str),
@@ -29,7 +29,7 @@ pub enum Choice {
     FixedStep,
     /// A method that chooses its steps.
     AdaptiveStep,
-    /// A pressure is given.
+    /// A pressure.
     Pressure,
     /// A gas of this name.
     Gas(&'static str),
@@ -57,7 +57,8 @@ const fn reader(choice: Choice, keys: &'static str) -> Reader {
     Reader { choice, keys }
 }
 
-/// The table. A bar computes masses and stiffness; only closed surfaces hold a pressure; Moreau's law steps by itself.
+/// The table. A bar computes its own masses and stiffness; only closed surfaces hold a pressure; Moreau's law is a
+/// method of its own.
 pub const READERS: [Reader; 24] = [
     reader(
         Choice::Always,
@@ -94,7 +95,7 @@ pub const READERS: [Reader; 24] = [
 /// Keys that mean the same as another one.
 pub const ALIASES: [(&str, &str); 2] = [("seconds", "T"), ("masses", "mass")];
 
-/// What a reference file in JSON says beside the scene: the motion that was computed from it.
+/// Keys of a reference file in JSON besides those of the scene: they describe the motion that was computed from it.
 pub const OF_REFERENCES: &str = "case description sample_times columns states \
     energies_ke_spring_gravity_dissipated total_energy_initial max_energy_balance_error events events_dop853 agreement";
 
@@ -119,7 +120,7 @@ pub fn read_with(choices: &[Choice]) -> impl Iterator<Item = &'static str> + '_ 
     chosen.flat_map(|r| r.keys.split_whitespace())
 }
 
-/// Why nobody reads the key, with what would; `None` if somebody does.
+/// The message for a key that is not read, with the choices that would read it; `None` if it is read.
 #[must_use]
 pub fn complaint(key: &str, choices: &[Choice]) -> Option<String> {
     if read_with(choices).any(|k| k == key) {
@@ -137,7 +138,7 @@ pub fn complaint(key: &str, choices: &[Choice]) -> Option<String> {
     Some(format!("nothing reads it{here}; leave it out: it belongs to {}", readers.join(", ")))
 }
 
-/// Do the two stand for one another: two shapes, two laws?
+/// Are the two alternatives of one kind: two shapes, two laws?
 fn same_kind(a: Choice, b: Choice) -> bool {
     use Choice::{AdaptiveStep, FixedStep, Gas, Law, Lists, Shape};
     matches!(

@@ -1,22 +1,22 @@
-//! A flexible body as plain lists in f64: where shapes end and simulation begins.
+//! A flexible body as plain lists in f64: the result of a shape, and the input of a simulation.
 //!
-//! The same value is stepped on the host and printed as constant tables for the firmware.
+//! The same lists are stepped on the host and printed as constant tables for the firmware.
 
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Numbers of the nodes row by row, none where the grid has a hole.
+/// Indices of the nodes row by row, `None` where the grid has a hole.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Table {
     /// Length of a row.
     pub columns: usize,
-    /// Row after row.
+    /// The nodes, row after row.
     pub nodes: Vec<Option<usize>>,
 }
 
 /// Points, springs and facets of one body, SI units.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Lists {
-    /// Where the points start (m).
+    /// Initial positions (m).
     pub points: Vec<[f64; 3]>,
     /// Masses (kg).
     pub masses: Vec<f64>,
@@ -30,18 +30,18 @@ pub struct Lists {
     pub stiffness: Vec<f64>,
     /// C of each spring (N s/m).
     pub damping: Vec<f64>,
-    /// Corners of each facet, counter-clockwise from outside; a triangle repeats its third.
+    /// Corners of each facet, counter-clockwise seen from outside; a triangle repeats its third.
     pub facets: Vec<[usize; 4]>,
-    /// Velocity at the start (m/s).
+    /// Initial velocities (m/s).
     pub velocities: Vec<[f64; 3]>,
-    /// Number of the first mass in the middle of a cell; none without.
+    /// Index of the first mass that is in the middle of a cell; `None` if there are none.
     pub first_centre: Option<usize>,
-    /// Nodes that stand in rows and columns.
+    /// Nodes that are arranged in rows and columns.
     pub table: Option<Table>,
 }
 
 impl Lists {
-    /// Adds a free point of mass 1 kg; returns its number.
+    /// Adds a free point of mass 1 kg; returns its index.
     pub fn point(&mut self, x: [f64; 3]) -> usize {
         self.points.push(x);
         self.masses.push(1.0);
@@ -57,7 +57,7 @@ impl Lists {
         self.rest_lengths.push(length);
     }
 
-    /// All numbers with their names, for whoever must hold them.
+    /// All numbers with their names, for checks.
     pub fn numbers(&self) -> impl Iterator<Item = (&'static str, f64)> + '_ {
         let list = |name: &'static str, list: &'_ [f64]| list.iter().map(|x| (name, *x)).collect::<Vec<_>>();
         let vectors = [("points", &self.points), ("initial_velocity", &self.velocities)];
@@ -71,7 +71,7 @@ impl Lists {
         vectors.into_iter().chain(scalars.map(|(name, values)| list(name, values))).flatten()
     }
 
-    /// Joins every pair of the given points.
+    /// Connects every pair of the given points by a spring.
     pub fn join_all(&mut self, points: &[usize]) {
         for (n, a) in points.iter().enumerate() {
             for b in &points[n + 1..] {
@@ -80,7 +80,7 @@ impl Lists {
         }
     }
 
-    /// Gives the mass of `massless` points to their neighbours in equal shares and takes the dampers off their springs.
+    /// Distributes the mass of `massless` points evenly to their neighbours and removes the dampers of their springs.
     ///
     /// # Errors
     /// A point without a neighbour that has mass.

@@ -1,7 +1,7 @@
-//! Many bodies that do not meet, stepped together on several cores.
+//! Many bodies that do not touch one another, stepped together on several cores.
 //!
-//! In: simulations that have begun. Out: the same, each so many steps further. A body is stepped by one core from beginning
-//! to end and shares nothing with the others: no number of cores changes a bit.
+//! In: simulations that have begun. Out: the same after a number of steps. Each body is stepped by one core from
+//! beginning to end and shares nothing with the others: results do not depend on the number of cores.
 
 use std::thread;
 
@@ -10,22 +10,22 @@ use smartbed_runtime::real::Scalar;
 
 use super::Simulation;
 
-/// Why many bodies could not go on.
+/// The error if a body could not be stepped.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Refused<S> {
-    /// The first body that could not, by its number.
+    /// The first such body, by its index.
     pub body: usize,
     /// The step that was refused, from 0.
     pub step: usize,
-    /// Why: the body stands where it was before that step, those after it on the same core at the start.
+    /// The reason. The body is in its state before that step, those after it on the same core in their initial state.
     pub why: BodyError<S>,
 }
 
-/// Takes steps of length h with all bodies on so many cores, all steps of one body before the next: its numbers stay in the
-/// nearer caches, which do not hold those of a bed.
+/// Takes steps of length h with all bodies on several cores, all steps of one body before the next: its data stays in
+/// the inner caches, which are too small for all bodies of a bed.
 ///
 /// # Errors
-/// The first body of which a step is refused.
+/// The first body whose step is refused.
 pub fn advance<S: Scalar + Send + Sync>(
     bodies: &mut [Simulation<S>],
     h: S,

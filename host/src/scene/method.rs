@@ -1,8 +1,8 @@
-//! Integration methods of scenes: names, the table law x method with the order that each keeps, and the default.
+//! Integration methods of scenes: names, the table of laws and methods with the order that each keeps, and the default.
 //!
-//! In: a name or none, and what of the scene decides (law, forces of speeds, friction, step). Out: a method and
-//! why it was taken, or why it is refused. [`TABLE`] is the one place where this is written down: the reader of
-//! scenes asks it, the report prints it, a test measures every entry.
+//! In: a name or none, and the properties of the scene on which the choice depends (law, forces that depend on speeds,
+//! friction, step). Out: a method and why it was chosen, or why it is refused. [`TABLE`] is the single source: the
+//! reader of scenes uses it, the report prints it, a test measures every entry.
 
 use super::simulation::Surroundings;
 use crate::suggest;
@@ -31,16 +31,16 @@ pub type Entry = Result<u32, &'static str>;
 /// A law with all methods, in the order of [`METHODS`].
 #[derive(Clone, Copy, Debug)]
 pub struct Row {
-    /// The law's word in a scene.
+    /// The law's name in a scene.
     pub law: &'static str,
-    /// Some force depends on speeds: dampers, air, a ground that dissipates.
+    /// Does a force depend on speeds: dampers, air, a ground that dissipates?
     pub damped: bool,
     /// One entry per method.
     pub entries: [Entry; METHODS.len()],
 }
 
-/// Splitting off the dampers does not help: above order 2 every part takes some step backwards in time (Goldman and
-/// Kaper 1996), where a damper feeds energy.
+/// Splitting off the dampers does not help: above order 2 every splitting has substeps of negative length (Goldman and
+/// Kaper 1996), in which a damper adds energy.
 const SPEEDS: Entry =
     Err("is made for forces of positions alone: with dampers, air or a ground that dissipates it \
                            has order 1; take rk4 or verlet");
@@ -54,10 +54,10 @@ const GROUND: Entry =
 const OWN: Entry = Err("is the stepping of law = \"moreau\" and of no other");
 const NONE: Entry = Err("is not for law = \"moreau\", which steps by itself; leave `method` out");
 
-/// Located touches split the step, so that every method keeps its order; of Newton's endless bounces those
-/// shorter than a hundredth of a step are left out, which is of order 2. A ground that gives way, and a point
-/// without mass, change their force's slope within a step: order 2 is what remains of any higher one.
-/// Adaptive methods find such a place by their error: their orders are those of error over work.
+/// Touches are located and split the step, so that every method keeps its order. Of Newton's infinite sequence of
+/// bounces those shorter than a hundredth of a step are left out, an error of order 2. The force of a compliant ground,
+/// and that on a massless point, has a kink within a step, which limits the order to 2. Adaptive methods refine their
+/// steps at such a kink: their orders are those of error over work.
 #[rustfmt::skip]
 pub const TABLE: [Row; 13] = [
     row("none", false,           [Ok(1), Ok(2), Ok(2),  Ok(4),  Ok(4),  Ok(4), Ok(2), Ok(2),   Ok(5), Ok(8), OWN]),
@@ -79,28 +79,28 @@ const fn row(law: &'static str, damped: bool, entries: [Entry; METHODS.len()]) -
     Row { law, damped, entries }
 }
 
-/// Friction is taken from the speeds after each stretch, which ends where a point sticks, turns round or slips: no
-/// method keeps a higher order with it.
+/// Friction is applied to the speeds after each stretch, which ends where a point sticks, reverses or slips: this
+/// limits the order to 2.
 const FRICTION_ORDER: u32 = 2;
-/// w_max h from which energy compensation is given the energy-momentum method: with all others an undamped body may
-/// gain energy from impact to impact (bar of 50 masses, 20 bounces: `tests/it/bar_on_wall.rs`).
+/// From this value of w_max h on, the default for energy compensation is the energy-momentum method: with all others an
+/// undamped body may gain energy from impact to impact (bar of 50 masses, 20 bounces: `tests/it/bar_on_wall.rs`).
 pub const COARSE: f64 = 0.4;
 
-/// What of a scene decides about its method.
+/// The properties of a scene on which the choice of its method depends.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Situation {
-    /// The law's word.
+    /// The law's name.
     pub law: &'static str,
-    /// Some force depends on speeds.
+    /// Does a force depend on speeds?
     pub damped: bool,
-    /// mu > 0.
+    /// Is mu > 0?
     pub friction: bool,
-    /// w_max h of the scene's step: 2 at the largest stable one.
+    /// w_max h for the scene's step: 2 at the largest stable one.
     pub coarseness: f64,
 }
 
 impl Situation {
-    /// Of a scene's surroundings, the dampers of its springs, and its step over the largest stable one.
+    /// From a scene's surroundings, the dampers of its springs, and its step relative to the largest stable one.
     #[must_use]
     pub fn new(around: &Surroundings, damping: &[f64], step_over_stable: f64) -> Situation {
         let law = around.ground.as_ref().map(|ground| ground.law);
@@ -139,7 +139,7 @@ impl Situation {
         METHODS.iter().filter_map(|(name, _, own)| Some((*name, self.order(name).ok()?, *own))).collect()
     }
 
-    /// The method that a scene has if it names none, and why.
+    /// The default method of the scene, and why.
     #[must_use]
     pub fn default_method(&self) -> (&'static str, String) {
         let choice = match self.law {
@@ -177,10 +177,10 @@ pub struct Chosen {
     pub why: String,
 }
 
-/// The method named in a scene or on the command line, `-` for `_` as mechanisms spell theirs, or the default one.
+/// The method named in a scene or on the command line (with `-` for `_`, as for mechanisms), or the default one.
 ///
 /// # Errors
-/// An unknown name, with what was probably meant; one that the law or the forces refuse, with the reason.
+/// An unknown name, with a suggestion; a method that the law or the forces do not allow, with the reason.
 pub fn choose(name: Option<&str>, tolerance: f64, situation: &Situation) -> Result<Chosen, String> {
     let (name, why) = match name {
         Some(given) => (known(given)?, String::new()),
@@ -193,19 +193,19 @@ pub fn choose(name: Option<&str>, tolerance: f64, situation: &Situation) -> Resu
 /// Does the method of this name choose its own steps?
 ///
 /// # Errors
-/// An unknown name, with what was probably meant.
+/// An unknown name, with a suggestion.
 pub fn is_adaptive(name: &str) -> Result<bool, String> {
     let name = known(name)?;
     Ok(METHODS.iter().any(|(method, _, adaptive)| *method == name && *adaptive))
 }
 
-/// Does the method of this name solve for the dampers, so that they bound no step?
+/// Does the method of this name treat dampers implicitly, so that they do not limit the step?
 #[must_use]
 pub fn solves_dampers(name: &str) -> bool {
     name == "damped_verlet"
 }
 
-/// The name as the table has it.
+/// The name as it is in the table.
 fn known(name: &str) -> Result<&'static str, String> {
     let spelled = name.replace('-', "_");
     let found = METHODS.iter().find(|(known, ..)| **known == *spelled).map(|(known, ..)| *known);
@@ -226,7 +226,7 @@ fn method_of(name: &str, tolerance: f64) -> Method<f64> {
         "energy_momentum" => Method::EnergyMomentum,
         "dormand_prince" => Method::DormandPrince(DormandPrince { tolerance, longest }),
         "dop853" => Method::Dop853(Dop853 { tolerance, longest }),
-        // Moreau's law steps by itself; the method's memory is what it needs, and it is stepped by no method.
+        // Moreau's law is a method of its own: this one only sets the memory that it needs, and is never called.
         _ => Method::SymplecticEuler,
     }
 }

@@ -1,9 +1,11 @@
-//! The springs of a body in patches of neighbours, so that the runtime finds their nodes in the nearest cache.
+//! Groups the springs of a body into patches of neighbours, so that the runtime finds their nodes in the innermost
+//! cache.
 //!
-//! In: the springs. Out: the memory that [`Patches`] borrows. Within a patch springs stand by rank, one more than the highest
-//! of those before them at either end: those of a rank share no node, so that none waits for the sum of another, and at each
-//! node the order is that of the list. So forces have the bits of the list. Where the list jumps from place to place, it is
-//! first put in the order of Cuthill & McKee (1969); sums then differ by rounding.
+//! In: the springs. Out: the memory that [`Patches`] borrows. Within a patch springs are ordered by rank, one more than
+//! the highest rank of the springs before them at either end. Springs of one rank share no node, so that no sum waits
+//! for another; at each node the order of the list is kept, so that forces agree with those of the list bit for bit. If
+//! the list jumps from place to place, it is first put in the order of Cuthill & McKee (1969); sums then differ by
+//! rounding.
 
 use std::collections::VecDeque;
 
@@ -11,14 +13,15 @@ use smartbed_runtime::flexible::Spring;
 use smartbed_runtime::flexible::patch::{NODES, Patches};
 use smartbed_runtime::real::Scalar;
 
-/// Fewer springs gain nothing.
+/// Fewer springs than this gain nothing.
 const FEW: usize = 64;
-/// A body of fewer springs keeps their order: its nodes are never far. Nor has a chip, which adds in that order, room for more.
+/// A body with fewer springs keeps their order: its nodes are always near in memory. So must a chip, which sums in that
+/// order and has no room for more.
 const SMALL: usize = 4096;
-/// More nodes copied for a spring than this say that the order jumps.
+/// The order jumps if more nodes per spring than this are copied.
 const JUMPS: f64 = 1.25;
 
-/// What a [`Patches`] borrows.
+/// The memory that a [`Patches`] borrows.
 #[derive(Clone, Debug)]
 pub struct Patched<S> {
     ends: Vec<[usize; 2]>,
@@ -31,7 +34,7 @@ pub struct Patched<S> {
 }
 
 impl<S: Scalar> Patched<S> {
-    /// Cuts the springs of so many points into patches; none where there are few.
+    /// Divides the springs of a body into patches; `None` if there are few.
     pub fn new(springs: &[Spring<S>], points: usize) -> Option<Self> {
         if springs.len() < FEW {
             return None;
@@ -45,14 +48,15 @@ impl<S: Scalar> Patched<S> {
         Some(if sorted.nodes.len() < listed.nodes.len() { sorted } else { listed })
     }
 
-    /// Takes the springs one after the other; a patch ends where the next spring would bring it more than [`NODES`].
+    /// Takes the springs one after the other; a patch ends before the spring that would give it more than [`NODES`].
     fn cut<'s>(springs: impl Iterator<Item = &'s Spring<S>>, points: usize) -> Self
     where
         S: 's,
     {
         let (mut ends, mut nodes) = (Vec::new(), Vec::new());
         let mut ranked: Vec<(usize, [u8; 2], &Spring<S>)> = Vec::new();
-        // Where each point stands in `nodes`, beyond the first of the patch if it belongs to it, and its springs' last rank.
+        // Index of each point in `nodes`, below `first` if it is not in the current patch, and the last rank of its
+        // springs.
         let (mut place, mut ranks, mut first) = (vec![None; points], Vec::new(), 0);
         for spring in springs {
             let pair = [spring.tail, spring.head];
@@ -110,8 +114,8 @@ impl<S: Scalar> Patched<S> {
     }
 }
 
-/// The springs ordered by their first end, then as listed; points ordered by walks over neighbours, those with few springs
-/// first. Linear in springs and points but for the sorting of one point's neighbours.
+/// The springs ordered by their first end, then as listed; points are ordered by breadth-first searches, neighbours
+/// with few springs first. Linear in springs and points except for sorting the neighbours of each point.
 fn by_neighbours<S: Scalar>(springs: &[Spring<S>], points: usize) -> Vec<usize> {
     let touched = |i: usize| [springs[i].tail, springs[i].head];
     let of_point = buckets(points, (0..springs.len()).flat_map(|i| touched(i).map(|end| (end, i))));
@@ -139,7 +143,7 @@ fn by_neighbours<S: Scalar>(springs: &[Spring<S>], points: usize) -> Vec<usize> 
     buckets(points, (0..springs.len()).map(|i| (first(i), i))).items
 }
 
-/// Items bucket by bucket, in their order, and where each bucket begins.
+/// Items sorted by bucket, in their order, and the index at which each bucket begins.
 struct Buckets {
     starts: Vec<usize>,
     items: Vec<usize>,
@@ -151,7 +155,7 @@ impl Buckets {
     }
 }
 
-/// Sorts pairs of a bucket and an item by counting.
+/// Sorts pairs of a bucket and an item by counting sort.
 fn buckets(count: usize, pairs: impl Iterator<Item = (usize, usize)> + Clone) -> Buckets {
     let mut starts = vec![0; count + 1];
     pairs.clone().for_each(|(bucket, _)| starts[bucket + 1] += 1);

@@ -1,7 +1,8 @@
-//! Pictures of a body from the side: at the start, at the first touch, where a spring is compressed most, at the end.
+//! Pictures of a body from the side: at the start, at the first touch, at the largest compression of a spring, at the
+//! end.
 //!
-//! In: rows as they come. Out: four moments for [`crate::plot::side`]. Springs are grey at rest length, vermilion stretched, blue
-//! compressed.
+//! In: rows, one after the other. Out: four moments for [`crate::plot::side`]. Springs are grey at rest length, vermilion
+//! if stretched, blue if compressed.
 
 use super::read::Scene;
 use super::run::Row;
@@ -62,7 +63,7 @@ impl Pictures {
         if rest > 0.0 { length / rest - 1.0 } else { 0.0 }
     }
 
-    /// All of them.
+    /// Draws all pictures.
     #[must_use]
     pub fn draw(&self, scene: &Scene) -> Drawing {
         let ground = scene.around.ground.filter(|g| g.normal[2] > 0.0);

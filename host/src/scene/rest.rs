@@ -1,8 +1,8 @@
-//! A scene's sheet at rest at each pressure, for the firmware's program `rest`.
+//! Approximates the equilibrium shape of a scene's sheet as a function of pressure, for the firmware's program `rest`.
 //!
-//! In: a scene's lists. Out: coefficients of Chebyshev's polynomials, as many as it takes, and how far the sheet in motion is from
-//! that while its pressure rises from half to all of the scene's, and falls again, over the scene's length. A sheet comes to rest by
-//! its own motion, stopped whenever its kinetic energy falls.
+//! In: a scene's lists. Out: coefficients of Chebyshev polynomials, as many as needed, and their distance from the
+//! moving sheet while its pressure rises from half of the scene's to all of it and falls again, over the scene's
+//! length. The equilibrium is found by dynamic relaxation: motion that is stopped whenever its kinetic energy falls.
 
 use super::Scene;
 use super::walk;
@@ -13,31 +13,32 @@ use smartbed_runtime::vec3::{norm, sub};
 use std::f64::consts::PI;
 use std::fmt::Write as _;
 
-/// Between coefficients and the sheet at rest, of the motion.
+/// Largest error of the polynomials, relative to the motion.
 const EXACT: f64 = 1e-4;
-/// Terms at most.
+/// Most terms.
 const MOST: usize = 16;
-/// Force left on a node at rest over that of the pressure on a cell.
+/// Force on a node that counts as zero, relative to that of the pressure on a cell.
 const LEFT: f64 = 1e-9;
-/// Steps within which a sheet comes to rest.
+/// Most steps of a relaxation.
 const PATIENCE: usize = 400_000;
-/// Times at which the motion is compared.
+/// Number of times at which the motion is compared.
 const TIMES: usize = 20;
 
-/// What was found.
+/// The approximation.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Found {
     /// Least and largest pressure (Pa).
     pub range: [f64; 2],
-    /// Coefficients of the positions (m), of all nodes for each term.
+    /// Coefficients of the positions (m): for each term those of all nodes.
     pub places: Vec<[f64; 3]>,
     /// Coefficients of the volume (m^3).
     pub volume: Vec<f64>,
-    /// Largest distance of a node from its place at rest, and in the scene's motion, over how far nodes move.
+    /// Largest distance of a node from its equilibrium, and from its position in the scene's motion, relative to how
+    /// far nodes move.
     pub errors: [f64; 2],
 }
 
-/// A sheet as it is stepped.
+/// A sheet and the step of its relaxation.
 struct Bladder {
     sheet: Sheet<f64>,
     flat: Vec<Node<f64>>,
@@ -47,10 +48,10 @@ struct Bladder {
 }
 
 impl Found {
-    /// Finds it.
+    /// Finds the approximation.
     ///
     /// # Errors
-    /// Where the scene is no such sheet, or comes to no rest.
+    /// If the scene is no such sheet, or does not come to rest.
     pub fn new(scene: &Scene) -> Result<Self, String> {
         let (sheet, flat) = walk::read::<f64>(&scene.lists, &scene.around, scene.method)?;
         let pressure = sheet.pressure.filter(|p| *p > 0.0).ok_or("it has no pressure")?;
@@ -75,14 +76,14 @@ impl Found {
         Err(format!("{MOST} terms do not reach {EXACT} of the motion"))
     }
 
-    /// Positions at rest (m).
+    /// Equilibrium positions by the polynomials (m).
     fn at(&self, pressure: f64) -> Vec<[f64; 3]> {
         let mut pos = vec![[0.0; 3]; self.places.len() / self.volume.len()];
         Rest { range: self.range, places: &self.places, volume: &self.volume }.place(pressure, &mut pos);
         pos
     }
 
-    /// The constants of the program; a tick takes `step` (s), the rise and fall `seconds`.
+    /// The program's constants; a tick takes `step` (s), the rise and fall of pressure together `seconds`.
     #[must_use]
     pub fn rust(&self, step: f64, seconds: f64) -> String {
         let (n, terms) = (self.places.len() / self.volume.len(), self.volume.len());
@@ -99,7 +100,7 @@ impl Found {
 }
 
 impl Bladder {
-    /// Positions at rest (m).
+    /// Equilibrium positions by relaxation (m).
     fn rest(&self, pressure: f64) -> Result<Vec<[f64; 3]>, String> {
         let sheet = Sheet { pressure: Some(pressure), ..self.sheet };
         let mut nodes = self.flat.clone();
@@ -126,7 +127,7 @@ impl Bladder {
         Err(format!("no rest at {pressure} Pa within {PATIENCE} steps"))
     }
 
-    /// Coefficients by the values at Chebyshev's points.
+    /// Coefficients from the values at the Chebyshev points.
     //   c_k = (2 - [k = 0])/n sum f(cos a_j) cos k a_j, a_j = (j + 1/2) pi/n
     fn fit(&self, range: [f64; 2], terms: usize) -> Result<Found, String> {
         let [low, high] = range;
@@ -147,7 +148,7 @@ impl Bladder {
         Ok(Found { range, places, volume, errors: [0.0; 2] })
     }
 
-    /// Largest distance (m) of the sheet in motion from where it would rest.
+    /// Largest distance (m) of the moving sheet from its equilibrium.
     fn follow(&self, found: &Found, shape: Vec<[f64; 3]>, seconds: f64) -> Result<f64, String> {
         let [low, high] = found.range;
         let pressure = |t: f64| low + (high - low) * 0.5 * (1.0 - (2.0 * PI * t / seconds).cos());

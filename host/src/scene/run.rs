@@ -1,4 +1,4 @@
-//! Runs a scene and gives rows: time, state, ledger; and the events as they happened.
+//! Runs a scene: rows of time, state and ledger, and events as they occur.
 
 use std::fmt::Write as _;
 
@@ -13,16 +13,16 @@ use super::read::Scene;
 use super::simulation::Simulation;
 use crate::contact_force::ContactForce;
 
-/// One touch or release, for plots of work against impulse and for tests.
+/// A touch or release, for plots of work against impulse and for tests.
 #[derive(Clone, Debug, PartialEq)]
 pub struct EventRecord {
     /// Time (s).
     pub time: f64,
-    /// Points that touched: number, speed of approach (m/s), ground impulse (N s).
+    /// Points that touched: index, speed of approach (m/s), ground impulse (N s).
     pub touches: Vec<(usize, f64, f64)>,
     /// lambda of the compensation, for a touch.
     pub lambda: Option<f64>,
-    /// Number of points let go.
+    /// Number of points released.
     pub released: usize,
     /// Points held after the event.
     pub held: Vec<usize>,
@@ -30,32 +30,32 @@ pub struct EventRecord {
     pub work: Option<WorkImpulse>,
 }
 
-/// Work over impulse of one impact (thesis Eqs. 4.14 to 4.26), all touching points together.
+/// Work over impulse of one impact (thesis Eqs. 4.14 to 4.26), for all touching points together.
 ///
-/// The ground's impulse and those along the springs grow together, from 0 to what the law gives: velocities change in
-/// proportion to P, so W(P) = v_0 P + P^2/(2 M) (Eq. 4.25) with 1/M = sum m dv^2/J^2. P never falls; compression ends
-/// where W is least.
+/// The impulses of the ground and along the springs grow in proportion, from 0 to those of the law: velocities change
+/// in proportion to P, so that W(P) = v_0 P + P^2/(2 M) (Eq. 4.25) with 1/M = sum m dv^2/J^2. P never falls;
+/// compression ends where W is smallest.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WorkImpulse {
     /// J: P at the end, the sum of the ground's impulses (N s).
     pub impulse: f64,
-    /// Q: energy of the touching points along the normal before, sum of m v_b^2/2 (J).
+    /// Q: energy of the touching points along the normal before the impact, sum of m v_b^2/2 (J).
     pub taken: f64,
-    /// W at the end: less than 0 by what the law keeps (J).
+    /// W at the end: minus the energy that the law removes (J).
     pub net: f64,
     /// J^2/(2 M) = sum of m dv^2/2 (J).
     pub quadratic: f64,
 }
 
 impl WorkImpulse {
-    /// Share of the impulse at which compression ends.
+    /// Fraction of the impulse at which compression ends.
     #[must_use]
     pub fn compression(&self) -> f64 {
         let end = 0.5 * (1.0 - self.net / self.quadratic);
         if end.is_finite() { end.min(1.0) } else { 1.0 }
     }
 
-    /// (P, W) along the impact, so many pieces in each phase: compression, then restitution.
+    /// (P, W) during the impact, with `pieces` intervals in each phase: compression, then restitution.
     #[must_use]
     pub fn curve(&self, pieces: usize) -> Vec<(f64, f64)> {
         let middle = self.compression();
@@ -67,7 +67,7 @@ impl WorkImpulse {
     }
 }
 
-/// From the field of the impact, which its points still hold.
+/// From the velocity field of the impact, which the event's points still contain.
 fn work_impulse<S: Scalar>(system: &System<S>, event: &Event<S>) -> Option<WorkImpulse> {
     let impact = event.impact?;
     let (mut impulse, mut taken, mut field) = (0.0, 0.0, 0.0);
@@ -83,8 +83,8 @@ fn work_impulse<S: Scalar>(system: &System<S>, event: &Event<S>) -> Option<WorkI
         }
     }
     let lost = impact.lost.to_f64();
-    // The field has no part along the normal at touching points: the two add. Without a field the points themselves
-    // rebound, by sqrt(2 (Q - lost)) beyond their stop.
+    // The field has no component along the normal at touching points, so that both energies add up. Without a field the
+    // points themselves rebound, by sqrt(2 (Q - lost)) beyond their stop.
     let quadratic = match lambda == 0.0 {
         true => (taken.sqrt() + (taken - lost).max(0.0).sqrt()).powi(2),
         false => taken + field,
@@ -101,7 +101,7 @@ pub struct EnergyRow {
     pub accounts: [f64; 5],
     /// Kinetic and stored energies.
     pub total: f64,
-    /// What no account explains.
+    /// Change of the total that no account explains.
     pub imbalance: f64,
 }
 
@@ -120,7 +120,7 @@ pub struct Row {
     pub energy: EnergyRow,
     /// Touches so far.
     pub touches: usize,
-    /// Steps so far whose end was stepped over without events: there were too many in one.
+    /// Steps so far that were completed without locating further events, because there were too many in one step.
     pub cut_short: usize,
 }
 
@@ -166,7 +166,7 @@ pub fn run<S: Scalar>(scene: &Scene, mut emit: impl FnMut(&Row)) -> Result<Vec<E
     run_until::<S, String>(scene, emit, |_| Ok(()))
 }
 
-/// As [`run()`]; `emit`, and `stepped` with the time behind each step, may end the run with a failure of their own.
+/// As [`run()`]; `emit`, and `stepped`, which is called with the time after each step, may end the run with a failure.
 ///
 /// # Errors
 /// As [`run()`], or theirs.
@@ -200,7 +200,8 @@ pub fn run_until<S: Scalar, E: From<String>>(
     Ok(watch.events)
 }
 
-/// Refuses a row whose energies are no numbers: places and speeds may be, of masses or springs so large.
+/// Refuses a row whose energies are not finite: with very large masses or springs they may overflow although positions
+/// and speeds are finite.
 fn counted(row: &Row) -> Result<(), String> {
     let energy = &row.energy;
     if energy.total.is_finite() && energy.imbalance.is_finite() {
@@ -212,7 +213,7 @@ fn counted(row: &Row) -> Result<(), String> {
     Err(format!("t = {:.6} s: {}", row.t, no_number(which)))
 }
 
-/// Says that an energy is no number.
+/// The message for an energy that is not finite.
 #[must_use]
 pub fn no_number(energy: &str) -> String {
     format!("the {energy} energy left the numbers; take smaller masses, stiffnesses or heights")

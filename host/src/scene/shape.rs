@@ -1,4 +1,4 @@
-//! The bodies of the thesis (chapters 3 and 5) as lists: lowest point at z = 0, springs at rest, unit masses.
+//! The bodies of the thesis (chapters 3 and 5) as lists: lowest point at z = 0, springs at rest length, unit masses.
 
 use std::f64::consts::PI;
 
@@ -17,8 +17,8 @@ pub fn chain(links: usize, length: f64) -> Lists {
     body
 }
 
-/// Regular polygon of `corners` springs of length `side` in the plane y = 0, one corner lowest; 3 is the closed loop of
-/// 3.4.
+/// Regular polygon of `corners` springs of length `side` in the plane y = 0, with one corner lowest; 3 is the closed
+/// loop of section 3.4.
 #[must_use]
 pub fn polygon(corners: usize, side: f64) -> Lists {
     let mut body = Lists::default();
@@ -49,7 +49,7 @@ pub fn truss(bays: usize, side: f64) -> Lists {
     body
 }
 
-/// Triangular prism standing on a triangle: all 15 pairs joined.
+/// Triangular prism standing on a triangle: all 15 pairs of corners connected.
 #[must_use]
 pub fn prism(side: f64, height: f64) -> Lists {
     let mut body = Lists::default();
@@ -64,7 +64,7 @@ pub fn prism(side: f64, height: f64) -> Lists {
     body
 }
 
-/// Cube with all 28 pairs of its corners joined.
+/// Cube with all 28 pairs of its corners connected.
 #[must_use]
 pub fn cube(side: f64) -> Lists {
     let mut body = Lists::default();
@@ -78,7 +78,7 @@ pub fn cube(side: f64) -> Lists {
     body
 }
 
-/// Upright cylinder: `rings` + 1 rings of `corners` points; ring, upright and crossed springs.
+/// Upright cylinder: `rings` + 1 rings of `corners` points; springs along rings, upright and crossed.
 #[must_use]
 pub fn cylinder(corners: usize, rings: usize, radius: f64, height: f64) -> Lists {
     let mut body = Lists::default();
@@ -93,7 +93,7 @@ pub fn cylinder(corners: usize, rings: usize, radius: f64, height: f64) -> Lists
     for ring in 0..=rings {
         for i in 0..corners {
             body.spring(at(ring, i), at(ring, i + 1));
-            // A spoke's worth of stiffness across the ring keeps it round.
+            // A spring across the ring keeps it round.
             if corners.is_multiple_of(2) && i < corners / 2 {
                 body.spring(at(ring, i), at(ring, i + corners / 2));
             }
@@ -108,7 +108,8 @@ pub fn cylinder(corners: usize, rings: usize, radius: f64, height: f64) -> Lists
     body
 }
 
-/// Ball: poles and `bands` - 1 circles of `corners` points, edges, crossed diagonals and a point in the centre.
+/// Ball: poles and `bands` - 1 circles of `corners` points; springs along edges, crossed diagonals, and to a point in
+/// the centre.
 #[must_use]
 pub fn ball(corners: usize, bands: usize, radius: f64) -> Lists {
     let mut body = Lists::default();
@@ -149,7 +150,7 @@ pub fn ball(corners: usize, bands: usize, radius: f64) -> Lists {
     body
 }
 
-/// n x m x k cubes sharing corners, each with a mass in its centre joined to its 8 corners (thesis 5.9).
+/// n x m x k cubes sharing corners, each with a mass in its centre connected to its 8 corners (thesis 5.9).
 #[must_use]
 pub fn cubes(n: usize, m: usize, k: usize, side: f64) -> Lists {
     let mut body = Lists::default();
@@ -187,13 +188,13 @@ pub fn cubes(n: usize, m: usize, k: usize, side: f64) -> Lists {
 
 /// Sheet of `rows` chains of `columns` points in a frame: both ends of every chain are anchored (thesis 3.6).
 ///
-/// 27 x 27 gives 729 masses, 1512 springs and 4 x 27 anchors. Facets cover the frame; of its four corner cells the
-/// inner half.
+/// 27 x 27 gives 729 masses, 1512 springs and 4 x 27 anchors. Facets cover the frame, but only the inner half of its
+/// four corner cells.
 #[must_use]
 pub fn sheet(rows: usize, columns: usize, width: f64, depth: f64) -> Lists {
     let mut body = Lists::default();
     let (dx, dy) = (width / (columns + 1) as f64, depth / (rows + 1) as f64);
-    // By place in the frame: none in its corners.
+    // Index by row and column of the frame, whose corners have no points.
     let place = |r: usize, c: usize| r * (columns + 2) + c;
     let mut number = vec![None; (rows + 2) * (columns + 2)];
     for r in 1..=rows {
@@ -230,7 +231,7 @@ pub fn sheet(rows: usize, columns: usize, width: f64, depth: f64) -> Lists {
             let found = [(); 4].map(|()| corners.next());
             match found {
                 [Some(a), Some(b), Some(c), Some(d)] => body.facets.push([a, b, c, d]),
-                // A corner cell: the triangle up to the anchors keeps the surface's edge at rest.
+                // A corner cell: the triangle between the anchors, so that the surface's edge does not move.
                 [Some(a), Some(b), Some(c), None] => corners_of_frame.push([a, b, c, c]),
                 _ => {}
             }

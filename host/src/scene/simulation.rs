@@ -1,6 +1,6 @@
 //! A scene in motion: owns the memory that the runtime's kernels borrow.
 //!
-//! In: [`Lists`], ground, gas, method, rounded once to the scalar. Out: states step by step.
+//! In: [`Lists`], ground, gas, method, rounded once to the scalar. Out: the state after each step.
 
 use smartbed_runtime::contact::compensation::PointImpact;
 use smartbed_runtime::contact::soft;
@@ -18,12 +18,12 @@ use super::lists::Lists;
 use super::patches::Patched;
 use crate::contact_force::ContactForce;
 
-/// What surrounds a body: constants in f64.
+/// The surroundings of a body: constants in f64.
 #[derive(Clone, Debug)]
 pub struct Surroundings {
     /// Acceleration of gravity (m/s^2).
     pub gravity: [f64; 3],
-    /// Viscous force of the air per point and speed (N s/m).
+    /// Viscous drag of the air per point (N s/m).
     pub air_drag: f64,
     /// Ground, if any.
     pub ground: Option<Ground<f64>>,
@@ -45,10 +45,10 @@ pub struct Simulation<S: Scalar> {
     inflation: Option<Inflation<S>>,
     massless: Links,
     grid: Option<Woven<S>>,
-    /// Where there is no grid.
+    /// The springs in patches, if there is no grid.
     patches: Option<Patched<S>>,
     method: Method<S>,
-    /// The state, and memory for the end of a step.
+    /// The state, and memory for the state at the end of a step.
     motions: [Vec<Vec3<S>>; 2],
     scratch: Vec<Vec3<S>>,
     impacts: Vec<PointImpact<S>>,
@@ -58,7 +58,7 @@ pub struct Simulation<S: Scalar> {
     anchor: S,
 }
 
-/// The massless points and the springs of each, as [`Massless`] borrows them.
+/// The massless points and the springs of each: the memory that [`Massless`] borrows.
 #[derive(Clone, Debug, Default)]
 struct Links {
     points: Vec<usize>,
@@ -148,12 +148,12 @@ impl<S: Scalar> Simulation<S> {
         Ok(simulation)
     }
 
-    /// Massless points start where they balance: the energy of the start is that of the first step.
+    /// Moves massless points to their equilibrium, so that the initial energy is that of the first step.
     fn settle(&mut self) {
         let Some(ground) = self.ground.filter(|ground| ground.law == ContactLaw::MasslessPoint) else {
             return;
         };
-        // A start below the ground is refused with its first step.
+        // A start below the ground is left to the first step, which refuses it.
         if self.pos().iter().any(|x| ground.gap(*x) < -ground.tolerance) {
             return;
         }
@@ -163,7 +163,7 @@ impl<S: Scalar> Simulation<S> {
         self.motions[0][..places.len()].copy_from_slice(&places);
     }
 
-    /// The body as its lists: what is asked once takes springs and facets one by one.
+    /// The body with its springs and facets as lists, for queries outside of steps.
     fn body(&self) -> Body<'_, S> {
         Body {
             mass: &self.mass,
@@ -192,7 +192,7 @@ impl<S: Scalar> Simulation<S> {
         self.method
     }
 
-    /// Lets the runtime work on the views of this memory.
+    /// Calls a kernel of the runtime with views of this memory.
     fn with<R>(
         &mut self,
         work: impl for<'a> FnOnce(&System<S>, &mut State<'a, S>, &mut Workspace<'a, S>) -> Result<R, BodyError<S>>,
@@ -234,10 +234,10 @@ impl<S: Scalar> Simulation<S> {
         done
     }
 
-    /// Forces, energy and contacts of the starting state.
+    /// Computes forces, energy and contacts of the initial state.
     ///
     /// # Errors
-    /// From the gas law.
+    /// Those of the gas law.
     pub fn begin<O: Observer<S>>(&mut self, h: S, observer: &mut O) -> Result<(), BodyError<S>> {
         let method = self.method;
         self.with(|system, state, work| state.begin(system, h, method, work, observer))
@@ -246,7 +246,7 @@ impl<S: Scalar> Simulation<S> {
     /// Advances by h.
     ///
     /// # Errors
-    /// The state is then the last good one.
+    /// The state is then the one before the step.
     pub fn step<O: Observer<S>>(&mut self, h: S, observer: &mut O) -> Result<StepReport, BodyError<S>> {
         let method = self.method;
         self.with(|system, state, work| step(system, state, h, method, work, observer))
@@ -271,13 +271,13 @@ impl<S: Scalar> Simulation<S> {
         &self.motions[0][2 * self.mass.len()..3 * self.mass.len()]
     }
 
-    /// Each point against the ground.
+    /// Contact state of each point.
     #[must_use]
     pub fn modes(&self) -> &[ContactState] {
         &self.modes
     }
 
-    /// Forces of the ground on the points that it pushes: what holds them, or what a ground that gives way exerts.
+    /// Forces of the ground on the points in contact: those of the contact constraint, or those of a compliant ground.
     #[must_use]
     pub fn ground_forces(&self) -> Vec<ContactForce> {
         let (n, system) = (self.mass.len(), self.system());
@@ -293,7 +293,7 @@ impl<S: Scalar> Simulation<S> {
                 true => system.normal_force(load).max(S::ZERO),
                 false => soft::normal_force(ground, place, velocity).0,
             };
-            // Coulomb: what sticks is held against its load, what slides is slowed.
+            // Coulomb friction: at a sticking point it balances the load, at a sliding one it opposes the motion.
             let across = match self.modes[i] {
                 ContactState::Stuck if rubbed => vec3::tangential(load, ground.normal),
                 _ if rubbed => {
@@ -347,8 +347,8 @@ fn round_method<S: Scalar>(method: Method<f64>) -> Method<S> {
     }
 }
 
-/// A method that chooses its steps, kept below the stable one: in free fall nothing else tells it of the springs, it
-/// would amplify rounding, and points that ought to touch together would touch one after the other.
+/// Limits an adaptive method to the stable step. In free fall its error estimate does not see the springs: it would
+/// amplify rounding, and points that should touch together would touch one after the other.
 fn limit_step<S: Scalar>(method: Method<S>, stable: S) -> Method<S> {
     match method {
         Method::DormandPrince(DormandPrince { tolerance, longest }) => {
@@ -361,7 +361,7 @@ fn limit_step<S: Scalar>(method: Method<S>, stable: S) -> Method<S> {
     }
 }
 
-/// Rounding units of the body's size below which a gap means nothing.
+/// Gaps below this many roundings of the body's size count as 0.
 const GAP_ROUNDING: f64 = 16.0;
 
 fn round_ground<S: Scalar>(ground: &Ground<f64>, lists: &Lists) -> Ground<S> {

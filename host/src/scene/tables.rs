@@ -1,8 +1,8 @@
 //! A scene as Rust constants for the firmware: printed from the simulation that the host steps.
 //!
-//! In: a [`Simulation`] in single precision before its first step. Out: the text of a Rust file.
-//! `Debug` of the runtime's plain types is their Rust expression, and of an f32 the shortest decimal
-//! that reads back to the same bits; so the tables hold exactly the host's numbers.
+//! In: a [`Simulation`] in single precision before its first step. Out: the text of a Rust file. `Debug` output of the
+//! runtime's plain types is a Rust expression, and for an f32 the shortest decimal that reads back to the same bits:
+//! the tables hold exactly the host's numbers.
 
 use super::Simulation;
 use smartbed_runtime::contact::{ContactLaw, System};
@@ -44,9 +44,9 @@ pub fn rust(simulation: &Simulation<f32>, step: f32) -> String {
     text + &repertoire(&system, &format!("{method:?}"), method.control_order() > 0)
 }
 
-/// The type of the method and all that this scene can meet, so that the image links nothing else.
+/// The type of the method and of all laws that this scene can use, so that the image links nothing else.
 fn repertoire(system: &System<f32>, method: &str, is_adaptive: bool) -> String {
-    // `Name`, or of a method with numbers `Name(Name { .. })`.
+    // `Name`, or `Name(Name { .. })` for a method with parameters.
     let (name, value) =
         method.split_once('(').map_or((method, method), |(name, rest)| (name, rest.trim_end_matches(')')));
     let of = if is_adaptive { "<f32>" } else { "" };

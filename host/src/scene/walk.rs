@@ -1,6 +1,7 @@
-//! A scene's sheet as the microcontroller walks through it: Rust constants for the firmware's program `sheet`.
+//! A scene's sheet for the kernel that steps it row by row (`flexible::walk`): Rust constants for the firmware's
+//! program `sheet`.
 //!
-//! In: the lists of a scene. Out: the text of a Rust file, or what the scene has that the walk does not know.
+//! In: the lists of a scene. Out: the text of a Rust file, or an error about what that kernel does not support.
 
 use super::lists::{Lists, Table};
 use super::simulation::Surroundings;
@@ -10,13 +11,13 @@ use smartbed_runtime::ode::nodes::Method;
 use smartbed_runtime::real::Scalar;
 use std::fmt::Write as _;
 
-/// Rest lengths, masses and the like that differ by less are one.
+/// Rest lengths, masses and the like count as equal up to this relative difference.
 const ALIKE: f64 = 1e-9;
 
 /// The constants; `step` is the scene's step (s).
 ///
 /// # Errors
-/// What the walk does not know.
+/// A property of the scene that the kernel does not support.
 pub fn rust(lists: &Lists, around: &Surroundings, method: Method<f64>, step: f64) -> Result<String, String> {
     let (sheet, nodes) = read::<f32>(lists, around, method)?;
     let n = nodes.len();
@@ -31,10 +32,10 @@ pub fn rust(lists: &Lists, around: &Surroundings, method: Method<f64>, step: f64
     Ok(text)
 }
 
-/// The sheet and its nodes at the start.
+/// The sheet and its nodes in their initial state.
 ///
 /// # Errors
-/// What the walk does not know.
+/// A property of the scene that the kernel does not support.
 pub fn read<S: Scalar>(
     lists: &Lists,
     around: &Surroundings,
@@ -65,7 +66,7 @@ pub fn read<S: Scalar>(
     Ok((sheet, nodes))
 }
 
-/// What never changes.
+/// The constant part.
 fn sheet<S: Scalar>(lists: &Lists, around: &Surroundings, table: &Table) -> Result<Sheet<S>, String> {
     let place = |node: usize| table.nodes.iter().position(|other| *other == Some(node));
     let is_frame = |node: usize| {
@@ -100,7 +101,7 @@ fn sheet<S: Scalar>(lists: &Lists, around: &Surroundings, table: &Table) -> Resu
     Ok(Sheet { columns: table.columns, springs, weight, air_drag: S::from_f64(around.air_drag), pressure })
 }
 
-/// The one number of all.
+/// The common value of all numbers.
 fn alike(what: &str, mut numbers: impl Iterator<Item = f64>) -> Result<f64, String> {
     let first = numbers.next().ok_or_else(|| format!("there are no {what}"))?;
     match numbers.find(|x| (x - first).abs() > ALIKE * first.abs()) {
@@ -109,7 +110,7 @@ fn alike(what: &str, mut numbers: impl Iterator<Item = f64>) -> Result<f64, Stri
     }
 }
 
-/// A corner of the frame, which is no node: midway between its neighbours (m).
+/// Position of a corner of the frame, which has no node: midway between its neighbours (m).
 fn corner(lists: &Lists, table: &Table, place: usize) -> Result<[f64; 3], String> {
     let (columns, rows) = (table.columns, table.nodes.len() / table.columns);
     let (row, column) = (place / columns, place % columns);

@@ -1,6 +1,7 @@
 //! One case of a sweep: its settings, its file, its row of the table.
 //!
-//! A result names what it is made from ([`Origin`]); a file of another plan, mesh, version or setting does not count as done.
+//! A result records what it was made from ([`Origin`]); a file of another plan, mesh, version or setting does not count
+//! as done.
 
 use crate::bed::report::RunReport;
 use crate::failure::Failure;
@@ -17,12 +18,12 @@ const MOST: usize = 1_000_000;
 /// A case.
 #[derive(Clone, Debug)]
 pub struct Case {
-    /// From 0, the last key of the sweep the fastest.
+    /// Index from 0; the last key of the sweep changes fastest.
     pub number: usize,
     plan: PlanFile,
     /// All settings: those of the command line, then the sweep's.
     origin: Origin,
-    /// What the sweep sets, by key.
+    /// Values of the sweep's keys.
     values: Vec<(String, String)>,
 }
 
@@ -60,18 +61,19 @@ impl Case {
         file_of(folder, self.number)
     }
 
-    /// Is its result there, of this plan and version?
+    /// Does its file exist, made from this plan and version?
     pub fn is_done(&self, folder: &Path) -> bool {
         std::fs::read_to_string(self.file(folder))
             .is_ok_and(|text| text.starts_with(&self.head()) && text.ends_with("}\n"))
     }
 
-    /// What its file begins with.
+    /// The beginning of its file.
     fn head(&self) -> String {
         format!("{{{}", self.origin.json())
     }
 
-    /// What all cases are made from, for a table of them: version, command, hashes, settings before those of the sweep, seeds.
+    /// The origin of all cases, for their table: version, command, hashes, settings other than those of the sweep,
+    /// seeds.
     #[cfg(feature = "parquet")]
     pub fn made_from(&self) -> Vec<(&'static str, String)> {
         let settings = &self.origin.settings;
@@ -86,7 +88,7 @@ impl Case {
         pairs
     }
 
-    /// Runs it: the text of its file.
+    /// Runs it; returns the text of its file.
     pub fn compute(&self) -> Result<String, Failure> {
         let read = self.plan.read(&self.origin.settings)?;
         let history = read
@@ -94,7 +96,7 @@ impl Case {
             .map_err(|e| format!("{}: {e}", self.origin.settings.join(" ")))?;
         let mut rows = Vec::new();
         let report = RunReport::new(&read, &history);
-        // A sweep compares beds; rows of single tiles stand in the reports of each.
+        // A sweep compares whole beds; rows of single tiles are left to the reports.
         for (sites, list) in &report.lists[..3] {
             for row in list {
                 let name = json_string(&format!("{sites} {} {} ({})", row.place, row.metric, row.unit));
@@ -112,14 +114,14 @@ impl Case {
     }
 }
 
-/// A table of all cases: a column for each key of the sweep and each metric that any case has.
+/// The table of all cases: a column for each key of the sweep and each metric that occurs.
 #[derive(Clone, Debug)]
 pub struct Table {
     /// Keys of the sweep.
     pub keys: Vec<String>,
     /// Metrics.
     pub metrics: Vec<String>,
-    /// Values of the keys and numbers of the metrics, case by case; empty where a case has none.
+    /// Values of the keys and of the metrics, case by case; empty where a case has no such metric.
     pub rows: Vec<[Vec<String>; 2]>,
 }
 
@@ -168,7 +170,7 @@ impl Table {
     }
 }
 
-/// What a run that was killed left half written of these cases.
+/// Removes incomplete files of these cases, left by a run that was killed.
 pub fn clear(own: &[&Case], folder: &Path) {
     for entry in std::fs::read_dir(folder).into_iter().flatten().flatten() {
         let path = entry.path();

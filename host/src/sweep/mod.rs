@@ -1,8 +1,8 @@
-//! `smartbed sweep`: a plan for every combination of what its `[sweep]` changes.
+//! `smartbed sweep`: runs a plan for every combination of the values in its `[sweep]`.
 //!
-//! In: a plan. Out: a folder with one file a case and, once all are there, a table of all. Cases are taken by all
-//! processors, each computes by itself, so that a file's bytes do not depend on how many there are; a file appears whole
-//! or not at all, and a case whose file is there is not computed again. Shards take every n-th case.
+//! In: a plan. Out: a folder with one file per case and, once all exist, a table of all. Cases are distributed over all
+//! processors and computed independently, so that a file does not depend on the number of processors. Files appear only
+//! when complete, and a case whose file exists is not computed again. A shard takes every n-th case.
 
 mod case;
 mod page;
@@ -51,7 +51,7 @@ pub struct Arguments {
     pub set: Vec<String>,
 }
 
-/// Does what the command line asks for.
+/// Runs the command.
 ///
 /// # Errors
 /// Status 1 for a wrong plan or shard, a case without equilibrium, a folder that cannot be written.
@@ -109,7 +109,7 @@ fn write_parquet(_: &str, _: &Table, _: &[Case]) -> Result<(), Failure> {
     Ok(())
 }
 
-/// `2/4` as the second of four, from 0.
+/// Parses `2/4`: the second of four shards, counted from 0.
 fn shard(text: Option<&str>) -> Result<(usize, usize), Failure> {
     let Some(text) = text else { return Ok((0, 1)) };
     let parts =
@@ -120,7 +120,7 @@ fn shard(text: Option<&str>) -> Result<(usize, usize), Failure> {
     }
 }
 
-/// Computes the cases whose files are not there.
+/// Computes the cases whose files do not exist.
 fn compute(own: &[&Case], folder: &Path, cores: Option<usize>) -> Result<(), Failure> {
     interrupt::watch();
     case::clear(own, folder);
@@ -138,7 +138,7 @@ fn compute(own: &[&Case], folder: &Path, cores: Option<usize>) -> Result<(), Fai
         }
         result
     });
-    // The first case that failed, whoever was faster.
+    // The failed case of lowest number, whichever failed first in time.
     let failed = open.iter().zip(found).find_map(|(case, result)| Some((case.number, result.err()?)));
     match failed {
         Some((number, failure)) => Err(Failure::Wrong(format!("case {}: {failure}", number + 1))),

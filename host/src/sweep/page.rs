@@ -1,7 +1,7 @@
 //! The page that compares the cases of a sweep: bars of one metric at a time, and the table.
 //!
-//! In: the table. Out: HTML without anything from outside; names and values stand in it as JSON in which `<` is written as
-//! an escape, and are put into the page as text.
+//! In: the table. Out: self-contained HTML. Names and values are embedded as JSON with `<` escaped, and are inserted
+//! into the page as text.
 
 use super::case::Table;
 use crate::number::json_string;

@@ -1,7 +1,7 @@
-//! The table of a sweep as Parquet: the columns and values of the CSV, with what they were made from.
+//! The table of a sweep as Parquet: columns and values as in the CSV, with their origin.
 //!
-//! In: the table and pairs of words. Out: a file's bytes: `case` as whole numbers, keys of the sweep as texts, metrics as
-//! doubles that may be missing; pairs stand in the file's metadata. The feature `parquet` alone has this.
+//! In: the table and pairs of words. Out: the bytes of a file: `case` as integers, keys of the sweep as strings,
+//! metrics as nullable doubles, the pairs as the file's metadata. Only with the feature `parquet`.
 
 use super::case::Table;
 use parquet::basic::{LogicalType, Repetition, Type as Physical};
@@ -16,7 +16,7 @@ use std::sync::Arc;
 /// The file's bytes.
 ///
 /// # Errors
-/// What the format does not bear.
+/// An error of the format's library.
 pub fn bytes(table: &Table, pairs: &[(&str, String)]) -> Result<Vec<u8>, ParquetError> {
     let field = |name: &str, kind: Physical, how: Repetition| {
         let logical = (kind == Physical::BYTE_ARRAY).then_some(LogicalType::String);

@@ -1,9 +1,9 @@
-//! What the controller costs on each core, held against its limits.
+//! Measures the cost of the controller on each core and compares it with its limits.
 //!
 //! In: nothing. Out: flash, RAM, stack by analysis and as used, instructions of a tick and of the check of a tag in it,
-//! on the board's core cycles too, and a failure where one is too much; for RISC-V what the image shows alone. A
-//! nominal session and sessions with faults run in the emulator with the counting plug-in; the most of all of them
-//! counts.
+//! on the board's core also cycles, and a failure for each limit that is exceeded; for RISC-V only what the image
+//! shows. A nominal session and sessions with faults are run in the emulator with the counting plug-in; the largest
+//! values of all count.
 
 use super::bus::Bus;
 use super::machine::{self, Kind, Machine, Program};
@@ -21,22 +21,22 @@ use std::fmt::Write;
 
 /// Flash of control and equations: the image of a real board (bytes).
 const CONTROL: u64 = 40 * 1024;
-/// Flash of the loop's image: the board's less its drivers, and the simulated tile with its gas (bytes).
+/// Flash of the loop's image: the board's without its drivers, plus the simulated tile with its gas (bytes).
 const LOOP: u64 = 60 * 1024;
-/// Static RAM and the stack's bound together, of any image (bytes).
+/// Static RAM plus the stack's bound, of any image (bytes).
 const RAM: u64 = 16 * 1024;
 /// Instructions of a tick on any core.
 const INSTRUCTIONS: u64 = 9500;
 /// Cycles of a tick on the board's core, upper end of the interval: a tenth of a millisecond.
 const CYCLES: u64 = 16_800;
-/// Instructions of the check of a tag on any core, and cycles on the board's. A tick takes one body, so it checks one
-/// tag at most; the tick's own figures count it too.
+/// Instructions for the check of a tag on any core. A tick takes one message, so it checks at most one tag, which its
+/// own figures include.
 const TAG_INSTRUCTIONS: u64 = 700;
-/// See [`TAG_INSTRUCTIONS`].
+/// Cycles for the same on the board's core.
 const TAG_CYCLES: u64 = 1000;
-/// The functions that are counted: a tick, and the check of a tag.
+/// The functions counted: a tick, and the check of a tag.
 const COUNTED: [&str; 2] = ["controller_tick", "<smartbed_firmware::link::tag::Key>::vouches"];
-/// Sessions: without a fault, and with some that show in a motion.
+/// Sessions: one without a fault, and some with faults that show in a motion.
 const SESSIONS: [&str; 4] = [
     "identify; enable; home; move 5_mm 2_deg 0_deg; inflate 4_kPa; wait 3_s; log; status; flatten; stop",
     "enable; break motor-on; move -15_mm; log; status",
@@ -44,22 +44,22 @@ const SESSIONS: [&str; 4] = [
     "enable; break lvdt-stuck; move -15_mm; break switch-open; wait 1_s; clear; log; flatten",
 ];
 
-/// Builds, runs and judges.
+/// Builds, runs and compares with the limits.
 ///
 /// # Errors
-/// Status 1 with everything that is too much; status 2 where a tool is missing.
+/// Status 1 with every limit that is exceeded; status 2 if a tool is missing.
 pub fn run() -> Result<(), Failure> {
     let report = measure()?;
     output::print(&report.text)?;
     if report.failures.is_empty() { Ok(()) } else { Err(Failure::Wrong(report.failures.join("\nerror: "))) }
 }
 
-/// What was measured, and what of it is too much.
+/// The measurements, and the limits that they exceed.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub struct Report {
-    /// A line for each.
+    /// One line per measurement.
     pub text: String,
-    /// What exceeds its limit.
+    /// Limits that are exceeded.
     pub failures: Vec<String>,
 }
 
@@ -71,7 +71,7 @@ impl Report {
         }
     }
 
-    /// Holds an image against its rules and limits; returns the bound of its stack.
+    /// Checks an image's rules and limits; returns the bound of its stack.
     fn judge(&mut self, name: &str, image: &Image, chip: &Chip, flash: u64) -> Result<u64, Failure> {
         let stack = image.stack().map_err(Failure::Wrong)?;
         let findings = rules::findings(image, &stack, chip);
@@ -91,7 +91,7 @@ impl Report {
 /// Builds and runs.
 ///
 /// # Errors
-/// As [`run`], except that what is too much is in the report.
+/// As [`run`], except that exceeded limits are in the report.
 pub fn measure() -> Result<Report, Failure> {
     let mut report = Report::default();
     for (bus, name) in [(Wires::Serial, "board"), (Wires::Can, "board on CAN")] {
@@ -118,7 +118,7 @@ pub fn measure() -> Result<Report, Failure> {
     Ok(report)
 }
 
-/// The most that sessions used.
+/// The largest values of all sessions.
 #[derive(Clone, Copy, Default)]
 struct Used {
     stack: u64,
@@ -126,7 +126,7 @@ struct Used {
     calls: [Calls; 2],
 }
 
-/// Calls of a function: how many, and the most that one took.
+/// Calls of a function: their number, and the largest cost of one.
 #[derive(Clone, Copy, Default)]
 struct Calls {
     count: u64,
@@ -149,7 +149,7 @@ fn sessions(program: &Program, image: &Image) -> Result<Used, Failure> {
         let machine = Machine::start(program, 0, Some(&["-plugin", &option]))?;
         let mut bus = Bus::new(vec![machine]);
         for order in order::read(session)? {
-            // With a fault some orders are refused: that is part of what is counted.
+            // Faults make the controller refuse some orders, which is part of what is measured.
             let _ = bus.take(&order, &mut |_| Ok(()));
         }
         used.stack = used.stack.max(bus.depth()?.into());

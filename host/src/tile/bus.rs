@@ -1,6 +1,6 @@
-//! Tiles and their supervisor on one line, a millisecond at a time.
+//! Tiles and their supervisor on one bus, in steps of a millisecond.
 //!
-//! In: orders. Out: reports with the tile and the time of each. What the supervisor sends, every tile hears.
+//! In: orders. Out: reports, each with its tile and time. Every tile receives what the supervisor sends.
 
 use super::machine::Machine;
 use super::order::Order;
@@ -14,29 +14,29 @@ use smartbed_firmware::tile::mode::Mode;
 use smartbed_firmware::turns::KEY;
 use std::collections::VecDeque;
 
-/// An answer that has not come by then will not (ms).
+/// Time limit for an answer (ms).
 const PATIENCE: u32 = 200;
-/// Longest motion that is waited for (ms).
+/// Time limit for a motion (ms).
 const LONGEST: u32 = 300_000;
-/// Ticks that tiles take at once while nothing is to be sent.
+/// Ticks that tiles take in one turn if nothing has to be sent.
 const BATCH: u32 = 50;
 
-/// What a tile has said.
+/// A report of a tile.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Said {
     /// The tile.
     pub tile: u8,
-    /// When (ms).
+    /// Its time (ms).
     pub time: u32,
-    /// What.
+    /// The report.
     pub report: Report,
-    /// Was it asked for? Telemetry comes unasked.
+    /// Was it asked for? Telemetry is sent unasked.
     pub is_asked: bool,
 }
 
-/// Takes what is said.
+/// Called for every report.
 pub type Listen<'a> = &'a mut dyn FnMut(Said) -> Result<(), Failure>;
-/// Is the motion that is waited for to be stopped?
+/// Asked during a motion: shall it be stopped?
 pub type Interrupt<'a> = &'a mut dyn FnMut() -> Result<bool, Failure>;
 
 /// A bus with its tiles.
@@ -44,17 +44,17 @@ pub type Interrupt<'a> = &'a mut dyn FnMut() -> Result<bool, Failure>;
 pub struct Bus {
     tiles: Vec<(Machine, Peer, Decoder)>,
     current: usize,
-    /// Bytes that wait for the line.
+    /// Bytes waiting to be sent.
     down: VecDeque<u8>,
     now: u32,
-    /// Has a state been asked for that has not come?
+    /// Has a state been asked for that has not arrived yet?
     is_asked: bool,
     /// Everything that the tiles have sent.
     pub heard: Vec<u8>,
 }
 
 impl Bus {
-    /// Tiles by number from 0.
+    /// A bus with these tiles, numbered from 0.
     #[must_use]
     pub fn new(machines: Vec<Machine>) -> Self {
         let tile = |(number, machine)| (machine, Peer::new(number, Key::new(KEY)), Decoder::default());
@@ -74,15 +74,15 @@ impl Bus {
         self.now
     }
 
-    /// Does an order, to its end.
+    /// Executes an order to its end.
     ///
     /// # Errors
-    /// [`Failure::Wrong`] if a command is refused, or a tile is gone.
+    /// [`Failure::Wrong`] if a command is refused, or a tile does not answer.
     pub fn take(&mut self, order: &Order, listen: Listen) -> Result<(), Failure> {
         self.take_until(order, listen, &mut || Ok(false))
     }
 
-    /// Does an order; a motion to its end, or until it is to be stopped.
+    /// Executes an order; a motion to its end, or until `interrupt` stops it.
     ///
     /// # Errors
     /// As [`Self::take`], and the interrupt's.
@@ -114,7 +114,7 @@ impl Bus {
         self.tiles.into_iter().try_for_each(|(machine, ..)| machine.end().map(drop))
     }
 
-    /// Ends the first tile; the bytes of stack that it used.
+    /// Ends the first tile; returns the bytes of stack that it used.
     ///
     /// # Errors
     /// As [`Machine::end`].
@@ -122,10 +122,10 @@ impl Bus {
         self.tiles.remove(0).0.end()
     }
 
-    /// Sends a command and waits for its answer; is it done?
+    /// Sends a command and waits for its answer; returns whether it is completed.
     fn send(&mut self, command: &Command, listen: Listen) -> Result<bool, Failure> {
         self.greet(listen)?;
-        // All faults that can be cleared are meant: those that are there.
+        // `clear` stands for all faults that are present.
         let peer = &self.tiles[self.current].1;
         let command = match command {
             Command::Clear(_) => Command::Clear(peer.state().map_or(0, |state| state.faults)),
@@ -164,7 +164,7 @@ impl Bus {
         }
     }
 
-    /// Until every tile has said who it is and where.
+    /// Runs until every tile has sent its identity and state.
     fn greet(&mut self, listen: Listen) -> Result<(), Failure> {
         for _ in 0..10 * PATIENCE {
             let is_ready = |peer: &Peer| {
@@ -179,9 +179,9 @@ impl Bus {
         Err(Failure::Wrong("a tile has not said who it is".to_owned()))
     }
 
-    /// Until the tile has come to rest.
+    /// Runs until the current tile has come to rest.
     fn settle(&mut self, listen: Listen, interrupt: Interrupt) -> Result<(), Failure> {
-        // The telemetry still tells of the time before.
+        // Until new telemetry has arrived, the state is the one before the motion.
         self.run(250, listen)?;
         let start = self.now;
         while self.is_moving() {
@@ -198,11 +198,11 @@ impl Bus {
 
     fn is_moving(&self) -> bool {
         let state = self.tiles[self.current].1.state();
-        // A flattened tile stays in that mode; its drives tell.
+        // A flattened tile stays in its mode: the flag of its drives tells whether it moves.
         state.is_some_and(|state| state.flags & 1 == 1)
     }
 
-    /// Goes on for so many ticks.
+    /// Runs for a number of ticks.
     ///
     /// # Errors
     /// As [`Machine::turn`].
@@ -216,7 +216,8 @@ impl Bus {
         Ok(())
     }
 
-    /// Goes on for so many ticks, beats at their begin; one at a time while there is something to send.
+    /// Runs for a number of ticks, with the supervisor's heartbeats first; one tick at a time as long as there are
+    /// bytes to send.
     fn tick(&mut self, ticks: u32, listen: Listen) -> Result<(), Failure> {
         for (_, peer, _) in &mut self.tiles {
             if let Some(body) = peer.beat(self.now) {
@@ -232,7 +233,7 @@ impl Bus {
         Ok(())
     }
 
-    /// Sends as much as a tick takes and goes on for so many ticks.
+    /// Sends as many bytes as fit into a tick, and runs for a number of ticks.
     fn step(&mut self, ticks: u32, listen: Listen) -> Result<(), Failure> {
         let count = self.down.len().min(BYTES);
         let bytes: Vec<u8> = self.down.drain(..count).collect();

@@ -1,4 +1,4 @@
-//! A tile that runs: an emulated chip behind a socket, or the same program on this machine behind pipes.
+//! A running tile: an emulated chip connected by a socket, or the same program on this machine connected by pipes.
 
 use crate::failure::Failure;
 use crate::firmware::chip::{Chip, STM32F405};
@@ -15,10 +15,10 @@ use std::process::{Child, Stdio};
 use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
-/// An emulator that has not called by then will not.
+/// Time limit for the emulator to connect.
 const PATIENCE: Duration = Duration::from_secs(30);
 
-/// Where tiles run.
+/// Where a tile runs.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Kind {
     /// On emulated chips of this kind.
@@ -27,7 +27,7 @@ pub enum Kind {
     Native,
 }
 
-/// What is run: the emulator with the chip that it emulates, if there is one, and the program.
+/// The program to run: the emulator with the chip that it emulates, if there is one, and the image or executable.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Program {
     /// The emulator and its chip.
@@ -36,11 +36,11 @@ pub struct Program {
     pub file: PathBuf,
 }
 
-/// Builds the loop of controller and simulated tile; once for each kind in the life of a process, because chips of one
-/// target take turns in one place, and each turn builds anew.
+/// Builds the loop of controller and simulated tile. Each kind is built only once per process: chips of one target
+/// share an output folder, so that alternating between them would rebuild each time.
 ///
 /// # Errors
-/// Status 1 if it does not build, status 2 where a tool is missing.
+/// Status 1 if it does not build, status 2 if a tool is missing.
 pub fn build(kind: Kind) -> Result<Program, Failure> {
     static BUILT: Mutex<Vec<(Kind, Program)>> = Mutex::new(Vec::new());
     let mut built = BUILT.lock().unwrap_or_else(PoisonError::into_inner);
@@ -71,7 +71,7 @@ fn build_anew(kind: Kind) -> Result<Program, Failure> {
     })
 }
 
-/// A tile that runs.
+/// A running tile.
 pub struct Machine {
     child: Child,
     reader: BufReader<Box<dyn Read>>,
@@ -94,7 +94,7 @@ impl Machine {
     /// Starts tile `number`; `options` go to the emulator.
     ///
     /// # Errors
-    /// [`Failure::Wrong`] if it does not start or says something else than it should.
+    /// [`Failure::Wrong`] if it does not start or does not send what it should.
     pub fn start(program: &Program, number: u8, options: Option<&[&str]>) -> Result<Self, Failure> {
         let (child, reader, writer) = match &program.emulator {
             Some((emulator, chip)) => emulate(emulator, chip, &program.file, options.unwrap_or(&[]))?,
@@ -110,19 +110,19 @@ impl Machine {
         Ok(machine)
     }
 
-    /// Margin of self-locking at the lowest friction, as the tile says it at its start.
+    /// Margin of self-locking at the lowest friction, as sent by the tile at its start.
     #[must_use]
     pub fn margin(&self) -> f64 {
         self.margin
     }
 
-    /// Hands over bytes for the tile's line and goes on by so many ticks; the bytes that it sent in each.
+    /// Sends bytes to the tile and runs it for a number of ticks; returns the bytes that it sent in each.
     ///
     /// # Errors
-    /// [`Failure::Wrong`] if the tile is gone.
+    /// [`Failure::Wrong`] if the tile does not answer.
     pub fn turn(&mut self, bytes: &[u8], ticks: u32) -> Result<Vec<Vec<u8>>, Failure> {
         let mut sent = Vec::new();
-        // Bytes take the first tick; more than a turn holds are never given at once.
+        // All bytes are sent in the first tick; callers never send more than fit into a turn.
         let mut turns: Vec<Vec<u8>> = Vec::new();
         let mut left = ticks;
         if !bytes.is_empty() && left > 0 {
@@ -147,7 +147,7 @@ impl Machine {
         Ok(sent)
     }
 
-    /// Breaks something of the simulated tile; 0 mends it.
+    /// Causes a defect of the simulated tile; 0 repairs all.
     ///
     /// # Errors
     /// As [`Self::turn`].
@@ -155,7 +155,7 @@ impl Machine {
         self.write(&[BREAK, defect])
     }
 
-    /// Sends a byte of the session's own: see `turns`.
+    /// Sends a control byte of the session itself: see `turns`.
     ///
     /// # Errors
     /// As [`Self::turn`].
@@ -163,7 +163,7 @@ impl Machine {
         self.write(&[byte])
     }
 
-    /// Ends; the bytes of stack that were used, and whether it ended well.
+    /// Ends it; returns the bytes of stack used. Fails if it did not end well.
     ///
     /// # Errors
     /// As [`Self::turn`].
@@ -178,7 +178,7 @@ impl Machine {
         Ok(u32::from_le_bytes(used))
     }
 
-    /// Waits for its end, however it comes.
+    /// Waits until it ends for any reason.
     ///
     /// # Errors
     /// As [`Self::turn`].
@@ -200,7 +200,7 @@ impl Machine {
 
 impl Drop for Machine {
     fn drop(&mut self) {
-        // One that has ended is only waited for.
+        // If it has ended already, this has no effect.
         let _ = self.child.kill();
         let _ = self.child.wait();
     }
@@ -208,7 +208,7 @@ impl Drop for Machine {
 
 type Ends = (Child, Box<dyn Read>, Box<dyn Write>);
 
-/// The emulator calls a socket of ours: its serial line.
+/// Starts the emulator, which connects its serial line to a socket opened here.
 fn emulate(emulator: &Path, chip: &Chip, image: &Path, options: &[&str]) -> Result<Ends, Failure> {
     static COUNT: std::sync::atomic::AtomicU32 = std::sync::atomic::AtomicU32::new(0);
     let count = COUNT.fetch_add(1, std::sync::atomic::Ordering::Relaxed);

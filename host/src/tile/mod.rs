@@ -1,10 +1,10 @@
 //! `smartbed tile`: talks to tile controllers, in the emulator or on this machine.
 //!
-//! In: orders, as words or from standard input. Out: what the tiles say.
-//! Each tile is a whole controller with the tile that it is tried on, in lock-step with this program
-//! (`firmware/src/turns.rs`), so a session takes no longer than its computing and repeats byte for byte. [`order`]
-//! reads the words, [`machine`] starts a tile, [`bus`] carries bytes between tiles and supervisor, [`budget`] holds
-//! what the controller costs against its limits, [`show`] says it.
+//! In: orders, as words or from standard input. Out: reports of the tiles. Each tile is a complete controller with a
+//! simulated tile, in lock-step with this program (`firmware/src/turns.rs`), so that a session takes no longer than its
+//! computation and is reproducible byte for byte. [`order`] parses orders, [`machine`] starts a tile, [`bus`] carries
+//! bytes between tiles and supervisor, [`budget`] compares the controller's costs with its limits, [`show`] prints
+//! reports.
 
 pub mod budget;
 pub mod bus;
@@ -51,7 +51,7 @@ pub struct Arguments {
     pub budget: bool,
 }
 
-/// Does what the command line asks for.
+/// Runs the command.
 ///
 /// # Errors
 /// Status 1 for a wrong order, a refused command and a budget that is exceeded; status 2 where the machine lacks a
@@ -81,18 +81,18 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     bus.end()
 }
 
-/// Orders from standard input, read while others are done.
+/// Orders from standard input, read while earlier ones are executed.
 struct Typed {
     lines: Receiver<std::io::Result<String>>,
     waiting: VecDeque<Order>,
-    /// A script's orders stand in its order: only who types can stop what goes on.
+    /// Orders of a script are executed in sequence: only on a terminal can `stop` interrupt a motion.
     is_terminal: bool,
 }
 
 impl Typed {
     fn new() -> Self {
         let (sender, lines) = channel();
-        // It ends with standard input, or with the program.
+        // The thread ends with standard input, or with the program.
         std::thread::spawn(move || {
             std::io::stdin().lock().lines().try_for_each(|line| sender.send(line)).unwrap_or_default();
         });
@@ -109,7 +109,7 @@ impl Typed {
         Ok(())
     }
 
-    /// The next order; waits for it. None at the end of the input.
+    /// Waits for the next order; `None` at the end of the input.
     fn next(&mut self) -> Result<Option<Order>, Failure> {
         while self.waiting.is_empty() {
             let Ok(line) = self.lines.recv() else { return Ok(None) };
@@ -118,7 +118,7 @@ impl Typed {
         Ok(self.waiting.pop_front())
     }
 
-    /// Has `stop` been typed meanwhile? What was typed before it is dropped.
+    /// Has `stop` been typed meanwhile? Orders typed before it are dropped.
     fn is_stopped(&mut self) -> Result<bool, Failure> {
         if !self.is_terminal {
             return Ok(false);
@@ -137,7 +137,7 @@ mod tests {
     use super::{Order, Typed, channel};
     use smartbed_firmware::link::message::Command;
 
-    /// What is read after these lines, and whether a stop was seen between the first and the second.
+    /// Orders left after these lines, and whether a stop was seen between the first and the second.
     fn typed(lines: [&str; 2], is_terminal: bool) -> (bool, Vec<Order>) {
         let (sender, receiver) = channel();
         let send = |line: &str| sender.send(Ok(line.to_owned())).expect("somebody reads");
@@ -155,7 +155,7 @@ mod tests {
     fn a_stop_is_taken_at_once_on_a_terminal_and_in_its_order_in_a_script() {
         let [home, stop, status] = [Command::Home, Command::Stop, Command::Status].map(Order::Send);
         let lines = ["move 5_mm; home", "home; stop; status"];
-        // What was typed before the stop is dropped with it.
+        // Orders typed before the stop are dropped.
         assert_eq!(typed(lines, true), (true, vec![status]));
         assert_eq!(typed(lines, false), (false, vec![home, home, stop, status]));
         assert_eq!(typed(["move 5_mm", "status"], true), (false, vec![status]));

@@ -1,29 +1,29 @@
-//! The words of an order.
+//! Parses orders.
 
 use crate::failure::Failure;
 use smartbed_codegen::model::unit;
 use smartbed_firmware::defect::NAMED;
 use smartbed_firmware::link::message::{Command, Target};
 
-/// What is to be done.
+/// An order.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum Order {
-    /// Send a command, and go on when its motion, if it has one, is over.
+    /// Send a command, and continue when its motion, if any, has ended.
     Send(Command),
-    /// Send a command, and go on at once: `&` behind it.
+    /// Send a command, and continue at once: written with `&` after it.
     Begin(Command),
-    /// Go on for so long (ms).
+    /// Run for this time (ms).
     Wait(u32),
-    /// Talk to this tile from now on.
+    /// Send the following commands to this tile.
     Tile(u8),
-    /// Break something of it.
+    /// Cause this defect of the tile.
     Break(u8),
 }
 
-/// Orders with `;` between them.
+/// Parses orders separated by `;`.
 ///
 /// # Errors
-/// The order that is none, and what was expected.
+/// The invalid order, and what was expected.
 pub fn read(text: &str) -> Result<Vec<Order>, Failure> {
     text.split(';').map(str::trim).filter(|words| !words.is_empty()).map(one).collect()
 }
@@ -83,7 +83,7 @@ fn target(heave: &str, x: &str, y: &str) -> Result<Target, Failure> {
     Ok(Target { heave: quantity(heave, &["mm", "m"])? as f32, slope_x: slope(x)?, slope_y: slope(y)? })
 }
 
-/// A number with one of these units, `5_mm` or `5mm`, in SI.
+/// A number with one of these units, `5_mm` or `5mm`, in SI units.
 fn quantity(text: &str, units: &[&str]) -> Result<f64, Failure> {
     let number = text.trim_end_matches(|c: char| c.is_ascii_alphabetic());
     let (number, unit) = (number.trim_end_matches('_'), &text[number.len()..]);

@@ -1,4 +1,4 @@
-//! What tiles say, in words, and heights as a line of the terminal.
+//! Reports of tiles as text or JSON, and heights as a line of the terminal.
 
 use super::bus::Said;
 use serde_json::{Value, json};
@@ -8,10 +8,10 @@ use smartbed_firmware::tile::fault::{Fault, Faults};
 use smartbed_firmware::tile::mode::Mode;
 use smartbed_firmware::tile::motion::pose;
 
-/// Columns of a line that shows heights.
+/// Characters of a line that shows heights.
 const COLUMNS: usize = 49;
 
-/// What a tile says of its drives at its start.
+/// The text for a tile's margin of self-locking, which it sends at its start.
 #[must_use]
 pub fn margin(margin: f64) -> String {
     let word = if margin > 0.0 { "hold" } else { "DO NOT HOLD" };
@@ -24,8 +24,8 @@ pub fn start(margin: f64) -> String {
     format!("{}\n", json!({ "kind": "start", "time": 0.0, "margin": margin }))
 }
 
-/// What is worth a line: everything as JSON; in words, of telemetry, which comes ten times a second, only what is
-/// drawn.
+/// The line for a report, if it has one: in JSON every report; as text all but telemetry, which comes ten times a
+/// second and is only drawn.
 #[must_use]
 pub fn said(said: &Said, plots: bool, as_json: bool) -> Option<String> {
     if as_json {
@@ -48,7 +48,7 @@ pub fn said(said: &Said, plots: bool, as_json: bool) -> Option<String> {
     Some(format!("{:>9.3} s  tile {tile}  {text}\n", f64::from(*time) * 1e-3))
 }
 
-/// What was said as an object of `docs/json.schema.json`.
+/// A report as an object of `docs/json.schema.json`.
 fn object(said: &Said) -> Value {
     let mut object = match &said.report {
         Report::State(state) => json!({

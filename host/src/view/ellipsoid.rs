@@ -4,19 +4,19 @@
 //! A point inside has x^2/a^2 + y^2/b^2 + z^2/c^2 <= 1 and I_xx = m (b^2 + c^2)/5, cyclic, so
 //! a^2 = 5 (I_yy + I_zz - I_xx)/(2 m).
 
-/// Sweeps of Jacobi's method; it doubles its digits in each.
+/// Sweeps of Jacobi's method, which converges quadratically.
 const SWEEPS: usize = 12;
 
 /// Semi-axes, and the principal directions as rows.
 pub type Ellipsoid = ([f64; 3], [[f64; 3]; 3]);
 
-/// The ellipsoid; `None` for a mass or moments that no body in space has (a plane model gives one moment alone).
+/// The ellipsoid; `None` for a mass or moments that no rigid body has (a plane model gives only one moment).
 #[must_use]
 pub fn of(mass: f64, [xx, yy, zz, xy, xz, yz]: [f64; 6]) -> Option<Ellipsoid> {
     let (moments, axes) = principal([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]);
     let sum: f64 = moments.iter().sum();
     let squares = moments.map(|moment| 2.5 * (sum - 2.0 * moment) / mass);
-    // A flat body has one axis of length 0, give or take rounding.
+    // A flat body has one axis of length 0, up to rounding.
     let least = -1e-9 * squares.iter().fold(0.0_f64, |m, x| m.max(*x));
     let is_body = mass > 0.0 && moments.iter().all(|m| *m > 0.0) && squares.iter().all(|s| *s >= least);
     is_body.then(|| (squares.map(|s| s.max(0.0).sqrt()), axes))

@@ -1,27 +1,27 @@
-//! Frames of a motion, thinned out as they become many, and what the page reads of them.
+//! Frames of a motion, thinned out as they become many, and the page's data made from them.
 //!
-//! Numbers are sent as 16 bits between the least and the largest value: finer than any screen, and a page stays
+//! Numbers are stored as 16 bits between the least and the largest value: finer than any screen, and the page stays
 //! below 2 MB however long the run.
 
 use super::stage::Stage;
 use crate::contact_force::ContactForce;
 use serde_json::{Value, json};
 
-/// Numbers of all frames together; 16 bits are 8/3 letters of base64.
+/// Most numbers in all frames together; 16 bits take 8/3 letters of base64.
 const NUMBERS: usize = 300_000;
 /// Most and fewest frames.
 const FRAMES: [usize; 2] = [1200, 60];
-/// Contacts of all frames together, ten numbers each, and the fewest of one frame: the strongest are kept.
+/// Most contacts in all frames together, ten numbers each, and the fewest of one frame; the strongest are kept.
 const CONTACTS: [usize; 2] = [6000, 5];
 
-/// A curve beside the motion.
+/// A curve that the page shows beside the motion.
 #[derive(Clone, Debug)]
 pub struct Series {
     /// Its name.
     pub name: String,
     /// Quantity and unit: curves of one group share axes.
     pub group: String,
-    /// What a value is divided by.
+    /// Divisor of the values: SI units per unit shown.
     pub factor: f64,
 }
 
@@ -46,7 +46,7 @@ pub struct Film {
 }
 
 impl Film {
-    /// Nothing yet.
+    /// Without frames.
     #[must_use]
     pub fn new(stage: Stage, series: Vec<Series>) -> Self {
         let width = (stage.moving + series.len()).max(1);
@@ -54,7 +54,7 @@ impl Film {
         Self { stage, series, first: Vec::new(), frames: Vec::new(), most, stride: 1, seen: 0 }
     }
 
-    /// Adds a frame: time, places as the stage expects them, contacts, a value for every curve.
+    /// Adds a frame: time, positions as the stage expects them, contacts, a value for every curve.
     pub fn push(
         &mut self,
         t: f64,
@@ -82,7 +82,7 @@ impl Film {
         }
     }
 
-    /// What the page reads, as JSON.
+    /// The page's data as JSON.
     #[must_use]
     pub fn data(&self, title: &str, note: &str, events: &[(f64, String)]) -> String {
         let moving = self.stage.moving;
@@ -92,7 +92,7 @@ impl Film {
         for frame in 0..self.frames.len() {
             motion.extend(places.iter().flat_map(|c| c.words[frame].to_le_bytes()));
         }
-        // An account that nothing was booked to tells nothing.
+        // An account that stays 0 is left out.
         let told = |column: &Column| column.low != 0.0 || column.high != 0.0;
         let shown = self.series.iter().zip(curves).filter(|(s, c)| s.group != "energy [J]" || told(c));
         let series = shown.map(|(series, column)| {
@@ -113,8 +113,8 @@ impl Film {
         data.to_string()
     }
 
-    /// How many contacts each frame has; of each the point, forces along and across its normal, 1 where both are
-    /// pushed.
+    /// Number of contacts per frame; for each contact the point, the forces along and across its normal, and 1 if it is
+    /// between two bodies that are both pushed.
     fn contacts(&self) -> (Value, Value) {
         let most = (CONTACTS[0] / self.frames.len().max(1)).max(CONTACTS[1]);
         let (mut counts, mut bytes) = (Vec::new(), Vec::new());
@@ -133,7 +133,7 @@ impl Film {
         (json!(counts), json!(base64(&bytes)))
     }
 
-    /// A number over all frames; what is not finite is drawn at 0.
+    /// One number over all frames; values that are not finite become 0.
     fn column(&self, n: usize) -> Column {
         let value = |frame: &Frame| frame.numbers.get(n).copied().filter(|x| x.is_finite()).unwrap_or(0.0);
         let range = self.frames.iter().map(value);
@@ -145,7 +145,7 @@ impl Film {
     }
 }
 
-/// Numbers as shares of their range.
+/// Numbers as fractions of their range.
 struct Column {
     low: f64,
     high: f64,

@@ -1,8 +1,8 @@
-//! `--view` and `smartbed view`: a motion in space as one HTML page without any outside resource.
+//! `--view` and `smartbed view`: a motion in space as one self-contained HTML page.
 //!
-//! In: places of points and turns of bodies over time, curves, events. Out: a page that shows them with three.js
-//! (`three/`, committed with its licence and the script that makes it; no build needs npm): [`film`] keeps the
-//! frames, `film.js` to `player.js` are the page's scripts. [`still`] takes a picture, [`serve`] follows a file.
+//! In: positions of points and attitudes of bodies over time, curves, events. Out: a page that shows them with three.js
+//! (`three/`, committed with its licence and the script that makes it; no build needs npm). [`film`] keeps the frames;
+//! `film.js` to `player.js` are the page's scripts. [`still`] takes a picture, [`serve`] follows a file.
 
 pub mod arguments;
 pub mod ellipsoid;
@@ -28,7 +28,7 @@ use crate::failure::Failure;
 #[cfg(feature = "whole")]
 use crate::run;
 
-/// Does what the command line asks for.
+/// Runs the command.
 ///
 /// # Errors
 /// Status 1 for a wrong model or setting; status 2 without a browser for `--still`, or without a free port.

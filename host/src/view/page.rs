@@ -1,4 +1,4 @@
-//! The page that shows a motion: its scripts and data in one text.
+//! The page that shows a motion: scripts and data in one text.
 
 /// The page without data and scripts.
 const PAGE: &str = include_str!("page.html");
@@ -13,10 +13,10 @@ const SCRIPTS: [&str; 5] = [
     include_str!("player.js"),
 ];
 
-/// The page's text for data as [`Film::data`](super::film::Film::data) gives them.
+/// The page's text, for data from [`Film::data`](super::film::Film::data).
 #[must_use]
 pub fn page(data: &str) -> String {
-    // `<` would let a name end the script that the data stand in.
+    // Escaped, so that a name cannot close the script element that contains the data.
     let data = data.replace('<', "\\u003c");
     let page = PAGE.replacen("/*THREE*/", THREE, 1).replacen("/*SCRIPT*/", &SCRIPTS.concat(), 1);
     page.replacen("<!--DATA-->", &data, 1)

@@ -4,7 +4,7 @@ use super::stage::Stage;
 use crate::scene::read::Scene;
 use serde_json::{Value, json};
 
-/// What stands on the stage; a row's places are those of the scene's points.
+/// The stage; positions in a row are those of the scene's points.
 #[must_use]
 pub fn stage(scene: &Scene) -> Stage {
     let n = scene.lists.points.len();

@@ -1,8 +1,8 @@
 //! `smartbed view`: serves the page on this machine and follows the model's file.
 //!
-//! The page asks for `/state` a few times a second. Where a text in the model's folder has changed since, the
-//! model is run again; the page then fetches `/data`. What is wrong with an edit is shown on the page, and the
-//! last motion stays. Requests are answered one after the other: there is one reader.
+//! The page asks for `/state` a few times a second. If a text in the model's folder has changed since the last run, the
+//! model is run again, and the page then fetches `/data`. Errors in an edit are shown on the page, which keeps the last
+//! motion. Requests are answered one after the other: there is only one reader.
 
 use super::arguments::Arguments;
 use super::page::page;
@@ -14,7 +14,7 @@ use std::net::{Ipv4Addr, TcpListener, TcpStream};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, SystemTime};
 
-/// A reader that says nothing for so long has gone.
+/// A connection without any data for so long is closed.
 const PATIENCE: Duration = Duration::from_secs(2);
 /// Most bytes of a request's head.
 const HEAD: u64 = 16 * 1024;
@@ -22,7 +22,7 @@ const HEAD: u64 = 16 * 1024;
 /// Serves until the process is ended.
 ///
 /// # Errors
-/// Status 1 for a model that is wrong from the start; status 2 where the port is taken.
+/// Status 1 if the model is wrong at the start; status 2 if the port is taken.
 pub fn serve(arguments: &Arguments) -> Result<(), Failure> {
     let mut subject = Subject::new(arguments)?;
     let listener = TcpListener::bind((Ipv4Addr::LOCALHOST, arguments.port));
@@ -38,7 +38,7 @@ pub fn serve(arguments: &Arguments) -> Result<(), Failure> {
         ),
     })?;
     for stream in listener.incoming() {
-        // A reader that went away is no failure.
+        // A connection that the browser closed is no failure.
         let _ = stream.and_then(|stream| answer(stream, &mut subject));
     }
     Ok(())
@@ -77,7 +77,7 @@ impl Subject {
     }
 }
 
-/// When each text in the model's folder was written: a model may extend its neighbours.
+/// Time of the last change of each text in the model's folder: a model may extend its neighbours.
 fn stamps(path: &Path) -> Vec<(PathBuf, SystemTime)> {
     let folder = path.parent().filter(|f| !f.as_os_str().is_empty()).unwrap_or(Path::new("."));
     let files = std::fs::read_dir(folder).into_iter().flatten().flatten().map(|entry| entry.path());
@@ -94,7 +94,7 @@ fn answer(mut stream: TcpStream, subject: &mut Subject) -> std::io::Result<()> {
     stream.set_write_timeout(Some(PATIENCE))?;
     let mut lines = BufReader::new(stream.try_clone()?.take(HEAD)).lines();
     let request = lines.next().transpose()?.unwrap_or_default();
-    // The rest of the head says nothing that matters here, but must be read.
+    // The rest of the head must be read, but is not used.
     for line in lines {
         if line?.is_empty() {
             break;

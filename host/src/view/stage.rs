@@ -1,4 +1,4 @@
-//! What stands on the stage: names, lines, solids, surfaces, ground and gravity. Numbers that do not move.
+//! The fixed part of a page's data: names, lines, solids, surfaces, ground and gravity.
 
 use super::ellipsoid;
 use serde_json::{Value, json};
@@ -6,14 +6,14 @@ use smartbed_codegen::id::Id;
 use smartbed_codegen::model::expression::ExprKind;
 use smartbed_codegen::model::{Axis, LoadKind, Model, Shape, ShapeKind, Shown};
 
-/// Numbers of a body's mass and inertia among the places of a row.
+/// Count of numbers for a body's mass and inertia in a row.
 pub(super) const INERTIA: usize = 7;
 
-/// A body as the page is told of it.
+/// A body as the page receives it.
 #[derive(Clone, Debug)]
 pub(super) struct Solid {
     pub(super) name: String,
-    /// Number of the centre's point.
+    /// Index of the point at its centre.
     pub(super) centre: usize,
     pub(super) has_frame: bool,
     pub(super) colour: Option<[u8; 3]>,
@@ -23,21 +23,21 @@ pub(super) struct Solid {
 /// The stage of a model, a scene or a world.
 #[derive(Clone, Debug)]
 pub struct Stage {
-    /// What the page reads, but for solids.
+    /// The page's data without solids.
     pub(super) fixed: Value,
     pub(super) bodies: Vec<Solid>,
-    /// Bodies with a shape of their own: which, what, how many of the first row's numbers are its lengths.
+    /// Bodies with a shape of their own: index, shape, count of lengths in the first row.
     pub(super) shapes: Vec<(usize, Value, usize)>,
-    /// Gravity stands in the first row, too.
+    /// If `None`, gravity is part of the first row.
     pub(super) gravity: Option<[f64; 3]>,
-    /// Numbers of a row that move: places of points, then x and y of every body's frame.
+    /// Count of the numbers in a row that move: positions of points, then the x and y axes of every body's frame.
     pub moving: usize,
     /// Are forces of contacts shown?
     pub(super) forces: bool,
 }
 
 impl Stage {
-    /// For a model; a row's places are those of [`crate::observers::Observers::places`].
+    /// For a model; positions in a row are those of [`crate::observers::Observers::places`].
     #[must_use]
     pub fn of_model(model: &Model) -> Self {
         let view = &model.view;
@@ -95,7 +95,7 @@ impl Stage {
         self.forces
     }
 
-    /// As the page reads it; `first` is the first row's places.
+    /// The page's data; `first` is the first row.
     #[must_use]
     pub fn data(&self, first: &[f64]) -> Value {
         let (mut turns, mut bodies) = (0, Vec::new());
@@ -130,7 +130,7 @@ impl Stage {
     }
 }
 
-/// A shape but for its lengths.
+/// A shape without its lengths, as JSON.
 fn told(shape: &Shape) -> Value {
     let kind = match shape.kind {
         ShapeKind::Box => "box",
@@ -145,7 +145,7 @@ fn told(shape: &Shape) -> Value {
     json!({"kind": kind, "axis": axis, "at": shape.at.map(Id::index)})
 }
 
-/// Pairs of points: each with those that its expressions name, the origin where they name none.
+/// Pairs of points: each point with those that its position's expression names, or with the origin if it names none.
 fn links(model: &Model) -> Vec<[usize; 2]> {
     let mut links = Vec::new();
     for (id, point) in model.points.enumerate().skip(1) {

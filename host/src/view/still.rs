@@ -1,4 +1,4 @@
-//! `smartbed view --still`: the page's picture at one time, taken by a browser without a window.
+//! `smartbed view --still`: a picture of the page at one time, taken by a browser in headless mode.
 
 use crate::failure::Failure;
 use crate::firmware::process::which;
@@ -11,7 +11,7 @@ const NAMES: [&str; 4] = ["chromium", "chromium-browser", "google-chrome", "goog
 /// Size of the picture (pixels).
 const SIZE: [usize; 2] = [1280, 900];
 
-/// The file's name ends in `.png`?
+/// Checks that the file's name ends in `.png`.
 ///
 /// # Errors
 /// [`Failure::Wrong`] if not.
@@ -22,7 +22,7 @@ pub fn check(file: &str) -> Result<(), Failure> {
     Err(Failure::Wrong(format!("--still {file}: expected a name that ends in .png")))
 }
 
-/// The time of `t=0.5`.
+/// Parses a time such as `t=0.5`.
 ///
 /// # Errors
 /// [`Failure::Wrong`] for anything else.
@@ -33,7 +33,7 @@ pub fn time(text: &str) -> Result<f64, Failure> {
     })
 }
 
-/// Opens the page at a time, and writes what is seen.
+/// Opens the page at a time, and writes a picture of it.
 ///
 /// # Errors
 /// [`Failure::Wrong`] if the file cannot be written; [`Failure::Lacking`] without a browser.
@@ -63,7 +63,7 @@ pub fn take(page: &str, time: f64, file: &str) -> Result<(), Failure> {
         .status()
         .map_err(wrong)?;
     let picture = std::fs::read(&png);
-    // The browser's helpers may still be writing: what cannot be removed is left to the system.
+    // The browser's child processes may still be writing: files that cannot be removed are left to the system.
     let _ = std::fs::remove_dir_all(Path::new(&folder));
     match picture {
         Ok(picture) if status.success() => output::write(file, &picture),

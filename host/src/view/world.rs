@@ -1,7 +1,7 @@
 //! The stage of a world: rigid parts as solids, flexible ones as springs and surfaces, the first half-space as ground.
 //!
-//! Numbers of a row: places of all points, part by part, then x and y of what turns; the first one ends with inertias,
-//! gravity and sizes. All as [`Picture`] has them.
+//! Numbers of a row: positions of all points, part by part, then the x and y axes of all frames; the first row ends
+//! with inertias, gravity and sizes. All as in [`Picture`].
 
 use super::stage::{Solid, Stage};
 use crate::world::Assembly;
@@ -10,7 +10,7 @@ use crate::world::picture::Picture;
 use serde_json::{Value, json};
 use smartbed_runtime::surface::Shape;
 
-/// Solids so far.
+/// The solids and surfaces collected so far.
 #[derive(Default)]
 struct Draft {
     names: Vec<String>,
@@ -21,14 +21,14 @@ struct Draft {
     springs: Vec<Value>,
     edges: Vec<Value>,
     facets: Vec<[usize; 4]>,
-    /// Nodes that are held by others.
+    /// Nodes that are attached to other parts.
     held: Vec<usize>,
-    /// Parts with facets: name, first and last facet, the curve of the gas inside.
+    /// Parts with facets: name, first and last facet, the curve of the enclosed gas.
     surfaces: Vec<Value>,
     ground: Value,
 }
 
-/// What `[view]` says of a part.
+/// Options of `[view]` for a part.
 #[derive(Clone, Copy)]
 struct Look {
     is_hidden: bool,
@@ -71,7 +71,7 @@ pub fn stage(assembly: &Assembly) -> Stage {
     let fixed = json!({
         "points": draft.names, "hidden": draft.hidden, "links": draft.links, "springs": draft.springs, "edges": draft.edges,
         "facets": draft.facets, "held": draft.held, "surfaces": draft.surfaces, "ground": draft.ground, "colours": {},
-        // Springs within a surface are seen by its colours.
+        // The springs of a surface are not drawn: its colours show their strain.
         "bones": "bare",
         "paint": if view.by_pressure { "pressure" } else { "stretch" },
     });
@@ -85,7 +85,7 @@ pub fn stage(assembly: &Assembly) -> Stage {
     }
 }
 
-/// A model's own stage, its numbers counted behind those before.
+/// Adds the stage of a mechanism, with its indices shifted by those of the parts before it.
 fn mechanism(name: &str, mechanism: &Mechanism, look: Look, draft: &mut Draft) {
     let own = Stage::of_model(&mechanism.model);
     let (first, solids) = (draft.names.len(), draft.bodies.len());
@@ -144,7 +144,7 @@ fn solid(name: &str, rigid: &Rigid, look: Look, draft: &mut Draft) {
     }
 }
 
-/// A row's places as the stage expects them.
+/// The numbers of a row as the stage expects them.
 #[must_use]
 pub fn places(picture: &Picture, assembly: &Assembly) -> Vec<f64> {
     let mut places: Vec<f64> = picture.points.as_flattened().to_vec();

@@ -1,6 +1,6 @@
-//! A world as plain data: what a scene of format 2 says, names resolved, numbers in SI units.
+//! The data of a world: the contents of a scene of format 2, with names resolved and numbers in SI units.
 //!
-//! Parts stand in the author's order; attachments and contacts name them by number.
+//! Parts are in the author's order; attachments and contacts refer to them by index.
 
 use crate::scene::Lists;
 use smartbed_codegen::model::Model;
@@ -10,26 +10,26 @@ use smartbed_runtime::rigid::{RigidBody, RigidState};
 use smartbed_runtime::surface::Shape;
 use smartbed_runtime::world::Content;
 
-/// Everything that a scene says.
+/// The contents of a scene.
 #[derive(Clone, Debug)]
 pub struct Assembly {
     /// One line about it.
     pub title: String,
-    /// Acceleration of free fall in N (m/s^2).
+    /// Acceleration of gravity in N (m/s^2).
     pub gravity: [f64; 3],
     /// The parts.
     pub parts: Vec<Part>,
-    /// Nodes of flexible parts that are held by others.
+    /// Nodes of flexible parts that are attached to other parts.
     pub attachments: Vec<Attachment>,
     /// Pairs of parts that touch, with their laws.
     pub contacts: Vec<Contact>,
-    /// What is observed.
+    /// The sensors.
     pub sensors: Vec<Sensing>,
-    /// What is controlled.
+    /// The controllers.
     pub controllers: Vec<Controlling>,
-    /// How it is run.
+    /// Length, step and method of the run.
     pub run: Run,
-    /// What pictures show.
+    /// Options of pictures.
     pub view: View,
 }
 
@@ -59,7 +59,7 @@ impl View {
 pub struct Part {
     /// Its name.
     pub name: String,
-    /// What it is.
+    /// Its kind and data.
     pub kind: Kind,
 }
 
@@ -71,10 +71,10 @@ impl Part {
     }
 }
 
-/// What a part is.
+/// Kinds of parts.
 #[derive(Clone, Debug)]
 pub enum Kind {
-    /// Derived equations.
+    /// A mechanism, with derived equations.
     Mechanism(Box<Mechanism>),
     /// Nodes, springs, facets.
     Flexible(Box<Flexible>),
@@ -85,22 +85,22 @@ pub enum Kind {
 /// A mechanism.
 #[derive(Clone, Debug)]
 pub struct Mechanism {
-    /// Its model, with what the scene commands.
+    /// Its model, extended by the motions that the scene commands.
     pub model: Model,
-    /// Where its origin stands in N (m).
+    /// Position of its origin in N (m).
     pub place: [f64; 3],
 }
 
 /// A flexible body.
 #[derive(Clone, Debug)]
 pub struct Flexible {
-    /// Nodes where they start, springs, facets. Attached nodes are fixed and without mass.
+    /// Nodes in their initial positions, springs, facets. Attached nodes are fixed and have no mass.
     pub lists: Lists,
-    /// Viscous force of the air per node and speed (N s/m).
+    /// Viscous drag of the air per node (N s/m).
     pub air_drag: f64,
     /// Gas inside.
     pub gas: Option<Content<f64>>,
-    /// Supply and vent of gas that keeps its mass else.
+    /// Supply and vent of the gas, whose mass is otherwise constant.
     pub lines: [Option<Line<f64>>; 2],
 }
 
@@ -109,31 +109,31 @@ pub struct Flexible {
 pub struct Rigid {
     /// Its shape about its centre of mass.
     pub shape: Shape<f64>,
-    /// Its inertia; none if it is fixed in space or on a port.
+    /// Its mass and inertia; `None` if it is fixed in space or to a port.
     pub body: Option<RigidBody<f64>>,
-    /// The mechanism and port that carry it, a surface without mass.
+    /// The mechanism and port to which it is fixed as a surface without mass.
     pub on: Option<(usize, String)>,
-    /// Where it starts; of a shape on a port its place there.
+    /// Its initial state; for a shape on a port its pose there.
     pub start: RigidState<f64>,
 }
 
-/// Nodes held in a frame.
+/// Nodes attached to a frame.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Attachment {
     /// The flexible part.
     pub part: usize,
     /// Its nodes.
     pub nodes: Vec<usize>,
-    /// The part that holds them.
+    /// The part to which they are attached.
     pub to: usize,
-    /// The port of a mechanism; none for a rigid body, whose own axes hold.
+    /// The port, if that is a mechanism; `None` for a rigid body, whose own frame holds them.
     pub port: Option<String>,
 }
 
 /// Two parts that may touch.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Contact {
-    /// Their numbers.
+    /// Their indices.
     pub between: [usize; 2],
     /// The law between them.
     pub law: Law,
@@ -142,119 +142,120 @@ pub struct Contact {
 /// A law of contact.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum Law {
-    /// Impacts at located times, held contacts between: rigid parts alone.
+    /// Impacts located in time, and contact constraints between them: for rigid parts alone.
     Located(law::Law<f64>),
-    /// Without locating: Moreau's time stepping, for parts of every kind.
+    /// Moreau's time stepping, without locating touches, for parts of every kind.
     Moreau {
-        /// Newton's e at each point; energy is never created.
+        /// Newton's coefficient of restitution e at each point; energy is never created.
         restitution: f64,
-        /// Coulomb's mu.
+        /// Coulomb's coefficient of friction mu.
         friction: f64,
     },
 }
 
-/// A sensor: what it reads of the rows, and how wrong it is (numbers in the unit of what it reads).
+/// A sensor: the value of the rows that it reads, and its errors (in the unit of that value).
 #[derive(Clone, PartialEq, Debug)]
 pub struct Sensing {
     /// Its name.
     pub name: String,
-    /// The number of the rows that it reads.
+    /// The column that it reads.
     pub of: String,
-    /// What the quantity becomes first.
+    /// The transformation of the quantity before it is sampled.
     pub transducer: Transducer,
-    /// From sample to sample (s); a step if left out.
+    /// Sampling period (s); `None` for one step.
     pub period: Option<f64>,
-    /// From a sample to its reading (s).
+    /// Delay between a sample and its reading (s).
     pub delay: f64,
     /// Standard deviation of the noise of a sample.
     pub noise: f64,
     /// Standard deviation of the bias.
     pub bias: f64,
-    /// Change of the reading in a period.
+    /// Change of the reading per period.
     pub drift: f64,
-    /// Step of the reading.
+    /// Resolution of the reading.
     pub resolution: f64,
     /// Least and largest reading.
     pub range: [f64; 2],
-    /// The same seed makes the same readings.
+    /// Seed of noise and bias: equal seeds give equal readings.
     pub seed: u64,
 }
 
-/// A controller: PI with limits, held between its samples.
+/// A controller: PI with limits; its output is held between samples.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Controlling {
     /// Its name.
     pub name: String,
-    /// The number of the rows, or `sensors.NAME`, that it reads.
+    /// The column, or `sensors.NAME`, that it reads.
     pub reads: String,
-    /// The input that it gives.
+    /// The input that it drives.
     pub drives: String,
-    /// From sample to sample (s).
+    /// Sampling period (s).
     pub period: f64,
-    /// Targets from times on (s), first time first; in the unit of what it reads.
+    /// Times (s), in ascending order, and the targets from then on, in the unit of the value that it reads.
     pub target: Vec<[f64; 2]>,
-    /// Output by error.
+    /// Output per error.
     pub gain: f64,
-    /// Output by error and second.
+    /// Output per error and second.
     pub integral: f64,
-    /// Output without error.
+    /// Output at zero error.
     pub bias: f64,
     /// Least and largest output.
     pub limits: [f64; 2],
 }
 
 impl Controlling {
-    /// The target at a time.
+    /// The target at a time (piecewise constant).
     #[must_use]
     pub fn target_at(&self, t: f64) -> f64 {
-        // A sample stands for the time of its step, whatever rounding says.
+        // A sample belongs to the time of its step, despite rounding.
         let now = t + 1e-9 * self.period;
         self.target.iter().take_while(|[from, _]| *from <= now).last().map_or(0.0, |[_, value]| *value)
     }
 }
 
-/// What a quantity becomes before it is sampled.
+/// How a quantity is transformed before it is sampled.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum Transducer {
-    /// Itself.
+    /// No transformation.
     Plain,
-    /// A place with a bend of its characteristic.
+    /// A displacement with a nonlinear characteristic.
     Lvdt {
-        /// Half its range.
+        /// Half of its range.
         reach: f64,
-        /// Largest deviation as a share of the reach.
+        /// Largest deviation as a fraction of the reach.
         linearity: f64,
     },
-    /// A membrane that lags (s).
+    /// A pressure with first-order lag.
     Pressure {
         /// Time constant (s).
         lag: f64,
     },
     /// 1 beyond a threshold, else 0.
     Switch {
-        /// Where it closes, coming from below.
+        /// Value above which it closes.
         closes: f64,
-        /// How far below that it opens.
+        /// It opens at this distance below that value.
         hysteresis: f64,
-        /// How long its contact chatters (s).
+        /// Time for which its contact chatters (s).
         chatter: f64,
     },
 }
 
-/// How a world is run.
+/// Settings of the run.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Run {
     /// Length (s).
     pub seconds: f64,
     /// Step (s).
     pub step: f64,
-    /// Steps between two rows.
+    /// Steps per row.
     pub every: usize,
     /// The method's name, if the scene chooses one.
     pub method: Option<String>,
     /// Does it begin in static equilibrium?
     pub settled: bool,
-    /// Parts that are slower than this (m/s, rad/s) for 0.1 s stand still until something comes near them.
+    /// Parts slower than this (m/s, rad/s) for 0.1 s are frozen until something comes near them; `None` freezes
+    /// nothing.
     pub sleep: Option<f64>,
 }
 
@@ -267,7 +268,7 @@ impl Assembly {
         })
     }
 
-    /// Has gas of some part a supply or a vent?
+    /// Does the gas of any part have a supply or a vent?
     #[must_use]
     pub fn has_lines(&self) -> bool {
         self.parts.iter().any(|part| match &part.kind {
@@ -276,7 +277,7 @@ impl Assembly {
         })
     }
 
-    /// Is it rigid bodies alone, with impacts at located times?
+    /// Does the world consist of rigid bodies alone, with impacts located in time?
     #[must_use]
     pub fn is_rigid(&self) -> bool {
         let rigid = self.parts.iter().all(|part| matches!(part.kind, Kind::Rigid(_)));
@@ -285,7 +286,7 @@ impl Assembly {
 }
 
 impl Run {
-    /// Steps in the run, the last one perhaps shorter; a rest below a thousandth of a step is rounding.
+    /// Number of steps in the run, the last one perhaps shorter; a remainder below a thousandth of a step is rounding.
     #[must_use]
     pub fn steps(&self) -> usize {
         let whole = (self.seconds / self.step - 1e-3).ceil().max(0.0) as usize;

@@ -1,4 +1,4 @@
-//! What carries flexible parts on the host: mechanisms, floating rigid bodies, frames that stand still.
+//! The carriers of flexible parts on the host: mechanisms, floating rigid bodies, fixed frames.
 
 use super::ported::Ported;
 use smartbed_runtime::mechanism::Fault;
@@ -6,7 +6,7 @@ use smartbed_runtime::surface::Frame;
 use smartbed_runtime::world::{Carrier, Floating, InverseInertia, Still, Wrench};
 use std::ops::Range;
 
-/// One of them.
+/// A carrier.
 #[derive(Clone, Debug)]
 pub enum HostCarrier {
     /// A mechanism with the ports in use.
@@ -73,8 +73,8 @@ impl Carrier<f64> for HostCarrier {
     }
 
     fn drive_power(&mut self, frames: &[Frame<f64>], wrenches: &[Wrench<f64>]) -> Option<f64> {
-        // What drives a mechanism that time alone moves gives what is taken at its ports; its own share is in its
-        // account.
+        // If time alone moves a mechanism, its drive supplies the power that is taken at its ports; the drive's other
+        // power is in the mechanism's account.
         let taken = frames.iter().zip(wrenches).map(|(frame, wrench)| wrench.power(frame)).sum::<f64>();
         matches!(self, Self::Mechanism(own) if own.n_u() == 0).then_some(-taken)
     }

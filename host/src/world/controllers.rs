@@ -1,37 +1,38 @@
-//! Controllers of a world: at their own period they read a number, compare it with a target and hold an output until the next.
+//! Controllers of a world: at their own period they read a value, compare it with a target and hold an output until the
+//! next sample.
 //!
-//! In: what a scene says of each, the rows' columns, the sensors' readings. Out: numbers for an engine's inputs.
+//! In: the scene's description of each, the rows' columns, the sensors' readings. Out: values of an engine's inputs.
 //! ```text
 //! e = target(t) - reading,   I += integral * period * e  (not where the output is at a limit and e drives it further)
 //! output = bias + gain * e + I, within the limits
 //! ```
-//! They act through inputs alone: valves of gas, inputs of mechanisms that no law of the model gives.
+//! They act through inputs alone: valves of gas, and inputs of mechanisms for which the model has no law.
 
 use super::assembly::{Assembly, Controlling};
 use super::engine::{Column, Engine};
 use super::sensors::whole_steps;
 
-/// What a controller reads.
+/// The value that a controller reads.
 #[derive(Clone, Copy, Debug)]
 enum Source {
     Column(usize),
     Sensor(usize),
 }
 
-/// A controller at work.
+/// The state of a controller.
 #[derive(Clone, Debug)]
 struct Controller {
     own: Controlling,
     source: Source,
     input: usize,
-    /// Steps from sample to sample.
+    /// Number of steps between samples.
     period: u64,
     integral: f64,
-    /// What it gives until its next sample.
+    /// Its output until the next sample.
     held: f64,
 }
 
-/// All of them.
+/// The controllers of a world.
 #[derive(Clone, Debug)]
 pub struct Controllers {
     list: Vec<Controller>,
@@ -42,7 +43,8 @@ impl Controllers {
     /// For an assembly whose rows have these columns and whose engine takes these inputs.
     ///
     /// # Errors
-    /// What a controller reads is no number, what it drives no input, two drive one, or a period is no whole number of steps.
+    /// If a controller reads no existing value or drives no existing input, two drive the same input, or a period is
+    /// not a whole number of steps.
     pub fn new(assembly: &Assembly, columns: &[Column], inputs: &[String]) -> Result<Self, String> {
         let mut list: Vec<Controller> = Vec::new();
         for own in &assembly.controllers {
@@ -88,13 +90,13 @@ impl Controllers {
         self.list.is_empty()
     }
 
-    /// All they remember.
+    /// The state of all controllers, for a checkpoint.
     #[must_use]
     pub fn save(&self) -> Vec<f64> {
         self.list.iter().flat_map(|own| [own.integral, own.held]).collect()
     }
 
-    /// Goes on from [`Controllers::save`], their outputs held; None where numbers are missing.
+    /// Restores the state of [`Controllers::save`] and holds their outputs; `None` if numbers are missing.
     pub fn load(&mut self, numbers: &mut impl Iterator<Item = f64>, engine: &mut dyn Engine) -> Option<()> {
         self.list.iter_mut().try_for_each(|own| {
             (own.integral, own.held) = (numbers.next()?, numbers.next()?);
@@ -103,10 +105,10 @@ impl Controllers {
         })
     }
 
-    /// Behind step `tick`: those whose time it is give the engine their outputs.
+    /// After step `tick`: controllers whose sampling time it is set their outputs in the engine.
     ///
     /// # Errors
-    /// A reading that is no number.
+    /// If a reading is not finite.
     pub fn act(
         &mut self,
         tick: u64,
@@ -145,7 +147,7 @@ impl Controller {
     }
 }
 
-/// What it reads: a number of the rows, or a sensor.
+/// The source of its reading: a value of the rows, or a sensor.
 fn source(own: &Controlling, assembly: &Assembly, columns: &[Column]) -> Result<Source, String> {
     let sensor = own.reads.strip_prefix("sensors.");
     let place = match sensor {

@@ -1,53 +1,53 @@
-//! What moves a world, whatever it is made of: columns, state, energies, pictures, steps.
+//! The interface to whatever moves a world: columns, state, energies, pictures, steps.
 //!
-//! One engine moves rigid parts alone (`rigid`), one everything else (`carried`).
+//! One engine moves worlds of rigid parts alone (`rigid`), the other one everything else (`carried`).
 
 use super::picture::Picture;
 
-/// A number of a row.
+/// A value in each row.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Column {
     /// `load.z`, `tile.hA`.
     pub name: String,
     /// Its unit.
     pub unit: String,
-    /// Is it shown where nobody chooses?
+    /// Is it shown unless columns are chosen?
     pub by_default: bool,
 }
 
-/// Energies stored and accounts of what went (J).
+/// Stored energies, and accounts of dissipation and work (J).
 #[derive(Clone, Copy, PartialEq, Default, Debug)]
 pub struct Energies {
     /// Kinetic energy.
     pub kinetic: f64,
-    /// Of weight.
+    /// Potential energy of weight.
     pub gravity: f64,
-    /// Of springs, of mechanisms and of flexible bodies.
+    /// Potential energy of springs, in mechanisms and flexible bodies.
     pub spring: f64,
-    /// Of gas.
+    /// Internal energy of gas.
     pub gas: f64,
-    /// Taken by damping and drag.
+    /// Dissipated by damping and drag.
     pub damping: f64,
-    /// Taken by impacts.
+    /// Dissipated by impacts.
     pub impact: f64,
-    /// Taken by friction between impacts.
+    /// Dissipated by friction between impacts.
     pub friction: f64,
-    /// Given by drives and actuators.
+    /// Work of drives and actuators.
     pub drive: f64,
 }
 
-/// Names of the accounts in a row's order, behind those of the state.
+/// Names of the accounts, in the order in which they follow the state in a row.
 pub const ACCOUNTS: [&str; 10] =
     ["kinetic", "gravity", "spring", "gas", "damping", "impact", "friction", "drive", "total", "imbalance"];
 
 impl Energies {
-    /// All that is stored.
+    /// Total stored energy.
     #[must_use]
     pub fn total(&self) -> f64 {
         self.kinetic + self.gravity + self.spring + self.gas
     }
 
-    /// What no account explains, of a run that began with `start`.
+    /// The energy imbalance: what no account explains since the start, when the energy was `start`.
     #[must_use]
     pub fn imbalance(&self, start: f64) -> f64 {
         self.total() - start - self.drive + self.damping + self.impact + self.friction
@@ -74,14 +74,14 @@ impl Energies {
     }
 }
 
-/// What happened at a time.
+/// A pair of parts that came into contact.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Event {
-    /// When (s).
+    /// Time (s).
     pub time: f64,
-    /// The two parts, by number.
+    /// The two parts, by index.
     pub parts: [usize; 2],
-    /// Places that touched.
+    /// Number of points in contact.
     pub points: usize,
     /// Largest speed of approach (m/s).
     pub approach: f64,
@@ -89,70 +89,71 @@ pub struct Event {
     pub impulse: f64,
 }
 
-/// How a world came to rest.
+/// Result of a relaxation to equilibrium.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Settled {
     /// Steps of relaxation.
     pub steps: usize,
-    /// Largest acceleration left (m/s^2).
+    /// Largest remaining acceleration (m/s^2).
     pub acceleration: f64,
 }
 
-/// The message for a checkpoint that does not fit.
+/// The message for a checkpoint of another world.
 #[must_use]
 pub fn other_world() -> String {
     "the checkpoint is of another world: it has other parts than the scene".to_owned()
 }
 
-/// What moves a world.
+/// The interface of an engine.
 pub trait Engine {
-    /// The numbers of a row's state.
+    /// The columns of a row's state.
     fn columns(&self) -> Vec<Column>;
-    /// Them now.
+    /// Their present values.
     ///
     /// # Errors
-    /// What cannot be computed, in words.
+    /// A message if a value cannot be computed.
     fn state(&mut self) -> Result<Vec<f64>, String>;
     /// Energies and accounts now.
     ///
     /// # Errors
     /// As [`Engine::state`].
     fn energies(&mut self) -> Result<Energies, String>;
-    /// Where everything stands now, part by part.
+    /// Present positions of everything, part by part.
     ///
     /// # Errors
     /// As [`Engine::state`].
     fn picture(&mut self) -> Result<Picture, String>;
-    /// Goes a step of h (s); events have times of their own.
+    /// Takes a step of h (s); events have their own times.
     ///
     /// # Errors
-    /// Why it cannot go on, and what to do; the state is that before the step.
+    /// The reason why it cannot go on, and advice; the state is that before the step.
     fn step(&mut self, h: f64, events: &mut Vec<Event>) -> Result<(), String>;
-    /// What controllers may drive: valves `PART.supply`, `PART.vent`, `PART.valves`, inputs of mechanisms `PART.INPUT`.
+    /// Inputs that controllers may drive: valves `PART.supply`, `PART.vent`, `PART.valves`, inputs of mechanisms
+    /// `PART.INPUT`.
     fn inputs(&self) -> Vec<String> {
         Vec::new()
     }
-    /// Holds an input, by its number among them, at a value until the next one.
+    /// Holds an input, given by its index, at a value until it is set again.
     fn set_input(&mut self, _input: usize, _value: f64) {}
-    /// Goes to static equilibrium from the start.
+    /// Moves to static equilibrium, from the start.
     ///
     /// # Errors
-    /// Why there is none, in words.
+    /// A message if there is none or it is not found.
     fn settle(&mut self) -> Result<Settled, String> {
         Err("settle: rigid parts alone come to rest by running: impact = \"plastic\" lets no bounce remain"
             .to_owned())
     }
-    /// Everything that a run goes on from.
+    /// All values that a checkpoint needs.
     fn save(&self) -> Vec<f64>;
-    /// Goes on from what [`Engine::save`] gave.
+    /// Restores the values of [`Engine::save`].
     ///
     /// # Errors
-    /// Numbers of another world.
+    /// Values of another world.
     fn load(&mut self, numbers: &[f64]) -> Result<(), String>;
-    /// What happened that should be known at the end.
+    /// Warnings to be shown at the end.
     fn warnings(&self) -> Vec<String> {
         Vec::new()
     }
-    /// The method in words.
+    /// The method, as text.
     fn method(&self) -> String;
 }

@@ -1,7 +1,7 @@
-//! What looks at a world between steps and answers: sensors, and controllers that hold inputs.
+//! Sensors, and controllers that hold inputs: they observe a world between steps and act on it.
 //!
-//! In: an engine behind whole steps, counted from the start. Out: readings; inputs held until the next step; numbers that a run
-//! goes on from.
+//! In: an engine after whole steps, counted from the start. Out: readings; inputs held until the next step; values for
+//! a checkpoint.
 
 use super::assembly::Assembly;
 use super::controllers::Controllers;
@@ -16,12 +16,12 @@ pub struct Feedback {
 }
 
 impl Feedback {
-    /// Of an assembly that this engine moves, by steps of the assembly's length.
+    /// For an assembly moved by this engine in steps of the assembly's length.
     ///
     /// # Errors
-    /// What one of them reads or drives is not there, or its times are no whole numbers of steps.
+    /// If one of them reads or drives something that does not exist, or its times are not whole numbers of steps.
     pub fn new(assembly: &Assembly, engine: &dyn Engine) -> Result<Self, String> {
-        // Names of a row are many where nodes are.
+        // The columns of a row are many if there are nodes; they are needed only for sensors and controllers.
         let blind = assembly.sensors.is_empty() && assembly.controllers.is_empty();
         let columns = if blind { Vec::new() } else { engine.columns() };
         Ok(Self {
@@ -30,10 +30,10 @@ impl Feedback {
         })
     }
 
-    /// Looks at the world behind step `n`, 0 at the start, and acts on it.
+    /// Observes the world after step `n` (0: at the start) and sets the inputs.
     ///
     /// # Errors
-    /// The engine's, and a reading that is no number.
+    /// The engine's, or a reading that is not finite.
     pub fn look(&mut self, n: u64, engine: &mut dyn Engine) -> Result<(), String> {
         if self.probes.is_empty() && self.controllers.is_empty() {
             return Ok(());
@@ -44,12 +44,12 @@ impl Feedback {
         self.controllers.act(n, &state, &readings, engine)
     }
 
-    /// What the sensors show behind step `n`, in the scene's order.
+    /// Readings of the sensors after step `n`, in the scene's order.
     pub fn readings(&mut self, n: u64) -> Vec<f64> {
         self.probes.readings(n)
     }
 
-    /// All they remember.
+    /// All values that a checkpoint needs.
     #[must_use]
     pub fn save(&self) -> Vec<f64> {
         let mut numbers = self.probes.save();
@@ -57,10 +57,10 @@ impl Feedback {
         numbers
     }
 
-    /// Goes on from [`Feedback::save`]: the engine holds the inputs that it held then.
+    /// Restores the state of [`Feedback::save`]; the engine holds the inputs of that time.
     ///
     /// # Errors
-    /// Numbers of other sensors or controllers.
+    /// If the numbers are those of other sensors or controllers.
     pub fn load(&mut self, numbers: &[f64], engine: &mut dyn Engine) -> Result<(), String> {
         let mut numbers = numbers.iter().copied();
         let done = self.probes.load(&mut numbers).and_then(|()| self.controllers.load(&mut numbers, engine));

@@ -1,10 +1,10 @@
 //! Worlds: mechanisms, flexible and rigid bodies in one scene (format 2).
 //!
-//! In: a scene text. Out: an [`Assembly`], plain data in SI units, then rows, energies and events of its motion.
-//! `read` turns text into the assembly, `run` steps it by an `engine`: `rigid` moves worlds of rigid bodies, `carried`
-//! flexible parts on mechanisms (`ported`) and other `carriers`, `touching` what of all that meets, `settle` finds
-//! their equilibrium; `sensors` observe it, `controllers` drive its inputs, both as `feedback`; `picture` is what pages show, `pushed` the forces
-//! between parts as rows show them.
+//! In: a scene text. Out: an [`Assembly`], plain data in SI units; then rows, energies and events of its motion. `read`
+//! parses the text; `run` steps the assembly by an `engine`: `rigid` for worlds of rigid bodies, `carried` for flexible
+//! parts on mechanisms (`ported`) and other `carriers`; `touching` handles contacts, `settle` finds the equilibrium.
+//! `sensors` observe, `controllers` drive inputs, both through `feedback`; `picture` is what pages show, `pushed` the
+//! forces between parts in rows.
 
 pub mod assembly;
 pub mod carried;

@@ -1,29 +1,29 @@
-//! Where everything of a world stands, as pages show it: points, axes of what turns, sizes of solids.
+//! Positions of everything in a world for pages: points, axes of bodies, sizes of solids.
 
 use crate::contact_force::ContactForce;
 use smartbed_runtime::surface::Shape;
 use smartbed_runtime::vec3;
 
-/// Numbers of a body's mass and inertia.
+/// Number of values for a body's mass and inertia.
 pub const INERTIA: usize = 7;
 
-/// Places part by part.
+/// Positions, part by part.
 #[derive(Clone, PartialEq, Default, Debug)]
 pub struct Picture {
     /// Points (m).
     pub points: Vec<[f64; 3]>,
     /// First two axes of each body that has a frame.
     pub axes: Vec<[[f64; 3]; 2]>,
-    /// Mass and moments of each body, 0 where its shape is known.
+    /// Mass and moments of each body; 0 if its shape is known.
     pub inertias: Vec<[f64; INERTIA]>,
     /// Lengths of the shapes.
     pub sizes: Vec<f64>,
-    /// Where parts touch.
+    /// Contact forces.
     pub forces: Vec<ContactForce>,
 }
 
 impl Picture {
-    /// Adds a rigid part: its solids, of a capsule three.
+    /// Adds a rigid part as one solid, a capsule as three.
     pub fn solid(&mut self, shape: &Shape<f64>, origin: [f64; 3], axes: [[f64; 3]; 3]) {
         let mut add = |at: [f64; 3], sizes: &[f64]| {
             self.points.push(at);
@@ -44,7 +44,7 @@ impl Picture {
         }
     }
 
-    /// Adds another one's places behind these.
+    /// Appends another picture.
     pub fn append(&mut self, other: &Picture) {
         self.points.extend(&other.points);
         self.axes.extend(&other.axes);

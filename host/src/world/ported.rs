@@ -1,7 +1,8 @@
-//! A mechanism as a carrier: interpreted equations with ports, the laws of its inputs, its accounts.
+//! A mechanism as a carrier: interpreted equations with ports, the laws of its inputs, its energy accounts.
 //!
-//! In: a model and the ports that a scene uses; only these are derived. The wrench of a port is six inputs behind the
-//! model's own. What the model commands (coordinates in closed form) moves whatever pulls; the drive's power is booked.
+//! In: a model and the ports that a scene uses; only these are derived. The wrench of a port is six inputs after the
+//! model's own. Prescribed motion (coordinates in closed form) is independent of forces; the power of its drive is
+//! booked.
 
 use super::assembly::Mechanism;
 use super::picture::{INERTIA, Picture};
@@ -15,7 +16,7 @@ use smartbed_runtime::vec3;
 use smartbed_runtime::world::{InverseInertia, Wrench};
 use std::ops::Range;
 
-/// Answers of a port.
+/// The answers needed for each port.
 const PARTS: [&str; 5] = ["position", "rotation", "twist", "inverse_inertia", "jacobian"];
 
 /// Equations with ports.
@@ -30,23 +31,23 @@ pub struct Ported {
     inputs: Vec<f64>,
     own: usize,
     own_inputs: Vec<String>,
-    /// First inputs of each port's wrench.
+    /// By port: index of the first input of its wrench.
     wrenches: Vec<usize>,
     u_dot: Vec<f64>,
-    /// First numbers of each port's answers, in the order of [`PARTS`].
+    /// By port: index of the first result of each of its answers, in the order of [`PARTS`].
     first: Vec<[usize; 5]>,
     place: [f64; 3],
     /// The ports in use.
     pub ports: Vec<String>,
     projections: u8,
     reads_time: bool,
-    /// Points but the origin, bodies with frames, bodies.
+    /// Number of points without the origin, of bodies with frames, and of bodies.
     counts: [usize; 3],
     /// Names and units of q and u.
     pub names: Vec<(String, String)>,
 }
 
-/// Where a mechanism starts.
+/// The start of a mechanism.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Start {
     /// Coordinates.
@@ -67,10 +68,10 @@ pub struct Account {
 }
 
 impl Ported {
-    /// Derives equations with these ports, and what stands in the model beside them.
+    /// Derives equations with these ports, and the observers of the model.
     ///
     /// # Errors
-    /// What the derivation says, or a start that cannot be assembled.
+    /// If the model cannot be derived, or its start cannot be assembled.
     pub fn new(mechanism: &Mechanism, ports: &[String]) -> Result<(Self, Start), String> {
         let (model, choice) = (&mechanism.model, ParameterChoice::default());
         let request = |name: &String| format!("port:{name}").parse::<Request>().map_err(|e| e.to_string());
@@ -118,25 +119,26 @@ impl Ported {
         Ok((ported, start))
     }
 
-    /// Inputs of the model that no law gives, by number and name: they stay where they are held, 0 at the start.
+    /// Inputs of the model without a law, by index and name. They keep the value at which they are held, 0 at the
+    /// start.
     #[must_use]
     pub fn free_inputs(&self) -> Vec<(usize, String)> {
         let own = self.own_inputs.iter().cloned().enumerate();
         own.filter(|(input, _)| !self.law_inputs.contains(input)).collect()
     }
 
-    /// Holds one of them at a value; true if that changes it.
+    /// Holds one of them at a value; returns whether the value has changed.
     pub fn hold(&mut self, input: usize, value: f64) -> bool {
         let own = self.inputs[..self.own].get_mut(input);
         own.is_some_and(|own| std::mem::replace(own, value) != value)
     }
 
-    /// Holds the inputs that another one of the same equations does.
+    /// Holds the inputs at the values of another instance of the same equations.
     pub(super) fn hold_as(&mut self, other: &Ported) {
         self.inputs[..self.own].copy_from_slice(&other.inputs[..self.own]);
     }
 
-    /// Does it move, or is it pushed, otherwise as time goes on?
+    /// Does its motion, or do its forces, depend on time explicitly?
     pub(super) fn reads_time(&self) -> bool {
         self.reads_time
     }
@@ -154,7 +156,7 @@ impl Ported {
         Ok(())
     }
 
-    /// All answers of all ports.
+    /// All answers about all ports.
     fn asked(&mut self, t: f64, q: &[f64], u: &[f64]) -> Result<Vec<f64>, Fault> {
         self.engine.function(0, (t, q, u, &self.inputs, &self.u_dot))
     }
@@ -199,7 +201,7 @@ impl Ported {
         Ok(())
     }
 
-    /// Rates under wrenches at the ports; the worst pivot.
+    /// Rates under wrenches at the ports; returns the worst pivot.
     ///
     /// # Errors
     /// The engine's.
@@ -214,7 +216,7 @@ impl Ported {
         self.engine.rates(t, q, u, &self.inputs, q_dot, u_dot)
     }
 
-    /// J M^-1 J': of one port as derived; between two, what a unit wrench at one does to the speeds, seen at the other.
+    /// J M^-1 J': for one port as derived; for two ports, the twist at one of them due to a unit impulse at the other.
     ///
     /// # Errors
     /// The engine's.
@@ -251,7 +253,7 @@ impl Ported {
         Ok(std::array::from_fn(|i| std::array::from_fn(|j| columns[j][i])))
     }
 
-    /// The ports that an impulse at one of them moves: all, for they are of one mechanism.
+    /// The ports that an impulse at one of them moves: all ports, because they belong to one mechanism.
     #[must_use]
     pub fn coupled(&self) -> Range<usize> {
         if self.n_u() == 0 { 0..0 } else { 0..self.n_ports() }
@@ -313,7 +315,7 @@ impl Ported {
         })
     }
 
-    /// One correction towards the constraints.
+    /// One Newton correction towards the constraints; returns the residual before it.
     ///
     /// # Errors
     /// The engine's.
@@ -321,19 +323,19 @@ impl Ported {
         self.engine.project(q)
     }
 
-    /// The time of the next correction.
+    /// Sets the time for the next correction.
     pub fn set_time(&mut self, t: f64) {
         self.engine.set_time(t);
     }
 
-    /// Corrections after a step.
+    /// Number of corrections after a step.
     #[must_use]
     pub fn projections(&self) -> u8 {
         self.projections
     }
 }
 
-/// Where the answers of each port begin.
+/// Indices at which the answers of each port begin.
 fn answers(program: &Program) -> Result<Vec<[usize; 5]>, String> {
     let (mut first, mut place) = (Vec::new(), 0);
     let Some(function) = program.functions.first() else { return Ok(first) };
@@ -358,7 +360,7 @@ fn input(program: &Program, name: &str) -> Result<usize, String> {
     place.ok_or_else(|| format!("the derived equations have no input `{name}`"))
 }
 
-/// The model's own start: left-out coordinates nominal, dependent ones solved for.
+/// The model's own start: coordinates that are left out are nominal, dependent ones are solved for.
 fn start(model: &Model, program: &Program) -> Result<Start, String> {
     let given = |name: &str| {
         model.start.iter().find_map(|(owner, value)| {

@@ -1,26 +1,26 @@
-//! Force between the two parts of a pair, as rows show it.
+//! Contact forces between the two parts of a pair, as rows show them.
 //!
-//! In: points that touch, with their axes and forces, as they stand behind a step. Out: five numbers of each pair,
-//! `ONE-OTHER.normal` and so on: the mean over the step where touches are not located, else the force at its end.
+//! In: points in contact after a step, with their axes and forces. Out: five values per pair, `ONE-OTHER.normal` and so
+//! on: means over the step if touches are not located in time, otherwise the forces at its end.
 
 use super::engine::Column;
 use smartbed_runtime::rigid::contact::Contact;
 use smartbed_runtime::vec3::{self, Vec3};
 use std::ops::Range;
 
-/// Numbers of a pair in a row.
+/// The values of a pair in a row.
 const NUMBERS: [(&str, &str); 5] =
     [("points", "points"), ("normal", "N"), ("x", "N"), ("y", "N"), ("z", "N")];
 
-/// What the first part of each pair gets from the other.
+/// The force of the second part of each pair on the first.
 #[derive(Clone, PartialEq, Default, Debug)]
 pub(super) struct Pushed {
-    /// Points that press, sum of their normal forces (N), whole force on the first part along x, y, z (N).
+    /// Number of points in contact, sum of their normal forces (N), total force on the first part along x, y, z (N).
     rows: Vec<[f64; NUMBERS.len()]>,
 }
 
 impl Pushed {
-    /// Nothing pushes.
+    /// No forces.
     pub(super) fn new(pairs: usize) -> Self {
         Pushed { rows: vec![Default::default(); pairs] }
     }
@@ -37,7 +37,8 @@ impl Pushed {
         pairs.flat_map(of).collect()
     }
 
-    /// Adds a point of a pair: its force n, t1, t2 (N), and the bodies that each of the two parts is to it.
+    /// Adds a point of a pair: its force along n, t1, t2 (N); `bodies` are the bodies that each of the two parts has in
+    /// contacts.
     pub(super) fn add(
         &mut self,
         pair: usize,
@@ -50,7 +51,8 @@ impl Pushed {
         };
         *points += 1.0;
         *normal += force[0];
-        // Where the first part is none, fixed in space: what the second one gets, turned round.
+        // If the first part is fixed in space and has no bodies, takes the force on the second one with the opposite
+        // sign.
         let (own, sign) = if bodies[0].is_empty() { (bodies[1], -1.0) } else { (bodies[0], 1.0) };
         contact.deal(force, |body, _, share| {
             if own.contains(&body) {
@@ -59,12 +61,12 @@ impl Pushed {
         });
     }
 
-    /// Does something press there?
+    /// Is the pair in contact?
     pub(super) fn presses(&self, pair: usize) -> bool {
         self.rows[pair][0] > 0.0
     }
 
-    /// Takes the numbers of a pair from those of one of another list.
+    /// Copies the values of a pair from a pair of another list.
     pub(super) fn take(&mut self, pair: usize, of: &Pushed, other: usize) {
         self.rows[pair] = of.rows[other];
     }
@@ -74,7 +76,7 @@ impl Pushed {
         self.rows.as_flattened()
     }
 
-    /// Takes what [`Pushed::values`] gave, of as many pairs.
+    /// Restores the values of [`Pushed::values`], of as many pairs.
     pub(super) fn load(&mut self, values: &[f64]) {
         self.rows.as_flattened_mut().copy_from_slice(values);
     }

@@ -1,4 +1,5 @@
-//! Worlds of rigid parts alone, moved by the runtime's rigid scene: impacts located, contacts that last held.
+//! Worlds of rigid parts alone, moved by the runtime's rigid scene: impacts are located in time, lasting contacts are
+//! held by forces.
 
 use super::assembly::{Assembly, Contact, Kind, Law};
 use super::engine::{Column, Energies, Engine, Event};
@@ -28,10 +29,10 @@ pub(super) const NUMBERS: [(&str, &str); 13] = [
     ("wy", "rad/s"),
     ("wz", "rad/s"),
 ];
-/// Contacts of one pair at most.
+/// Most contacts of one pair.
 const CONTACTS: usize = smartbed_runtime::rigid::narrow::CAPACITY;
 
-/// Rigid bodies in motion.
+/// A world of rigid bodies.
 #[derive(Clone, Debug)]
 pub struct RigidWorld {
     names: Vec<String>,
@@ -47,16 +48,16 @@ pub struct RigidWorld {
     impact: f64,
     friction: f64,
     forced: usize,
-    /// Contacts that press behind the last step, and their forces by pair.
+    /// Number of contacts that carry force after the last step, and their forces by pair.
     held: usize,
     pushed: Pushed,
 }
 
 impl RigidWorld {
-    /// At its start.
+    /// Builds the world at its start.
     ///
     /// # Errors
-    /// A part that is not rigid, or a method, which these worlds do not choose.
+    /// If a part is not rigid, or a method is named: these worlds have only their own.
     pub fn new(assembly: &Assembly) -> Result<Self, String> {
         if let Some(method) = &assembly.run.method {
             return Err(format!(
@@ -96,12 +97,12 @@ impl RigidWorld {
         })
     }
 
-    /// Contacts that press behind the last step: the first ones along its last way that do.
+    /// Contacts that carry force after the last step: the first `held` of its last stretch that have an impulse.
     fn pressing(&self) -> impl Iterator<Item = &Touching<f64>> {
         self.touching[1].iter().filter(|along| along.held.contact.impulse[0] > 0.0).take(self.held)
     }
 
-    /// Their forces.
+    /// The forces of these contacts.
     fn forces(&self) -> Vec<ContactForce> {
         let force = |along: &Touching<f64>| {
             let contact = &along.held.contact;
@@ -114,7 +115,7 @@ impl RigidWorld {
     }
 }
 
-/// The parts of an impact, pair by pair.
+/// Converts an impact to events, pair by pair.
 fn events(strike: &Strike<'_, f64>, pairs: &[Pair<f64>], found: &mut Vec<Event>) {
     for (number, pair) in pairs.iter().enumerate() {
         let own = strike.touching.iter().zip(strike.struck).filter(|(t, _)| t.pair == number);

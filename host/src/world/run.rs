@@ -1,7 +1,6 @@
-//! A world in motion: rows of its state and energies, events as they happen.
+//! Runs a world: rows of its state and energies, and events.
 //!
-//! In: an [`Assembly`]. Out: rows to a caller, step by step. What moves is an [`Engine`]; this file is the same for
-//! all.
+//! In: an [`Assembly`]. Out: rows handed to the caller, step by step. Works for every [`Engine`].
 
 use super::assembly::Assembly;
 use super::carried::{CarriedWorld, apart};
@@ -9,10 +8,10 @@ use super::engine::{Energies, Engine, Event};
 use super::feedback::Feedback;
 use super::rigid::RigidWorld;
 
-/// The engine of a world.
+/// The engine for a world.
 ///
 /// # Errors
-/// Why none moves it, in words.
+/// The reason why no engine can move it, in words.
 pub fn engine(assembly: &Assembly) -> Result<Box<dyn Engine>, String> {
     if assembly.is_rigid() {
         if assembly.run.sleep.is_some() {
@@ -34,38 +33,38 @@ pub struct Row<'a> {
     pub state: &'a [f64],
     /// Energies.
     pub energies: &'a Energies,
-    /// What the sensors show, in the scene's order.
+    /// Readings of the sensors, in the scene's order.
     pub readings: &'a [f64],
     /// Energy at the start (J).
     pub start: f64,
 }
 
-/// What a run goes on from: the world behind a whole number of steps.
+/// A checkpoint: the world after a whole number of steps, from which a run can be continued.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Checkpoint {
-    /// Steps behind it.
+    /// Number of steps before it.
     pub steps: usize,
     /// Their length (s).
     pub step: f64,
-    /// Energy at the start of all (J).
+    /// Energy at the very start (J).
     pub start: f64,
-    /// The engine's numbers.
+    /// Values of the engine.
     pub state: Vec<f64>,
-    /// What sensors and controllers remember.
+    /// Values of sensors and controllers.
     pub seen: Vec<f64>,
 }
 
-/// What a run was.
+/// The result of a run.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Ran {
-    /// What happened.
+    /// Events in the order of time.
     pub events: Vec<Event>,
-    /// What sensors and controllers remember at its end.
+    /// Values of sensors and controllers at its end.
     pub seen: Vec<f64>,
 }
 
 impl Checkpoint {
-    /// As text; every number comes back bit for bit.
+    /// Text that preserves every bit of the numbers.
     #[must_use]
     pub fn text(&self) -> String {
         let Self { steps, step, start, state, seen } = self;
@@ -74,7 +73,7 @@ impl Checkpoint {
         text.to_string() + "\n"
     }
 
-    /// From [`Checkpoint::text`]; none for any other text.
+    /// From [`Checkpoint::text`]; `None` for any other text.
     #[must_use]
     pub fn read(text: &str) -> Option<Self> {
         let value: serde_json::Value = serde_json::from_str(text).ok()?;
@@ -86,17 +85,17 @@ impl Checkpoint {
             step: value["step"].as_f64()?,
             start: value["start"].as_f64()?,
             state: numbers(&value["state"])?,
-            // Files of runs that nothing observed may lack it.
+            // Optional: absent in files of runs without sensors and controllers.
             seen: if value["seen"].is_null() { Vec::new() } else { numbers(&value["seen"])? },
         })
     }
 }
 
-/// Runs to the end, handing each row to `emit` with the engine, for pictures. From a checkpoint it
-/// goes on with the step behind it, bit for bit as the run that made it would have.
+/// Runs to the end, handing each row to `emit`, with the engine for pictures. From a checkpoint it continues with the
+/// next step, bit for bit like the run that made it.
 ///
 /// # Errors
-/// Why it could not go on, with the time; or the caller's own.
+/// A message with the time if it could not go on; or the caller's own failure.
 pub fn run<E: From<String>>(
     assembly: &Assembly,
     engine: &mut dyn Engine,
@@ -141,10 +140,10 @@ pub fn run<E: From<String>>(
             let h = assembly.run.length(n);
             engine.step(h, &mut events).map_err(|why| at(t, why))?;
             events[before..].iter_mut().for_each(|event| event.time += t);
-            // Not a sum, whose rounding would grow.
+            // Computed as a product: a sum would accumulate rounding errors.
             t = if n == assembly.run.steps() { assembly.run.seconds } else { n as f64 * assembly.run.step };
         }
-        // Behind the step of a checkpoint they have looked already.
+        // After the step of a checkpoint they have been observed already.
         if n > first || from.is_none() {
             feedback.look(n as u64, engine).map_err(|why| at(t, why))?;
         }

@@ -1,19 +1,19 @@
-//! Sensors of a world: readings of numbers of its rows, coarse, late and noisy; they observe and change nothing.
+//! Sensors of a world: readings of its columns with resolution, delay and noise; they do not influence the motion.
 //!
-//! In: what a scene says of each, the rows' columns. Out: readings step by step. A tick is a step of the run: the noise
-//! of a sample belongs to its number, so that the same seed gives the same readings.
+//! In: the scene's description of each, the rows' columns. Out: readings step by step. A tick is a step of the run. The
+//! noise of a sample depends on its number and the seed alone, so that the same seed gives the same readings.
 
 use super::assembly::{Assembly, Sensing, Transducer};
 use super::engine::Column;
 use smartbed_runtime::sensor::kinds::{Lvdt, Membrane, Switch};
 use smartbed_runtime::sensor::{Channel, Remembered, Sensor};
 
-/// Samples on their way at most.
+/// Most samples in transit.
 const DEPTH: usize = 16;
-/// A period may miss a whole number of steps by this share of one.
+/// Tolerance for a period that is not a whole number of steps, as a share of a step.
 const WHOLE: f64 = 1e-6;
 
-/// A transducer at work.
+/// The state of a transducer.
 #[derive(Clone, Copy, Debug)]
 enum Kind {
     Plain,
@@ -22,7 +22,7 @@ enum Kind {
     Switch(Switch<f64>),
 }
 
-/// A sensor at work.
+/// The state of a sensor.
 #[derive(Clone, Debug)]
 struct Probe {
     column: usize,
@@ -30,16 +30,16 @@ struct Probe {
     sensor: Sensor<f64, DEPTH>,
 }
 
-/// All of them.
+/// The sensors of a world.
 #[derive(Clone, Debug)]
 pub struct Probes {
     list: Vec<Probe>,
 }
 
-/// A time as a whole number of steps (s).
+/// A time (s) as a whole number of steps.
 ///
 /// # Errors
-/// It is none, in words.
+/// A message if it is not one.
 pub(super) fn whole_steps(of: &str, what: &str, seconds: f64, step: f64) -> Result<u32, String> {
     let ticks = seconds / step;
     let whole = (ticks - ticks.round()).abs() < WHOLE && ticks.round() <= f64::from(u32::MAX);
@@ -52,7 +52,7 @@ impl Probes {
     /// For an assembly whose rows have these columns.
     ///
     /// # Errors
-    /// What a sensor reads is no column, or its times are no whole numbers of steps.
+    /// If a sensor reads a column that does not exist, or its times are not whole numbers of steps.
     pub fn new(assembly: &Assembly, columns: &[Column]) -> Result<Self, String> {
         let probe = |own: &Sensing| {
             let names = columns.iter().map(|c| c.name.as_str());
@@ -94,7 +94,7 @@ impl Probes {
         self.list.is_empty()
     }
 
-    /// Shows them the state behind a step.
+    /// Updates them with the state after a step.
     pub fn observe(&mut self, tick: u64, state: &[f64]) {
         for probe in &mut self.list {
             let quantity = state[probe.column];
@@ -108,24 +108,24 @@ impl Probes {
         }
     }
 
-    /// All they remember.
+    /// The state of all sensors, for a checkpoint.
     #[must_use]
     pub fn save(&self) -> Vec<f64> {
         self.list.iter().flat_map(Probe::save).collect()
     }
 
-    /// Goes on from [`Probes::save`]; None where numbers are missing.
+    /// Restores the state of [`Probes::save`]; `None` if numbers are missing.
     pub fn load(&mut self, numbers: &mut impl Iterator<Item = f64>) -> Option<()> {
         self.list.iter_mut().try_for_each(|probe| probe.load(numbers))
     }
 
-    /// What they show.
+    /// The readings after a step.
     pub fn readings(&mut self, tick: u64) -> Vec<f64> {
         self.list.iter_mut().map(|probe| probe.sensor.reading(tick)).collect()
     }
 }
 
-/// A tick, or that there was none.
+/// A tick as a number, with a special value for `None`.
 fn told(tick: Option<u64>) -> f64 {
     tick.map_or(-1.0, |tick| tick as f64)
 }

@@ -1,48 +1,48 @@
-//! Static equilibrium by damped relaxation.
+//! Static equilibrium by dynamic relaxation with kinetic damping (Cundall 1976, Barnes 1999).
 //!
-//! In: a world at its start. Out: the same at rest, where nothing accelerates. Time stands still; free motion by small
-//! steps gives a part's kinetic energy up wherever it begins to fall, when that part's velocities are set to 0 (kinetic
-//! damping: Cundall 1976, Barnes 1999): what swings slowly is not stopped by what swings fast. Frames that a law moves
-//! hold where they start.
+//! In: a world at its start. Out: the same at rest, where nothing accelerates. Time is fixed. Free motion by small
+//! steps reduces a part's kinetic energy: whenever it begins to fall, that part's velocities are set to 0. This is done
+//! part by part, so that slow oscillations are not stopped by fast ones. Frames that a law moves stay at their start.
 
 use super::engine::Settled;
 use smartbed_runtime::mechanism::Fault;
 
-/// Steps at most.
+/// Most steps.
 const MOST_STEPS: usize = 500_000;
-/// Acceleration that counts as none, as a share of gravity; without gravity of the largest at the start, or what the
-/// rounding of places within a step looks like.
+/// Acceleration that counts as zero, relative to gravity; without gravity relative to the largest at the start, or the
+/// apparent acceleration due to rounding of positions within a step.
 const REST: f64 = 1e-10;
-/// A frame slower than this (m/s, rad/s) stands still.
+/// A frame slower than this (m/s, rad/s) counts as fixed.
 const STILL: f64 = 1e-9;
-/// A speed counts as an acceleration over this many steps.
+/// Factor by which a speed divided by the step counts as an acceleration: as if the speed had built up over a thousand
+/// steps.
 const SLOW: f64 = 1e-3;
 
-/// What can be relaxed: its state x is coordinates, then speeds.
+/// A world that can be relaxed. Its state x is coordinates, then speeds.
 pub(super) trait Relaxing {
     /// The state.
     fn vector(&self) -> Vec<f64>;
-    /// Where speeds begin in it.
+    /// Index in the state at which speeds begin.
     fn split(&self) -> usize;
     /// Masses that belong to the speeds.
     fn masses(&self) -> Vec<f64>;
-    /// The part, by number from 0, that each speed belongs to.
+    /// By speed: the index of its part.
     fn owners(&self) -> Vec<usize>;
     /// Largest speed of a frame at the start (m/s or rad/s).
     fn fastest_frame(&self) -> f64;
     /// Length of gravity (m/s^2).
     fn gravity(&self) -> f64;
-    /// Goes a step of free motion at the time of the start; `low` is what rounding left out. Returns the step (s), and how fast
-    /// parts that overlap leave one another, with no speed of their own (m/s, rad/s).
+    /// Takes a step of free motion at the time of the start; `low` holds the rounding errors. Returns the step (s), and
+    /// the speed with which overlapping parts leave one another, which is not part of their velocities (m/s, rad/s).
     fn advance(&mut self, x: &mut [f64], low: &mut [f64]) -> Result<(f64, f64), Fault>;
-    /// Begins anew at a state.
+    /// Restarts at a state.
     fn restart(&mut self, x: Vec<f64>);
 }
 
-/// Relaxes it.
+/// Relaxes a world.
 ///
 /// # Errors
-/// What moves as commanded at the start, or does not come to rest, in words.
+/// A prescribed motion at the start, or no convergence, in words.
 pub(super) fn relax(world: &mut impl Relaxing) -> Result<Settled, String> {
     let words = |fault: Fault| format!("settle: {}", fault.reason());
     let (mut x, n_q, masses, owners) = (world.vector(), world.split(), world.masses(), world.owners());
@@ -56,7 +56,7 @@ pub(super) fn relax(world: &mut impl Relaxing) -> Result<Settled, String> {
         );
     }
     if x.is_empty() {
-        // Time moves everything, and nothing moves yet.
+        // Nothing is free to move: time prescribes everything.
         return Ok(Settled { steps: 0, acceleration: 0.0 });
     }
     let (first, h) = acceleration(world, &x, n_q).map_err(words)?;
@@ -92,7 +92,7 @@ pub(super) fn relax(world: &mut impl Relaxing) -> Result<Settled, String> {
     ))
 }
 
-/// Largest acceleration from a state at rest: what a step makes of it, and the step (s).
+/// Largest acceleration at a state at rest, from the result of one step, and the step (s).
 fn acceleration(world: &mut impl Relaxing, x: &[f64], n_q: usize) -> Result<(f64, f64), Fault> {
     let (mut tried, mut low) = (x.to_vec(), vec![0.0; x.len()]);
     let (h, leaving) = world.advance(&mut tried, &mut low)?;

@@ -1,9 +1,9 @@
-//! Is a surface closed, a manifold, and of a size that a bed bears?
+//! Checks that a surface is closed, a manifold, and of a plausible size.
 //!
-//! In: a mesh. Out: the same with normals outwards and without triangles that have collapsed to a line, or what is wrong
-//! with it and where. Each edge must belong to two triangles that run along it in opposite directions, and triangles
-//! around a corner must follow each other in one ring. No two triangles may meet elsewhere (`crossing`), and all parts of the
-//! surface must face outwards, cavities inwards (`parts`).
+//! In: a mesh. Out: the same with outward normals and without degenerate triangles, or what is wrong with it and where.
+//! Each edge must belong to two triangles that run along it in opposite directions; the triangles around a corner must
+//! form one ring. No two triangles may meet elsewhere (`crossing`), and all parts of the surface must face outwards,
+//! cavities inwards (`parts`).
 
 use super::crossing::crossing;
 use super::mass::Moments;
@@ -15,39 +15,39 @@ use std::fmt;
 
 /// Most triangles of a mesh.
 pub const MOST_TRIANGLES: usize = 200_000;
-/// Longest side of a mesh, at least and at most (m).
+/// Smallest and largest allowed value of the longest side of a mesh (m).
 const SIDES: [f64; 2] = [0.01, 3.0];
-/// A triangle smaller than this share of the longest side, squared, has no direction.
+/// A triangle whose area is below this share of the longest side squared has no reliable normal.
 const THINNEST: f64 = 1e-13;
 
-/// Why a mesh is no solid.
+/// The reason why a mesh is not a solid.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum MeshFault {
     /// It has no triangles.
     Empty,
     /// It has this many triangles.
     TooMany(usize),
-    /// A coordinate of this corner, from 1, is not a number.
+    /// This corner, counted from 1, has a coordinate that is not finite.
     NotFinite(usize),
-    /// A triangle, from 1, names a corner that is not there.
+    /// This triangle, counted from 1, names a corner that does not exist.
     NoCorner(usize),
-    /// Its longest side (m).
+    /// The length of its longest side (m) is implausible.
     Size(f64),
     /// A triangle at this place has no area.
     Flat(Vec3<f64>),
-    /// This many edges belong to one triangle only, one of them at this place.
+    /// Number of edges that belong to only one triangle, and the place of one of them.
     Open(usize, Vec3<f64>),
-    /// An edge at this place belongs to this many triangles.
+    /// An edge at this place belongs to this number of triangles.
     NotManifold(usize, Vec3<f64>),
-    /// Triangles beside each other at this place are seen from opposite sides.
+    /// Neighbouring triangles at this place have opposite orientations.
     Turned(Vec3<f64>),
-    /// Two parts of the surface share this corner only.
+    /// Two parts of the surface share only this corner.
     Pinched(Vec3<f64>),
-    /// The surface runs through itself, or touches itself, at this place.
+    /// The surface intersects or touches itself at this place.
     Crossed(Vec3<f64>),
     /// The part of the surface at this place faces the other way than the rest.
     InsideOut(Vec3<f64>),
-    /// It encloses nothing: its volume (m^3).
+    /// It encloses no volume; this is its volume (m^3).
     Hollow(f64),
 }
 
@@ -102,7 +102,7 @@ impl fmt::Display for MeshFault {
 
 impl std::error::Error for MeshFault {}
 
-/// Holds a mesh against all of these.
+/// Applies all checks to a mesh.
 pub(super) fn checked(mut mesh: Mesh) -> Result<Mesh, MeshFault> {
     if mesh.triangles.len() > MOST_TRIANGLES {
         return Err(MeshFault::TooMany(mesh.triangles.len()));
@@ -113,7 +113,7 @@ pub(super) fn checked(mut mesh: Mesh) -> Result<Mesh, MeshFault> {
     if let Some(triangle) = mesh.triangles.iter().position(|t| t.iter().any(|c| *c >= mesh.corners.len())) {
         return Err(MeshFault::NoCorner(triangle + 1));
     }
-    // A triangle with a corner twice is a line: its neighbours close the surface without it.
+    // A triangle with a repeated corner is a line; its neighbours close the surface without it.
     mesh.triangles.retain(|[a, b, c]| a != b && b != c && c != a);
     if mesh.triangles.is_empty() {
         return Err(MeshFault::Empty);
@@ -145,7 +145,7 @@ pub(super) fn checked(mut mesh: Mesh) -> Result<Mesh, MeshFault> {
     Ok(mesh)
 }
 
-/// Without corners that no triangle has.
+/// Removes corners that no triangle uses.
 fn used(mesh: Mesh) -> Mesh {
     let mut numbers = vec![None; mesh.corners.len()];
     let mut corners = Vec::new();
@@ -159,7 +159,7 @@ fn used(mesh: Mesh) -> Mesh {
     Mesh { corners, triangles }
 }
 
-/// Each edge belongs to two triangles, which run along it in opposite directions.
+/// Checks that each edge belongs to two triangles, which run along it in opposite directions.
 fn edges(mesh: &Mesh) -> Result<(), MeshFault> {
     let mut known: BTreeMap<[usize; 2], [usize; 2]> = BTreeMap::new();
     for [a, b, c] in &mesh.triangles {
@@ -183,9 +183,9 @@ fn edges(mesh: &Mesh) -> Result<(), MeshFault> {
     Ok(())
 }
 
-/// Triangles around each corner follow each other in one ring.
+/// Checks that the triangles around each corner form one ring.
 fn rings(mesh: &Mesh) -> Result<(), MeshFault> {
-    // Around a corner a triangle leads from its next corner to the one after that.
+    // Around a corner each triangle leads from its next corner to the one after that.
     let mut follows: Vec<BTreeMap<usize, usize>> = vec![BTreeMap::new(); mesh.corners.len()];
     for [a, b, c] in &mesh.triangles {
         for [own, from, to] in [[*a, *b, *c], [*b, *c, *a], [*c, *a, *b]] {

@@ -1,20 +1,21 @@
-//! Does a surface run through itself?
+//! Detects self-intersections of a surface.
 //!
-//! In: a closed mesh. Out: a place where two of its triangles meet beside the corners that they share: an edge of one pierces
-//! the other, a corner stands in it, or both lie in one plane and overlap. Pairs come from the tree of boxes. What is
-//! shallower than a millionth of the mesh is taken for the rounding of a file's numbers.
+//! In: a closed mesh. Out: a place where two of its triangles meet other than at corners that they share: an edge of
+//! one pierces the other, a corner stands in it, or both lie in one plane and overlap. Candidate pairs come from the
+//! tree of boxes. An intersection shallower than a millionth of the mesh is attributed to the rounding of a file's
+//! numbers.
 
 use super::tree::Tree;
 use super::triangles::{Mesh, doubled_area};
 use smartbed_runtime::vec3::{Vec3, axpy, cross, dot, norm, scale, sub};
 
-/// Shallowest cut, a share of the longest side.
+/// Depth below which an intersection is ignored, as a share of the longest side.
 const SHALLOW: f64 = 1e-6;
-/// An edge that passes this near (share of the longest side) beside a triangle's side goes through it: one of the two
-/// triangles at that side must see it.
+/// An edge that passes within this distance (share of the longest side) outside a triangle's side counts as piercing
+/// it, so that one of the two triangles at that side detects it.
 const BESIDE: f64 = 1e-12;
 
-/// A place where the surface meets itself.
+/// A place where the surface intersects itself, if there is one.
 pub(super) fn crossing(mesh: &Mesh, longest: f64) -> Option<Vec3<f64>> {
     let tree = Tree::new(mesh);
     let faces: Vec<Face> = (0..mesh.triangles.len()).map(|triangle| Face::new(mesh, triangle)).collect();
@@ -33,11 +34,11 @@ pub(super) fn crossing(mesh: &Mesh, longest: f64) -> Option<Vec3<f64>> {
 
 /// A triangle with its plane.
 struct Face {
-    /// Numbers of its corners.
+    /// Indices of its corners.
     corners: [usize; 3],
     places: [Vec3<f64>; 3],
     normal: Vec3<f64>,
-    /// Inwards from its sides, in its plane.
+    /// For each side the unit normal in the plane that points inwards.
     inwards: [Vec3<f64>; 3],
 }
 
@@ -55,20 +56,20 @@ impl Face {
         [f64::min, f64::max].map(|pick| [0, 1, 2].map(|k| pick(pick(a[k], b[k]), c[k])))
     }
 
-    /// Heights of its corners over another's plane.
+    /// Heights of its corners above another triangle's plane.
     fn heights(&self, other: &Face) -> Vec3<f64> {
         self.places.map(|place| dot(other.normal, sub(place, other.places[0])))
     }
 
-    /// How far a point of its plane stands inside the side where it is least so.
+    /// Distance by which a point of its plane is inside all sides; negative if it is outside.
     fn inside(&self, x: Vec3<f64>) -> f64 {
         let sides = self.inwards.iter().zip(self.places);
         sides.map(|(inwards, place)| dot(*inwards, sub(x, place))).fold(f64::INFINITY, f64::min)
     }
 
-    /// Where another one, whose corners stand at these heights, goes through it or stands in it.
+    /// A place where another triangle, whose corners have these heights, pierces it or stands in it.
     fn pierced(&self, other: &Face, heights: Vec3<f64>, longest: f64) -> Option<Vec3<f64>> {
-        // A needle has no plane; what goes through it goes through its neighbours.
+        // A degenerate triangle has no plane; an edge that pierces it pierces its neighbours.
         let width = dot(self.inwards[0], sub(self.places[2], self.places[0]));
         let least = SHALLOW * longest;
         if width <= least {
@@ -88,7 +89,7 @@ impl Face {
         })
     }
 
-    /// A place of another in the same plane if they overlap: no side of either parts them.
+    /// A place of another triangle in the same plane if the two overlap, that is, if no side of either separates them.
     fn overlap(&self, other: &Face, least: f64) -> Option<Vec3<f64>> {
         let parts = |one: &Face, other: &Face| {
             one.inwards

@@ -1,7 +1,8 @@
-//! Exact distance of points from a closed surface of triangles, with its sign.
+//! Exact signed distance of points from a closed surface of triangles.
 //!
-//! In: a mesh. Out: the distance of the nearest point, found in its tree of boxes, below 0 inside. The sign is that of the
-//! pseudonormal there: a face's normal, the sum of two on an edge, the sum by angles at a corner (Baerentzen and Aanaes 2005).
+//! In: a mesh. Out: the distance to the nearest point, found in its tree of boxes, negative inside. The sign is that of
+//! the pseudonormal there: a face's normal, the sum of two on an edge, the angle-weighted sum at a corner (Baerentzen
+//! and Aanaes 2005).
 
 use super::tree::Tree;
 use super::triangles::{Mesh, doubled_area};
@@ -17,11 +18,11 @@ pub struct Distance {
     corners: Vec<Vec3<f64>>,
 }
 
-/// On which part of a triangle a point is nearest.
+/// The part of a triangle on which the nearest point lies.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Part {
     Face,
-    /// From this corner to the next.
+    /// The edge from this corner to the next one.
     Edge(usize),
     Corner(usize),
 }
@@ -48,7 +49,7 @@ impl Distance {
         Distance { tree: Tree::new(mesh), faces, edges, corners }
     }
 
-    /// Distance of a point that is known to be no further than `most` from the surface (m), below 0 inside.
+    /// Signed distance of a point (m), negative inside; the point must be no farther than `most` from the surface.
     #[must_use]
     pub(super) fn within(&self, mesh: &Mesh, point: Vec3<f64>, most: f64) -> f64 {
         let mut best = Nearest { square: most * most * (1.0 + 1e-9), ..Nearest::default() };
@@ -98,7 +99,7 @@ impl Default for Nearest {
     }
 }
 
-/// The point of a triangle that is nearest (Ericson, Real-Time Collision Detection, 5.1.5).
+/// The nearest point of a triangle (Ericson, Real-Time Collision Detection, 5.1.5).
 fn nearest([a, b, c]: [Vec3<f64>; 3], p: Vec3<f64>) -> (Vec3<f64>, Part) {
     let (ab, ac) = (sub(b, a), sub(c, a));
     let along = |from: Vec3<f64>| [dot(ab, sub(p, from)), dot(ac, sub(p, from))];

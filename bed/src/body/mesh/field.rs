@@ -1,20 +1,21 @@
-//! A smooth field of the distance: cubic splines through values on a grid.
+//! A smooth approximation of the distance field: cubic B-splines through values on a grid.
 //!
-//! In: the bounds of a surface and its distance at a point. Out: value, gradient and second derivatives anywhere near, all
-//! continuous, f = sum c_ijk B(x - i) B(y - j) B(z - k), through the exact distance at every point of the grid, with
-//! natural ends. A smooth surface is met to h^4; faces that meet are rounded over about a cell h.
+//! In: the bounds of a surface and its distance at a point. Out: value, gradient and second derivatives anywhere near
+//! it, all continuous: f = sum c_ijk B(x - i) B(y - j) B(z - k), which interpolates the exact distance at every point
+//! of the grid, with natural ends. The error on a smooth surface is of order h^4; edges are rounded over about one cell
+//! h.
 
 use crate::equilibrium::side_by_side;
 use smartbed_runtime::vec3::Vec3;
 
-/// Points of the grid within the bounds, about.
+/// Approximate number of grid points within the bounds.
 const POINTS: f64 = 3e5;
 /// Smallest cell (m).
 const SMALLEST: f64 = 5e-4;
-/// The field goes this far beyond the bounds (m): as far as the thickest sensors stand between tissue and sheets.
+/// Margin of the field around the bounds (m): the largest distance of the thickest sensors between tissue and sheets.
 pub const AROUND: f64 = 0.02;
 
-/// Values on a grid, as coefficients of splines.
+/// Spline coefficients on a grid.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Field {
     cell: f64,
@@ -26,26 +27,26 @@ pub struct Field {
 /// Distance (m) with its first and second derivatives.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Near {
-    /// m.
+    /// Distance (m).
     pub distance: f64,
-    /// Of length 1 but where faces meet.
+    /// Unit length except near edges.
     pub gradient: Vec3<f64>,
-    /// 1/m.
+    /// Second derivatives (1/m).
     pub hessian: [Vec3<f64>; 3],
 }
 
-/// Distance of a grid's points within bounds (m).
+/// Spacing of the grid for these bounds (m).
 pub(super) fn cell([low, high]: &[Vec3<f64>; 2]) -> f64 {
     let volume: f64 = (0..3).map(|k| high[k] - low[k]).product();
     (volume / POINTS).cbrt().max(SMALLEST)
 }
 
 impl Field {
-    /// Fills a grid around bounds; `distance` is told how far the surface is at most.
+    /// Fills a grid around the bounds; `distance` is given an upper bound of the distance.
     pub(super) fn new(bounds: [Vec3<f64>; 2], distance: impl Fn(Vec3<f64>, f64) -> f64 + Sync) -> Field {
         let sides = [0, 1, 2].map(|k| bounds[1][k] - bounds[0][k]);
         let cell = cell(&bounds);
-        // Splines at the ends are those of a line: one cell more is not used.
+        // Near the ends the splines degenerate to lines: one more cell at each end is not used.
         let around = (AROUND / cell).ceil() as usize + 2;
         let counts = sides.map(|side| (side / cell).ceil() as usize + 1 + 2 * around);
         let start = [0, 1, 2].map(|k| {
@@ -59,7 +60,7 @@ impl Field {
         let slab = |k: usize| {
             let mut values = Vec::with_capacity(counts[0] * counts[1]);
             for j in 0..counts[1] {
-                // A step along a row changes the distance by no more than its length.
+                // One step along a row changes the distance by at most its length.
                 let mut near = f64::INFINITY;
                 for i in 0..counts[0] {
                     let value: f64 = distance(at(i, j, k), near);
@@ -81,13 +82,13 @@ impl Field {
         Field { cell, start, counts, coefficients }
     }
 
-    /// Distance of the grid's points (m).
+    /// Spacing of the grid (m).
     #[must_use]
     pub fn cell(&self) -> f64 {
         self.cell
     }
 
-    /// The field at a point no further than [`AROUND`] beyond the bounds; none elsewhere.
+    /// The field at a point within [`AROUND`] of the bounds; `None` elsewhere.
     #[must_use]
     pub fn near(&self, point: Vec3<f64>) -> Option<Near> {
         let (mut first, mut weights) = ([0; 3], [[[0.0; 3]; 4]; 3]);
@@ -100,7 +101,7 @@ impl Field {
             weights[axis] = splines(x.fract());
         }
         let [wx, wy, wz] = weights;
-        // Sums over a row of values, first and second derivatives along x, then over y, then over z.
+        // Values and first and second derivatives: summed along x, then along y, then along z.
         let mut sums = [0.0; 10];
         for (k, [w, dw, ddw]) in wz.into_iter().enumerate() {
             let mut plane = [0.0; 6];
@@ -127,10 +128,10 @@ impl Field {
     }
 }
 
-/// Orders of derivatives by x and y that a plane sums up.
+/// Orders of derivatives in x and y for which planes are summed.
 const ORDERS: [(usize, usize); 6] = [(0, 0), (1, 0), (0, 1), (2, 0), (1, 1), (0, 2)];
 
-/// The four splines over a cell at a share of it, each with first and second derivatives.
+/// The four B-splines that are non-zero in a cell, at the share t of it, each with first and second derivatives.
 fn splines(t: f64) -> [[f64; 3]; 4] {
     let s = 1.0 - t;
     let inner = |t: f64| (4.0 - 6.0 * t * t + 3.0 * t * t * t) / 6.0;
@@ -142,7 +143,7 @@ fn splines(t: f64) -> [[f64; 3]; 4] {
     ]
 }
 
-/// Values along a line become coefficients: c_0 = f_0, c_i-1 + 4 c_i + c_i+1 = 6 f_i, c_n = f_n.
+/// Converts values along a line to coefficients: c_0 = f_0, c_i-1 + 4 c_i + c_i+1 = 6 f_i, c_n = f_n.
 fn through(values: &mut [f64], stride: usize, count: usize) {
     let mut factors = vec![0.0; count];
     for i in 1..count - 1 {
@@ -150,7 +151,7 @@ fn through(values: &mut [f64], stride: usize, count: usize) {
         factors[i] = 1.0 / (4.0 - factors[i - 1]);
         values[i * stride] = (6.0 * values[i * stride] - before) * factors[i];
     }
-    // The line ahead of the last: its neighbour is known.
+    // Back substitution, from the last row, whose neighbour is known.
     for i in (1..count - 1).rev() {
         values[i * stride] -= factors[i] * values[(i + 1) * stride];
     }

@@ -1,30 +1,31 @@
-//! Volume, mass centre and second moments of what a closed surface encloses, and its principal axes.
+//! Volume, mass centre, second moments and principal axes of a closed surface.
 //!
-//! In: triangles. Out: integrals over the tetrahedra that each spans with one corner of the surface, signed: V = a . (b x c)/6,
-//! int x = V/4 (a + b + c), int x x' = V/20 (a a' + b b' + c c' + s s') with s = a + b + c (Mirtich 1996; Eberly 2002).
+//! In: triangles. Out: sums of signed integrals over the tetrahedra that each triangle spans with one corner of the
+//! surface: V = a . (b x c)/6, int x = V/4 (a + b + c), int x x' = V/20 (a a' + b b' + c c' + s s') with s = a + b + c
+//! (Mirtich 1996; Eberly 2002).
 
 use super::triangles::{Mesh, doubled_area};
 use smartbed_runtime::rigid::attitude::Attitude;
 use smartbed_runtime::vec3::{Vec3, add, axpy, dot, scale, sub};
 
-/// Sweeps of the eigenvalue iteration; each squares what is left beside the diagonal.
+/// Number of sweeps of the eigenvalue iteration, which converges quadratically.
 const SWEEPS: usize = 12;
 
 /// Integrals over a solid.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Moments {
-    /// m^3; below 0 where normals point inwards.
+    /// Volume (m^3); negative if normals point inwards.
     pub volume: f64,
-    /// m.
+    /// Mass centre (m).
     pub centre: Vec3<f64>,
     /// <x x'> about the centre (m^2).
     pub second: [Vec3<f64>; 3],
 }
 
 impl Moments {
-    /// Those of a mesh.
+    /// Integrals over the solid that a mesh encloses.
     pub fn of(mesh: &Mesh) -> Moments {
-        // From a corner of the surface, so that a body far from the origin loses no digits.
+        // Relative to a corner of the surface, so that a body far from the origin loses no digits.
         let base = mesh.corners.first().copied().unwrap_or_default();
         let (mut volume, mut first, mut second) = (0.0, [0.0; 3], [[0.0; 3]; 3]);
         for triangle in 0..mesh.triangles.len() {
@@ -46,15 +47,15 @@ impl Moments {
     }
 }
 
-/// Eigenvalues and eigenvectors of a symmetric matrix, the latter as axes of a right-handed frame, by Jacobi's rotations
-/// (Golub and Van Loan, Matrix Computations, 8.5).
+/// Eigenvalues and eigenvectors of a symmetric matrix, the latter as axes of a right-handed frame, by Jacobi's
+/// rotations (Golub and Van Loan, Matrix Computations, 8.5).
 pub(super) fn principal(mut a: [Vec3<f64>; 3]) -> (Vec3<f64>, Attitude<f64>) {
-    // Rows are the axes so far.
+    // Rows are the axes found so far.
     let mut axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
     let size = a[0][0] + a[1][1] + a[2][2];
     for _ in 0..SWEEPS {
         for (p, q) in [(0, 1), (0, 2), (1, 2)] {
-            // What rounding alone leaves turns nothing: a box keeps its axes.
+            // Entries within rounding error cause no rotation, so that a box keeps its axes.
             if a[p][q].abs() <= 1e-14 * size {
                 continue;
             }

@@ -1,8 +1,10 @@
-//! A rigid body as a mesh: a closed surface of triangles, its mass properties, and how far points are from it.
+//! A rigid body given by a mesh: a closed surface of triangles, its mass properties, and the distance of points from
+//! it.
 //!
-//! In: corners and triangles in a file's axes. Out: a [`Solid`] in its principal axes about its mass centre, and the pose of
-//! these in the file's. Contact asks a smooth field of the distance ([`field`]), which an exact one (`distance`) fills:
-//! that of triangles has kinks inside, where a state of least energy would roll from face to face.
+//! In: corners and triangles in a file's axes. Out: a [`Solid`] in its principal axes about its mass centre, and the
+//! pose of these axes in the file's. Contact uses a smooth field of the distance ([`field`]) that interpolates the
+//! exact one (`distance`): the latter has kinks inside the body, where a state of least energy would jump from face to
+//! face.
 
 mod check;
 mod crossing;

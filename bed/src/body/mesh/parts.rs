@@ -1,17 +1,17 @@
-//! The parts of a surface that do not hang together: each must face outwards, or inwards where it is a cavity.
+//! Connected parts of a surface: each must face outwards, or inwards if it is a cavity.
 //!
-//! In: a closed mesh that does not run through itself. Out: whether all of it faces inwards, or a part that does not face as the
-//! others. A part inside an odd number of others is a cavity; how often a point is enclosed is the sum of the solid angles
-//! of triangles, 4 pi a time (van Oosterom and Strackee 1983).
+//! In: a closed mesh that does not intersect itself. Out: whether all of it faces inwards, or a part with the wrong
+//! orientation. A part inside an odd number of others is a cavity; how often a point is enclosed is the sum of the
+//! solid angles of triangles divided by 4 pi (van Oosterom and Strackee 1983).
 
 use super::triangles::{Mesh, doubled_area};
 use smartbed_runtime::vec3::{Vec3, cross, dot, norm, sub};
 use std::f64::consts::TAU;
 
-/// Is the whole surface seen from inside?
+/// Does the whole surface face inwards?
 ///
 /// # Errors
-/// A place of a part that does not face as the first.
+/// A place on a part that is oriented otherwise than the first one.
 pub(super) fn is_inside_out(mesh: &Mesh) -> Result<bool, Vec3<f64>> {
     let parts = parts(mesh);
     let is_turned = |part: &Vec<usize>| {
@@ -24,9 +24,9 @@ pub(super) fn is_inside_out(mesh: &Mesh) -> Result<bool, Vec3<f64>> {
     odd.map_or(Ok(first), |part| Err(mesh.places(part[0])[0]))
 }
 
-/// Triangles of each part, in their order.
+/// Triangles of each connected part, in order.
 fn parts(mesh: &Mesh) -> Vec<Vec<usize>> {
-    // Each corner leads to another of its part, the last one to itself.
+    // Union-find: each corner leads to another one of its part, the representative to itself.
     let mut leads: Vec<usize> = (0..mesh.corners.len()).collect();
     let end = |leads: &mut Vec<usize>, mut corner: usize| {
         while leads[corner] != corner {

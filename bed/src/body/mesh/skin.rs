@@ -1,22 +1,22 @@
-//! Patches of a mesh's skin for maps, and a coarser mesh for pictures.
+//! Patches of a mesh's skin, for maps, and a coarser mesh, for pictures.
 
 use super::triangles::{Mesh, doubled_area};
 use smartbed_runtime::vec3::{Vec3, add, axpy, norm, scale};
 use std::collections::BTreeMap;
 
-/// A part of the skin.
+/// A patch of the skin.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Patch {
-    /// Its middle (m).
+    /// Its centre (m).
     pub place: Vec3<f64>,
-    /// Outwards, of length 1.
+    /// Unit outward normal.
     pub normal: Vec3<f64>,
-    /// m^2.
+    /// Area (m^2).
     pub area: f64,
 }
 
-/// Parts of the skin as wide as a cell of this width (m): triangles that face about the same way are one, large ones are
-/// halved first.
+/// Patches of the skin about as wide as `width` (m): triangles in one cell of a grid that face about the same way are
+/// merged; large triangles are bisected first.
 pub(super) fn patches(mesh: &Mesh, width: f64) -> Vec<Patch> {
     let mut found: BTreeMap<([i64; 3], usize), Patch> = BTreeMap::new();
     let mut waiting: Vec<[Vec3<f64>; 3]> = (0..mesh.triangles.len()).map(|t| mesh.places(t)).collect();
@@ -48,7 +48,7 @@ pub(super) fn patches(mesh: &Mesh, width: f64) -> Vec<Patch> {
     found.into_values().map(whole).collect()
 }
 
-/// Corners of a cell become one, in cells as wide as it takes to keep no more than `most` triangles.
+/// Merges the corners in each cell of a grid, which is made as coarse as needed to keep at most `most` triangles.
 pub(super) fn coarse(mesh: &Mesh, most: usize) -> Mesh {
     let (mut found, mut width) = (mesh.clone(), 0.002);
     while found.triangles.len() > most.max(1) {

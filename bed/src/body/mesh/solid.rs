@@ -1,6 +1,6 @@
-//! What a closed surface encloses, in its principal axes about its mass centre.
+//! The solid that a closed surface encloses, in its principal axes about its mass centre.
 //!
-//! In: a mesh in a file's axes. Out: the solid and the pose of its axes in the file's.
+//! In: a mesh in a file's axes. Out: the solid, and the pose of its axes in the file's.
 
 use super::check::{MeshFault, checked};
 use super::distance::Distance;
@@ -12,7 +12,7 @@ use crate::pose::Pose;
 use smartbed_runtime::vec3::{Vec3, dot, norm};
 use std::sync::OnceLock;
 
-/// A closed surface with what it encloses, in principal axes about its mass centre.
+/// A closed surface and its integrals, in principal axes about its mass centre.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Solid {
     mesh: Mesh,
@@ -21,15 +21,15 @@ pub struct Solid {
     /// <x^2>, <y^2>, <z^2> (m^2).
     squares: Vec3<f64>,
     distance: Distance,
-    /// Filled when it is first asked for: a plan that is only read has no use for it.
+    /// Computed on first use, because a plan that is only read does not need it.
     field: OnceLock<Field>,
 }
 
 impl Solid {
-    /// What a mesh encloses, and the pose of its axes in the mesh's.
+    /// The solid that a mesh encloses, and the pose of its axes in the mesh's.
     ///
     /// # Errors
-    /// [`MeshFault`] for a surface that encloses nothing, or not clearly.
+    /// [`MeshFault`] for a surface that encloses no volume, or too little to be sure.
     pub fn new(mesh: Mesh) -> Result<(Solid, Pose), MeshFault> {
         let mut mesh = checked(mesh)?;
         let Moments { volume, centre, second } = Moments::of(&mesh);
@@ -37,7 +37,7 @@ impl Solid {
         let pose = Pose { place: centre, attitude };
         mesh.corners.iter_mut().for_each(|corner| *corner = pose.inwards(*corner));
         let distance = Distance::new(&mesh);
-        // The field's surface may stand out by a part of a cell where faces meet.
+        // The surface of the field may be outside that of the mesh by a fraction of a cell near edges.
         let reach = mesh.corners.iter().map(|c| norm(*c)).fold(0.0, f64::max) + field::cell(&mesh.bounds());
         Ok((Solid { mesh, volume, reach, squares, distance, field: OnceLock::new() }, pose))
     }
@@ -67,13 +67,13 @@ impl Solid {
         self.field.get_or_init(|| Field::new(self.mesh.bounds(), distance))
     }
 
-    /// Exact distance of a point from the triangles (m), below 0 inside.
+    /// Exact distance of a point from the triangles (m), negative inside.
     #[must_use]
     pub fn distance(&self, point: Vec3<f64>) -> f64 {
         self.distance.within(&self.mesh, point, f64::INFINITY)
     }
 
-    /// No point is further from the mass centre than this (m).
+    /// Upper bound of the distance of its points from the mass centre (m).
     #[must_use]
     pub fn reach(&self) -> f64 {
         self.reach
@@ -87,13 +87,13 @@ impl Solid {
         self.mesh.corners.iter().fold(self.mesh.corners[0], further)
     }
 
-    /// Patches of its skin, each about as wide as this (m).
+    /// Patches of its skin, each about this wide (m).
     #[must_use]
     pub fn skin(&self, width: f64) -> Vec<Patch> {
         skin::patches(&self.mesh, width)
     }
 
-    /// The surface with no more triangles than this, for pictures.
+    /// The surface with at most this number of triangles, for pictures.
     #[must_use]
     pub fn coarse(&self, most: usize) -> Mesh {
         skin::coarse(&self.mesh, most)

@@ -1,35 +1,35 @@
-//! A tree of boxes over the triangles of a mesh.
+//! A bounding volume hierarchy (boxes) over the triangles of a mesh.
 //!
-//! In: a mesh. Out: the tree, halved down to a few triangles a leaf, and which triangles' boxes overlap a box.
+//! In: a mesh. Out: the tree, bisected down to a few triangles per leaf, and the triangles whose boxes overlap a box.
 
 use super::triangles::Mesh;
 use smartbed_runtime::vec3::{Vec3, dot};
 
-/// Triangles of a leaf.
+/// Largest number of triangles in a leaf.
 const LEAF: usize = 4;
 
-/// Boxes, the whole mesh's first.
+/// Boxes; the first one is that of the whole mesh.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Tree {
     pub nodes: Vec<Node>,
-    /// Triangles, leaf by leaf.
+    /// Triangles in the order of the leaves.
     order: Vec<usize>,
 }
 
-/// A box with what stands in it.
+/// A box and its contents.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Node {
     low: Vec3<f64>,
     high: Vec3<f64>,
-    /// Where its triangles stand in the order.
+    /// Index of its first triangle in `order`.
     first: usize,
     count: usize,
-    /// Its first half follows it, its second half stands here; 0 for a leaf.
+    /// Index of the second half (the first half follows the node itself); 0 for a leaf.
     second: usize,
 }
 
 impl Tree {
-    /// The tree of a mesh that has triangles.
+    /// The tree of a mesh with at least one triangle.
     pub fn new(mesh: &Mesh) -> Tree {
         let mut order: Vec<usize> = (0..mesh.triangles.len()).collect();
         let mut nodes = Vec::new();
@@ -37,7 +37,7 @@ impl Tree {
         Tree { nodes, order }
     }
 
-    /// The halves of a box; none for a leaf.
+    /// The two halves of a box; `None` for a leaf.
     pub fn halves(&self, node: usize) -> Option<[usize; 2]> {
         let second = self.nodes[node].second;
         (second > 0).then_some([node + 1, second])
@@ -79,7 +79,7 @@ impl Node {
     }
 }
 
-/// Adds the tree of these triangles, halved along the longest side of their middles' box.
+/// Adds the tree of these triangles, bisected along the longest side of the box around their centroids.
 fn grow(mesh: &Mesh, order: &mut [usize], first: usize, nodes: &mut Vec<Node>) {
     let (mut low, mut high) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
     let (mut least, mut most) = (low, high);

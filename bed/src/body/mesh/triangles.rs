@@ -1,25 +1,25 @@
-//! Corners and triangles.
+//! A mesh: corners and triangles.
 
 use smartbed_runtime::vec3::{Vec3, cross, sub};
 use std::collections::BTreeMap;
 
-/// Corners, and triangles by their numbers, counterclockwise seen from outside.
+/// Corners, and triangles by the indices of their corners, counterclockwise seen from outside.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Mesh {
-    /// m.
+    /// Positions (m).
     pub corners: Vec<Vec3<f64>>,
-    /// Triangles.
+    /// Indices of the corners of each triangle.
     pub triangles: Vec<[usize; 3]>,
 }
 
 impl Mesh {
-    /// Triangles whose corners stand in the list one by one: equal places become one corner.
+    /// A mesh from triangles given corner by corner; equal positions become one corner.
     #[must_use]
     pub fn welded(places: impl Iterator<Item = Vec3<f64>>) -> Mesh {
         let (mut mesh, mut known) = (Mesh::default(), BTreeMap::new());
         let mut numbers = Vec::new();
         for place in places {
-            // -0 and 0 are one place.
+            // -0 and 0 are the same position.
             let key = place.map(|x| (x + 0.0).to_bits());
             numbers.push(*known.entry(key).or_insert_with(|| {
                 mesh.corners.push(place);
@@ -30,7 +30,7 @@ impl Mesh {
         mesh
     }
 
-    /// Corners of a triangle.
+    /// Positions of the corners of a triangle.
     #[must_use]
     pub fn places(&self, triangle: usize) -> [Vec3<f64>; 3] {
         self.triangles[triangle].map(|corner| self.corners[corner])
@@ -46,7 +46,7 @@ impl Mesh {
     }
 }
 
-/// Normal of a triangle, as long as twice its area.
+/// Normal of a triangle, with the length of twice its area.
 pub(super) fn doubled_area([a, b, c]: [Vec3<f64>; 3]) -> Vec3<f64> {
     cross(sub(b, a), sub(c, a))
 }

@@ -1,8 +1,9 @@
-//! Does the mechanism move by itself, with all speeds at zero? Does time change anything of it?
+//! Decides whether the mechanism is driven, that is, moves even with all speeds at zero, and whether it depends on
+//! time.
 //!
-//! In: a model. Out: whether time enters positions or constraints, or a velocity has a part without speeds
-//! (Kane's v_t): b of a motion constraint a_r u_r + b = 0, a point's stated velocity. Decided on the text: a part
-//! that happens to vanish counts, at the price of an unknown that nothing reads.
+//! In: a model. Out: whether time enters positions or constraints, or a velocity has a part without speeds (Kane's
+//! v_t): b of a motion constraint a_r u_r + b = 0, or a point's stated velocity. Decided on the text alone: a part that
+//! happens to be zero counts too, which costs one unknown that nothing uses.
 
 use crate::id::IdVec;
 use crate::model::data::*;
@@ -12,14 +13,14 @@ use crate::model::walk::Role;
 
 /// What is known of each definition.
 struct Definitions {
-    /// Time occurs in it.
+    /// It depends on time.
     reads_time: IdVec<DefinitionId, bool>,
-    /// Something is left of it when all speeds are 0.
+    /// It does not vanish when all speeds are 0.
     has_free_part: IdVec<DefinitionId, bool>,
 }
 
 impl Model {
-    /// Do velocities have a part that no speed enters?
+    /// Has any velocity a part without speeds?
     #[must_use]
     pub fn is_driven(&self) -> bool {
         let known = self.known_definitions();
@@ -36,7 +37,7 @@ impl Model {
         })
     }
 
-    /// Does anything that it says depend on time: motion, loads, laws, outputs?
+    /// Does anything in the model depend on time: motion, loads, laws, outputs?
     #[must_use]
     pub fn reads_time(&self) -> bool {
         let known = self.known_definitions();
@@ -72,10 +73,10 @@ impl Definitions {
         found
     }
 
-    /// Is something left of a linear form in the speeds when all of them are 0?
+    /// Has a linear form in the speeds a part that remains when all of them are 0?
     fn free_part_in(&self, expr: &Expr) -> bool {
         match &expr.kind {
-            // What a velocity is made of is looked at where it is stated.
+            // The parts of a velocity are examined where it is stated.
             ExprKind::Speed(_) | ExprKind::Rate(_) | ExprKind::Velocity(_) | ExprKind::AngularVelocity(_) => {
                 false
             }

@@ -1,7 +1,6 @@
-//! Constant expressions in f64: parameter defaults, nominal values, ranges, starts.
+//! Evaluates constant expressions in f64: parameter defaults, nominal values, ranges, starts.
 //!
-//! Only what does not depend on the state can be evaluated; anything else is NaN, which the
-//! checks before have ruled out.
+//! Only what does not depend on the state has a value; anything else gives NaN, and earlier checks have ruled it out.
 
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::id::IdVec;
@@ -78,7 +77,7 @@ impl Constants {
     }
 }
 
-/// Fills in all numbers, once everything has been checked.
+/// Fills in all numbers, after everything has been checked.
 pub fn evaluate(draft: Draft, found: &mut Diagnostics) -> Model {
     let mut model = draft.model;
     let constants = Constants::of(&model);
@@ -97,7 +96,7 @@ pub fn evaluate(draft: Draft, found: &mut Diagnostics) -> Model {
     for id in model.coordinates.ids() {
         let [nominal, low, high] = &model.coordinates[id].written;
         let nominal = nominal.as_ref().map_or(0.0, &mut value);
-        // Without a range: once around for angles, one unit to both sides for the rest.
+        // Default range: one full turn for angles, one unit to either side for everything else.
         let reach = if draft.units.coordinates[id].unit == Unit::NONE { std::f64::consts::PI } else { 1.0 };
         let low = low.as_ref().map_or(nominal - reach, &mut value);
         let high = high.as_ref().map_or(nominal + reach, &mut value);
@@ -122,7 +121,7 @@ fn finite(value: f64, span: Span, found: &mut Diagnostics) -> f64 {
     value
 }
 
-/// Value of a function, by the runtime's own: those of the system round differently from machine to machine.
+/// Value of a function, by the runtime's implementation: those of the system round differently from machine to machine.
 fn call(function: Function, arguments: &[f64]) -> f64 {
     let (x, y) = (arguments[0], arguments.get(1).copied().unwrap_or(f64::NAN));
     match function {
@@ -149,7 +148,7 @@ fn call(function: Function, arguments: &[f64]) -> f64 {
 }
 
 impl Parameter {
-    /// Why the parameter cannot have a value (SI), if it lies outside the range.
+    /// The reason why the parameter cannot have this value (SI), if it is outside the range.
     #[must_use]
     pub fn refuses(&self, value: f64) -> Option<String> {
         let (low, high) = self.range;
@@ -162,7 +161,8 @@ impl Parameter {
 }
 
 impl Model {
-    /// Why the parameter of this name cannot have a value (SI); nothing if there is no such parameter.
+    /// The reason why the parameter of this name cannot have this value (SI); `None` also if there is no such
+    /// parameter.
     #[must_use]
     pub fn refuses(&self, name: &str, value: f64) -> Option<String> {
         self.parameters.iter().find(|parameter| parameter.name == name)?.refuses(value)

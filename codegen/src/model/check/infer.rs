@@ -1,14 +1,14 @@
-//! Type (scalar or vector) and unit of an expression, on the text as it is written.
+//! Infers type (scalar or vector) and unit of an expression as the author wrote it.
 //!
-//! In: an expression with names resolved. Out: its type and unit, or errors at the offending
-//! sub-expression with both units. A literal 0 fits every unit, unless it carries one.
+//! In: an expression with names resolved. Out: its type and unit, or errors at the offending sub-expression with both
+//! units. A literal 0 fits every unit, unless it carries one.
 
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::draft::Draft;
 use crate::model::expression::{Expr, ExprKind, Function};
 use crate::model::unit::Unit;
 
-/// Type and unit of an expression. No unit: a literal 0, which fits all.
+/// Type and unit of an expression; the unit is `None` for a literal 0, which fits every unit.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) struct Type {
     pub vector: bool,
@@ -27,7 +27,7 @@ impl Type {
     }
 }
 
-/// An error has been reported.
+/// Stands for an error that has been reported already.
 pub(super) struct Reported;
 
 pub(super) type Checked = Result<Type, Reported>;
@@ -35,13 +35,13 @@ pub(super) type Checked = Result<Type, Reported>;
 /// Checks expressions against a draft.
 pub(super) struct Checker<'a> {
     pub draft: &'a Draft,
-    /// Types of definitions so far; none where one was faulty.
+    /// Types of the definitions so far; `None` where one was faulty.
     pub definitions: Vec<Option<Type>>,
     pub found: &'a mut Diagnostics,
 }
 
 impl Checker<'_> {
-    /// The expression must have this type.
+    /// Requires the expression to have this type.
     pub fn expect(&mut self, expr: &Expr, wanted: Type, what: &str) {
         if let Ok(of) = self.infer(expr) {
             self.compare(expr, of, wanted, what);
@@ -71,7 +71,7 @@ impl Checker<'_> {
         }
     }
 
-    /// What to do if one quantity in a product has been declared without its unit.
+    /// Advice for a product in which a quantity was probably declared without its unit.
     fn undeclared(&self, expr: &Expr, is: Unit, needs: Unit) -> Option<String> {
         let mut names = Vec::new();
         self.unitless(expr, &mut names);
@@ -83,7 +83,7 @@ impl Checker<'_> {
         }
     }
 
-    /// Parameters and inputs without a unit among the factors.
+    /// Collects parameters and inputs without a unit among the factors.
     fn unitless<'n>(&'n self, expr: &Expr, names: &mut Vec<&'n str>) {
         let (units, model) = (&self.draft.units, &self.draft.model);
         match &expr.kind {
@@ -158,7 +158,7 @@ impl Checker<'_> {
         })
     }
 
-    /// Types of two parts; both are looked at even if the first is faulty.
+    /// Types of two parts; the second is examined even if the first is faulty.
     fn both(&mut self, a: &Expr, b: &Expr) -> Result<(Type, Type), Reported> {
         let (x, y) = (self.infer(a), self.infer(b));
         Ok((x?, y?))
@@ -199,7 +199,7 @@ impl Checker<'_> {
         unit.ok_or(Reported)
     }
 
-    /// Two that are added, subtracted or compared: type and unit must be the same.
+    /// Type of two parts that are added, subtracted or compared: both must have the same type and unit.
     fn alike(&mut self, word: &str, (a, x, b, y): (&Expr, Type, &Expr, Type)) -> Checked {
         if x.vector != y.vector {
             self.found.push(
@@ -239,7 +239,7 @@ impl Checker<'_> {
             return Err(Reported);
         }
         let unit = match (x.unit, y.unit) {
-            // 0 times anything is 0, which fits all.
+            // 0 times anything is 0, which fits every unit.
             (None, _) | (_, None) => None,
             (Some(x), Some(y)) => Some(self.bounded(expr, x.times(y))?),
         };
@@ -275,12 +275,12 @@ fn shape(of: Type) -> &'static str {
     if of.vector { "a vector" } else { "a scalar" }
 }
 
-/// A unit in messages. Numbers and angles have none.
+/// A unit in the words of a message; numbers and angles have none.
 fn shown(unit: Unit) -> String {
     if unit == Unit::NONE { "without unit".to_owned() } else { format!("in {unit}") }
 }
 
-/// What is missing between two units.
+/// Advice: the factor that is missing between two units.
 fn unit_help(is: Unit, needs: Unit) -> String {
     match needs.per(is) {
         Some(missing) if is == Unit::NONE => {

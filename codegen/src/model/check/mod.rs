@@ -1,7 +1,7 @@
-//! What a draft must hold to be a model: an order of computation, units, and what may depend on what.
+//! Checks that turn a draft into a model: an order of computation, units, and what may depend on what.
 //!
-//! In: a [`Draft`](super::draft::Draft). Out: findings with their places; from `order` the order of the entities,
-//! from `units` the units of outputs, from `evaluate` the numbers.
+//! In: a [`Draft`](super::draft::Draft). Out: findings with their places; from `order` the order of the entities, from
+//! `units` the units of outputs, from `evaluate` the numbers.
 
 mod driven;
 pub mod evaluate;

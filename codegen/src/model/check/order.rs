@@ -1,8 +1,8 @@
-//! The order in which parameters, definitions, frames and points can be computed.
+//! Sorts parameters, definitions, frames and points into an order in which they can be computed.
 //!
 //! In: a draft model. Out: its entities, each after all that it refers to. Closures of points are equations, not
-//! computations, and do not take part; a frame comes after the vectors that are fixed in it. A coordinate with
-//! a closed form stands for what that form refers to.
+//! computations, and do not take part; a frame comes after the vectors that are fixed in it. A coordinate with a closed
+//! form counts as a reference to everything in that form.
 
 use std::collections::BTreeMap;
 
@@ -23,7 +23,7 @@ enum Node {
     Coordinate(CoordinateId),
 }
 
-/// By node: what it refers to, with the places.
+/// By node: the nodes that it refers to, with the places.
 type References = BTreeMap<Node, Vec<(Node, Span)>>;
 
 /// Sorts the entities; a cycle is an error that names its members.
@@ -46,7 +46,7 @@ fn all(model: &Model) -> Vec<Node> {
     nodes
 }
 
-/// Depth-first search with its own stack; `state` is false while a node is on it, true once done.
+/// Depth-first search with an explicit stack; `state` is false while a node is on the stack, true once it is done.
 fn visit(
     model: &Model,
     references: &References,
@@ -115,7 +115,7 @@ fn report(model: &Model, cycle: &[(Node, Span)]) -> Diagnostic {
     error
 }
 
-/// What each node refers to, with the places.
+/// The references of each node, with their places.
 fn references(model: &Model) -> References {
     let mut all = References::new();
     for (id, frame) in model.frames.enumerate() {

@@ -1,8 +1,8 @@
-//! Numbers that no mechanism has: negative masses, moments of inertia against the triangle rule, nominal
-//! values outside their ranges.
+//! Finds numbers that no mechanism has: negative masses, moments of inertia that violate the triangle inequality,
+//! nominal values outside their ranges.
 //!
-//! In: a model and the values of its parameters. Out: errors for what makes the equations meaningless, warnings for
-//! what is probably a slip. Only constants are judged; what depends on the state is not.
+//! In: a model and the values of its parameters. Out: errors where the equations would be meaningless, warnings for
+//! probable slips. Only constants are judged, nothing that depends on the state.
 
 use super::evaluate::Constants;
 use crate::diagnostic::Diagnostic;
@@ -10,7 +10,7 @@ use crate::id::IdVec;
 use crate::model::data::*;
 use crate::model::ids::*;
 
-/// The sum of two principal moments may fall short of the third by rounding, relative to it.
+/// Tolerance of the triangle inequality of principal moments for rounding, relative to the sum of two.
 const ROUNDING: f64 = 1e-9;
 
 impl Model {
@@ -51,7 +51,7 @@ fn outside(coordinate: &Coordinate) -> Option<Diagnostic> {
     })
 }
 
-/// Moments below 0, or larger than the two others together.
+/// Finds moments below 0, or larger than the sum of the two others.
 fn wrong_moments(body: &Body, moments: [Option<f64>; 3]) -> Option<Diagnostic> {
     const NAMES: [&str; 3] = ["Ixx", "Iyy", "Izz"];
     let span = |i: usize| body.inertia[i].as_ref().map_or(body.span, |e| e.span);

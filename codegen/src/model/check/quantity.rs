@@ -1,6 +1,6 @@
-//! One number with its unit as a text of its own, outside of any model: `"5_kg"`, `"9.81 m/s^2"`, `"2*pi*3_mm"`.
+//! Reads one number with its unit outside of any model: `"5_kg"`, `"9.81 m/s^2"`, `"2*pi*3_mm"`.
 //!
-//! In: the text, the unit it is to have. Out: the value in SI units, or findings at the place within the text.
+//! In: the text, and the unit it must have. Out: the value in SI units, or findings at the place within the text.
 
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::id::IdVec;
@@ -13,7 +13,7 @@ use crate::model::unit::{self, Unit};
 use super::evaluate::Constants;
 use super::infer::{Checker, Type};
 
-/// The value in SI units; nothing if something has been found. `what` is named in messages.
+/// The value in SI units; `None` if an error was found. `what` names the quantity in messages.
 pub fn quantity(text: &Text, unit: Unit, what: &str, found: &mut Diagnostics) -> Option<f64> {
     if let Some(value) = number_and_unit(text, unit, what, found) {
         return value;
@@ -36,7 +36,8 @@ pub fn quantity(text: &Text, unit: Unit, what: &str, found: &mut Diagnostics) ->
     Some(value)
 }
 
-/// `5 N s/m`, `5_kN/m`: a number, a blank or `_`, and a unit; nothing else has a name here. None if the text is something else; the inner one if it has another unit.
+/// Reads the short form `5 N s/m` or `5_kN/m`: a number, a blank or `_`, and a unit. The outer `None` means that the
+/// text has another form, the inner one that its unit is wrong (reported).
 fn number_and_unit(text: &Text, wanted: Unit, what: &str, found: &mut Diagnostics) -> Option<Option<f64>> {
     let (number, rest) = text.text.trim().split_once([' ', '_'])?;
     let number: f64 = number.parse().ok().filter(|x: &f64| x.is_finite())?;

@@ -1,6 +1,6 @@
-//! What an expression depends on, and what may depend on what.
+//! Checks what each expression may depend on.
 //!
-//! Masses are constant, positions know no speeds, constraints know no inputs, motion constraints and
+//! Masses are constant, positions do not depend on speeds, constraints do not depend on inputs, motion constraints and
 //! stated velocities are linear in the speeds: each rule is one line of [`check`].
 
 use std::ops::BitOr;
@@ -33,13 +33,13 @@ impl Reach {
     /// Time.
     pub const TIME: Self = Self(32);
 
-    /// Is all of this in the other set?
+    /// Is this a subset of the other set?
     #[must_use]
     pub fn within(self, other: Self) -> bool {
         self.0 & !other.0 == 0
     }
 
-    /// The first member that is not in the other set, in words.
+    /// The first member that the other set lacks, in words.
     fn beyond(self, other: Self) -> &'static str {
         let names =
             ["the coordinates", "dependent coordinates", "the speeds", "rates q_dot", "the inputs", "time"];
@@ -55,7 +55,7 @@ impl BitOr for Reach {
     }
 }
 
-/// What a place may depend on: coordinates, and time where it is driven.
+/// What positions may depend on: coordinates, and time in a driven model.
 const CONFIGURATION: Reach = Reach(1 | 2 | 32);
 const MOTION: Reach = Reach(1 | 2 | 4 | 8 | 32);
 const STATE: Reach = Reach(1 | 2 | 4);
@@ -63,13 +63,13 @@ const STATE: Reach = Reach(1 | 2 | 4);
 /// Everything there is.
 const ANYTHING: Reach = Reach(1 | 2 | 4 | 8 | 16 | 32);
 
-/// What each entity depends on.
+/// The dependences of each entity.
 struct Reaches {
     coordinates: IdVec<CoordinateId, Reach>,
     definitions: IdVec<DefinitionId, Reach>,
     frames: IdVec<FrameId, Reach>,
     points: IdVec<PointId, Reach>,
-    /// Degree of each definition in the speeds; 2 stands for more than one.
+    /// Degree of each definition in the speeds; 2 stands for anything more than linear.
     degrees: IdVec<DefinitionId, u32>,
 }
 
@@ -90,7 +90,7 @@ pub fn check(draft: &Draft, found: &mut Diagnostics) {
 fn rule(role: Role) -> (&'static str, Reach) {
     match role {
         Role::Parameter(_) => ("a parameter", Reach::CONSTANT),
-        // It is judged where it is used.
+        // A definition is judged where it is used.
         Role::Definition(_) => ("a definition", ANYTHING),
         Role::Orientation(..) => ("an orientation", CONFIGURATION),
         Role::FixedVector(..) => ("a fixed vector", CONFIGURATION),
@@ -120,7 +120,7 @@ fn rule(role: Role) -> (&'static str, Reach) {
 }
 
 impl Reaches {
-    /// What definitions, frames, points and closed forms depend on, each after what it refers to.
+    /// The dependences of definitions, frames, points and closed forms, each after what it refers to.
     fn of_entities(model: &Model) -> Self {
         let free = |c: &Coordinate| if c.independent { Reach::COORDINATES } else { Reach::DEPENDENT };
         let mut of = Self {
@@ -155,7 +155,7 @@ impl Reaches {
         orientation.expressions().into_iter().fold(parent, |all, (_, part)| all | self.of(part))
     }
 
-    /// Motion constraints, stated velocities and speeds are linear in speeds and rates.
+    /// Requires motion constraints, stated velocities and speeds to be linear in speeds and rates.
     fn linear(&self, expression: &Expr, role: Role, what: &str, found: &mut Diagnostics) {
         match self.degree(expression) {
             0 if matches!(role, Role::StatedVelocity(_)) => {}
@@ -173,7 +173,8 @@ impl Reaches {
         }
     }
 
-    /// The expression may depend on `allowed` only; the error points at the first name that does not.
+    /// Requires the expression to depend on nothing but `allowed`; the error points at the first name that violates
+    /// this.
     fn within(&self, expr: &Expr, allowed: Reach, what: &str, found: &mut Diagnostics) {
         let mut culprit = None;
         expr.visit(&mut |e| {
@@ -207,7 +208,7 @@ impl Reaches {
         reach
     }
 
-    /// What one node adds by itself.
+    /// The dependences that a node has by itself, without its parts.
     fn leaf(&self, expr: &Expr) -> Reach {
         match &expr.kind {
             ExprKind::Time => Reach::TIME,
@@ -224,7 +225,7 @@ impl Reaches {
         }
     }
 
-    /// Degree in speeds and rates, 2 for anything more than linear.
+    /// Degree in speeds and rates; 2 for anything more than linear.
     fn degree(&self, expr: &Expr) -> u32 {
         let of_parts = || expr.parts().into_iter().map(|e| self.degree(e)).max().unwrap_or(0);
         match &expr.kind {
@@ -242,7 +243,7 @@ impl Reaches {
         }
     }
 
-    /// The smallest part that is not linear.
+    /// The smallest part that is not linear, for the error message.
     fn nonlinear<'e>(&self, expr: &'e Expr) -> &'e Expr {
         let mut at = expr;
         while let Some(part) = at.parts().into_iter().find(|part| 1 < self.degree(part)) {

@@ -28,7 +28,7 @@ pub fn check(draft: &mut Draft, found: &mut Diagnostics) {
     check_dof(&draft.model, found);
 }
 
-/// The stated degrees of freedom against the declared independent speeds.
+/// Compares the stated degrees of freedom with the number of independent speeds.
 fn check_dof(model: &Model, found: &mut Diagnostics) {
     let independent: Vec<&str> =
         model.speeds.iter().filter(|s| s.independent).map(|s| s.name.as_str()).collect();
@@ -52,7 +52,7 @@ fn check_dof(model: &Model, found: &mut Diagnostics) {
 }
 
 impl Checker<'_> {
-    /// Types of definitions, each after what it refers to.
+    /// Infers the types of definitions, each after what it refers to.
     fn definitions(&mut self) {
         let draft = self.draft;
         for entity in &draft.model.order {
@@ -68,12 +68,12 @@ impl Checker<'_> {
         }
     }
 
-    /// The type that an expression must have by its role.
+    /// Requires the type that the expression's role demands.
     fn role(&mut self, role: Role, expression: &Expr) {
         let draft = self.draft;
         let (model, units) = (&draft.model, &draft.units);
         let over = |a: Unit, b: Unit| a.per(b).unwrap_or(Unit::NONE);
-        // A generalised force works along q: its unit is J per unit of q.
+        // A generalised force does work along q: its unit is J per unit of q.
         let stiff = |id: CoordinateId| {
             over(over(Unit::TORQUE, units.coordinates[id].unit), units.coordinates[id].unit)
         };
@@ -82,7 +82,7 @@ impl Checker<'_> {
         };
         let plain = |wanted: Type, what: &str| (wanted, what.to_owned());
         let (wanted, what) = match role {
-            // Types of definitions are known already; the origin is where it is.
+            // Types of definitions have been inferred already.
             Role::Definition(_) => return,
             Role::Position(id) if id.index() == 0 => return,
             Role::Parameter(id) => return self.parameter(&model.parameters[id], units.parameters[id]),
@@ -126,7 +126,7 @@ impl Checker<'_> {
         self.expect(expression, wanted, &what);
     }
 
-    /// A parameter must have its declared unit.
+    /// Requires a parameter's value to have its declared unit.
     fn parameter(&mut self, parameter: &Parameter, unit: Unit) {
         match self.infer(&parameter.value) {
             Ok(Type { vector: false, unit: Some(of) }) if unit == Unit::NONE && of != unit => {
@@ -137,7 +137,7 @@ impl Checker<'_> {
         }
     }
 
-    /// The type of an output: a scalar in the stated unit, or in its own.
+    /// The type of an output: a scalar in the stated unit, or in the unit inferred.
     fn output(&mut self, n: usize) -> Type {
         let draft = self.draft;
         let of = self.infer(&draft.model.outputs[n].value).unwrap_or(Type::scalar(Unit::NONE));

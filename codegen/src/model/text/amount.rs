@@ -1,6 +1,7 @@
-//! How many values a text may hold, found before any is read: a parser takes some 200 bytes for each, and `1,` is two.
+//! Bounds the number of values in a text before any is read: a parser takes some 200 bytes for each, and `1,` takes
+//! two.
 
-/// At least as many as a TOML or JSON text holds values, keys and lines: every one of them has a mark of its own.
+/// An upper bound of the number of values, keys and lines of a TOML or JSON text: each of them has a mark of its own.
 #[must_use]
 pub fn marks(text: &str) -> usize {
     let (mut count, mut rest) = (0, text.as_bytes());
@@ -17,7 +18,7 @@ pub fn marks(text: &str) -> usize {
     count
 }
 
-/// What follows a text in quotes; one that is not closed ends with its line, one of three quotes with the text.
+/// The text after a quoted string. An unclosed string ends with its line, one in triple quotes with the text.
 fn behind_string(text: &[u8]) -> &[u8] {
     let quote = text[0];
     let (long, escapes) = (text.starts_with(&[quote; 3]), quote == b'"');

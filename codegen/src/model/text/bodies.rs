@@ -1,4 +1,4 @@
-//! The section of bodies: mass and inertia, given or by shape; and gravity.
+//! The section `[bodies]`: mass and inertia, stated or computed from a shape; and gravity.
 
 use super::builder::Builder;
 use super::document::Value;
@@ -45,7 +45,7 @@ impl Builder<'_> {
             .map(|(_, value)| self.expression(value));
     }
 
-    /// A body's mass: given, or that of its shape by its density.
+    /// A body's mass: stated, or the amount of its shape times its density.
     fn mass(&mut self, fields: &Fields<'_>, solid: Option<&Solid>) -> Option<Expr> {
         let mass = self.optional(fields, "mass", Unit::MASS);
         let Some(solid) = solid else { return mass };
@@ -69,7 +69,7 @@ impl Builder<'_> {
         mass.or_else(|| density.map(|density| density * solid.amount.clone()))
     }
 
-    /// A body's inertia: given, or that of its shape.
+    /// A body's inertia: stated, or that of its shape.
     fn inertia(
         &mut self,
         fields: &Fields<'_>,

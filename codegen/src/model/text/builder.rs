@@ -1,4 +1,4 @@
-//! The reader of sections: names of all sections, the header, and entries that are one value each.
+//! Reads sections into the draft: the names of all sections, the header, and entries that are a single value.
 
 use super::document::wrong_kind;
 use super::document::{Key, Table, Value};
@@ -14,12 +14,12 @@ use crate::model::ids::*;
 use crate::model::unit::{Scale, Unit};
 use crate::source::Span;
 
-/// A scale of factor 1.
+/// A scale without a factor: the SI unit itself.
 pub(super) const fn si(unit: Unit) -> Scale {
     Scale { unit, factor: 1.0 }
 }
 
-/// The number 0 in the place of something that could not be read; never used, because an error was reported.
+/// Stands for an expression that could not be read; never used, because an error was reported.
 pub(super) fn unreadable(span: Span) -> Expr {
     Expr { kind: ExprKind::Number(0.0), span, unit: Unit::NONE }
 }
@@ -28,12 +28,12 @@ pub(super) fn unreadable(span: Span) -> Expr {
 pub(super) struct PlannedSpeed {
     pub name: String,
     pub span: Span,
-    /// The coordinate whose rate it is, or none for an entry of `[speeds]`.
+    /// The coordinate whose rate it is; `None` for an entry of `[speeds]`.
     pub coordinate: Option<CoordinateId>,
     pub independent: Option<bool>,
 }
 
-/// What the n-th entry of a section stands for.
+/// The binding of the n-th entry of a section.
 type Bind = fn(usize) -> Binding;
 
 /// Reads entries into the draft.
@@ -81,7 +81,7 @@ impl<'a> Builder<'a> {
         fields.finish(self.found);
     }
 
-    /// Declares every name, so that expressions may refer to what stands further down.
+    /// Declares all names first, so that expressions may refer to entries further down.
     pub(super) fn declare(&mut self) {
         let nowhere = Span::default();
         self.scope.frames.insert("N".to_owned(), (FrameId::from_index(0), nowhere));
@@ -115,7 +115,8 @@ impl<'a> Builder<'a> {
         ] {
             for (i, (key, _)) in self.entries(section).iter().enumerate() {
                 match section {
-                    // Columns of a table beside those of time and of the quantities.
+                    // Outputs are columns of a table, beside time and the quantities: their names must differ from
+                    // these.
                     "outputs" => check_name(&key.name, key.span, self.found),
                     _ => check_word(&key.name, key.span, self.found),
                 }
@@ -158,7 +159,7 @@ impl<'a> Builder<'a> {
         }
     }
 
-    /// What a parameter may be: two numbers in its unit. A mass without a range is 0 or more.
+    /// A parameter's range: two numbers in its unit. A mass without a range must be 0 or more.
     fn range(&mut self, fields: &Fields<'_>, scale: Scale) -> (f64, f64) {
         let lowest = if scale.unit == Unit::MASS { 0.0 } else { f64::NEG_INFINITY };
         let Some((items, span)) = fields.array("range", self.found) else { return (lowest, f64::INFINITY) };
@@ -193,7 +194,7 @@ impl<'a> Builder<'a> {
         }
     }
 
-    /// A bare expression, or a table with `value` and perhaps `unit`; none where the table cannot be read.
+    /// A bare expression, or a table with `value` and perhaps `unit`; `None` if the table cannot be read.
     fn stated_value(&mut self, key: &'a Key, value: &'a Value) -> Option<(Expr, Option<Unit>)> {
         if !matches!(value, Value::Table(_)) {
             return Some((self.expression(value), None));

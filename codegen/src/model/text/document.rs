@@ -1,7 +1,7 @@
-//! The TOML text as a tree in the author's order, every key and value with its place.
+//! Parses TOML into a tree in the author's order, every key and value with its place.
 //!
-//! In: text. Out: [`Table`]. Strings keep a map back to the bytes of the file, so that a place
-//! inside an expression is a place in the file even after `{placeholders}` were replaced.
+//! In: text. Out: [`Table`]. Strings keep a map back to the bytes of the file, so that a place inside an expression
+//! remains a place in the file even after `{placeholders}` were replaced.
 
 use std::ops::Range;
 
@@ -93,18 +93,18 @@ pub fn wrong_kind(what: &str, expected: &str, value: &Value) -> Diagnostic {
         .help(example)
 }
 
-/// A run of bytes of a [`Text`] and where it comes from.
+/// A run of bytes of a [`Text`] and its origin in the file.
 #[derive(Clone, Debug)]
 struct Piece {
     /// First byte in the text.
     at: usize,
-    /// Where the piece comes from.
+    /// The bytes of the file it comes from.
     from: Range<usize>,
-    /// Byte by byte the same as in the file?
+    /// Is it the same as in the file, byte by byte?
     verbatim: bool,
 }
 
-/// A string whose bytes know their place in the file.
+/// A string in which every byte knows its place in the file.
 #[derive(Clone, Debug)]
 pub struct Text {
     /// The string.
@@ -128,7 +128,7 @@ impl Text {
         Self { text: text.to_owned(), span, pieces: vec![piece] }
     }
 
-    /// A key or other bare text, taken as it stands.
+    /// A key or other text without quotes.
     pub fn bare(text: &str, span: Span) -> Self {
         let verbatim = span.end - span.start == text.len();
         Self {
@@ -138,7 +138,7 @@ impl Text {
         }
     }
 
-    /// Text that no file holds, at the place of what it was made from.
+    /// Generated text, which is given the place of its origin.
     pub fn made(text: &str, span: Span) -> Self {
         let pieces = vec![Piece { at: 0, from: span.start..span.end, verbatim: false }];
         Self { text: text.to_owned(), span, pieces }
@@ -201,7 +201,7 @@ impl Text {
     }
 }
 
-/// After this many faults of notation the rest is noise.
+/// Syntax errors beyond this number are probably consequences of earlier ones.
 const MOST_ERRORS: usize = 20;
 
 /// Reads TOML.

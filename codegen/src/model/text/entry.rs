@@ -1,4 +1,4 @@
-//! What stands in the fields of an entry: expressions, quantities, units, names of other entries.
+//! Reads the fields of an entry: expressions, quantities, units, names of other entries.
 
 use super::builder::{Builder, si, unreadable};
 use super::document::wrong_kind;
@@ -13,7 +13,7 @@ use crate::model::unit::{self, Scale, Unit};
 use crate::source::Span;
 
 impl Builder<'_> {
-    /// An expression in its own units.
+    /// An expression whose numbers carry their own units.
     pub(super) fn expression(&mut self, value: &Value) -> Expr {
         match value {
             Value::Text(text) => {
@@ -50,7 +50,8 @@ impl Builder<'_> {
         }
     }
 
-    /// A quantity: plain numbers, quoted or not, are in the declared unit; what names something carries its own units.
+    /// A quantity: plain numbers, quoted or not, are in the declared unit; an expression with names carries its own
+    /// units.
     pub(super) fn quantity(&mut self, value: &Value, scale: Scale) -> Expr {
         let of_unit = |number: f64, scale: Scale| Expr {
             kind: ExprKind::Number(number * scale.factor),
@@ -68,12 +69,12 @@ impl Builder<'_> {
         of_unit(number, scale)
     }
 
-    /// A vector or scalar field that may be missing.
+    /// An optional field: a vector or scalar.
     pub(super) fn optional(&mut self, fields: &Fields<'_>, name: &'static str, unit: Unit) -> Option<Expr> {
         fields.get(name).map(|value| self.quantity(value, si(unit)))
     }
 
-    /// A vector or scalar field that must be there.
+    /// A required field: a vector or scalar.
     pub(super) fn needed(
         &mut self,
         fields: &Fields<'_>,
@@ -87,7 +88,7 @@ impl Builder<'_> {
         }
     }
 
-    /// The field `unit`: text for people (coherent SI), and scale. No dimension if missing.
+    /// The field `unit`: its text (coherent SI) and its scale; no dimension if missing.
     pub(super) fn unit(&mut self, fields: &Fields<'_>) -> (String, Option<Scale>) {
         let Some(text) = fields.text("unit", self.found) else { return ("1".to_owned(), None) };
         match unit::parse(text.text.trim()) {
@@ -107,7 +108,7 @@ impl Builder<'_> {
         }
     }
 
-    /// The name in a field, looked up.
+    /// The name in a field, resolved.
     pub(super) fn name_of<T: Copy>(
         &mut self,
         value: Option<&Value>,
@@ -206,7 +207,7 @@ impl Builder<'_> {
     }
 }
 
-/// Nothing but numbers and signs: no name and no unit (`1e-3` has a letter, `2_m` a unit).
+/// Is the text a mere number: no name and no unit (`1e-3` has a letter, `2_m` a unit)?
 fn is_plain(text: &str) -> bool {
     let is_digit = |c: Option<char>| c.is_some_and(|c| c.is_ascii_digit() || c == '.');
     let mut before = None;
@@ -220,7 +221,7 @@ fn is_plain(text: &str) -> bool {
     })
 }
 
-/// The number that an expression of numbers is.
+/// The value of an expression of literals alone.
 fn fold(expr: &Expr) -> Option<f64> {
     Some(match &expr.kind {
         ExprKind::Number(x) => *x,

@@ -36,18 +36,18 @@ pub const FUNCTIONS: [(&str, Function, usize); 15] = [
     ("smooth_step", Function::SmoothStep, 2),
 ];
 
-/// Functions that are no [`Function`]: of vectors, of names, and powers.
+/// Functions that are not a [`Function`]: of vectors, of names, and powers.
 const OTHER_FUNCTIONS: [&str; 9] =
     ["dot", "cross", "norm", "velocity", "angular_velocity", "q_dot", "powi", "pow", "radians"];
 
-/// Reads one expression. None: at least one fault has been reported.
+/// Reads one expression; `None` if at least one error has been reported.
 pub fn parse(text: &Text, scope: &Scope, found: &mut Diagnostics) -> Option<Expr> {
     if let Err((message, range, help)) = lexing::check(&text.text) {
         found.push(Diagnostic::error(message).label(text.place(range), "here").help(help));
         return None;
     }
     let mut reader = Reader { text, scope, found };
-    // Most texts are one word: no parser is needed to read it.
+    // Most texts are a single word, which needs no parser.
     if let Some(kind) = reader.known(text.text.trim()) {
         let start = text.text.len() - text.text.trim_start().len();
         let place = text.place(start..start + text.text.trim().len());
@@ -70,7 +70,7 @@ pub fn parse(text: &Text, scope: &Scope, found: &mut Diagnostics) -> Option<Expr
     }
 }
 
-/// Rust that no expression of a model has.
+/// The error for Rust notation that the language does not have.
 fn foreign_notation(place: Span) -> Diagnostic {
     Diagnostic::error("this notation is not part of the expression language")
         .label(place, "not understood")
@@ -144,7 +144,7 @@ impl Reader<'_> {
         }
         let whole = &self.text.text[range.clone()];
         let suffix = suffix.trim_start_matches('_');
-        // 2m would be two metres to one reader and twice m to another.
+        // `2m` would be two metres to one reader and twice m to another.
         if !suffix.is_empty() && !whole.contains('_') {
             let help = match unit::named(suffix) {
                 Some(_) => format!(
@@ -212,7 +212,7 @@ impl Reader<'_> {
         self.refuse(span, format!("unknown name `{name}`"), "not declared in this model", &help)
     }
 
-    /// `q_dot`, `qd`, `q_d`, `qdot`: how others call the speed of a coordinate q.
+    /// The speed meant by `q_dot`, `qd`, `q_d` or `qdot`, common names for the rate of a coordinate q.
     fn rate_meant(&self, name: &str) -> Option<String> {
         let rate = |c: &&str| matches!(self.scope.values.get(*c), Some((Binding::Coordinate(_), _)));
         let coordinate =

@@ -1,8 +1,8 @@
-//! `extends = "other.toml"`: the other model's entries, then this one's.
+//! `extends = "other.toml"`: merges this model's entries into those of the other model.
 //!
-//! An entry of the same section and name takes over the fields it gives and keeps the others. An
-//! entry of another section with the name of a quantity replaces it: a parameter of the base may
-//! become a definition, an input a law.
+//! An entry of the same section and name overrides the fields that it gives and keeps the others. An entry of another
+//! section with the name of a quantity replaces that quantity: a parameter of the base may become a definition, an
+//! input a law.
 
 use super::document::{Key, Value};
 use super::repeat::Sections;

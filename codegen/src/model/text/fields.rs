@@ -1,4 +1,4 @@
-//! The fields of one entry: each is asked for once by name; what nobody asked for is an error.
+//! The fields of one entry: each is read once by name; a field that nobody read is unknown and an error.
 
 use std::cell::RefCell;
 
@@ -15,7 +15,7 @@ pub struct Fields<'a> {
     /// Place of the name.
     pub span: Span,
     table: &'a Table,
-    /// Names asked for so far: what an unknown field is compared with.
+    /// Field names read so far, to compare an unknown field with.
     known: RefCell<Vec<&'static str>>,
 }
 

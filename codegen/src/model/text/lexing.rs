@@ -1,8 +1,8 @@
-//! Limits on the text of an expression, checked before any recursive reader sees it.
+//! Checks the characters and the nesting of an expression before any recursive parser reads it.
 //!
-//! In: text. Out: nothing, or what is wrong and where. Only the characters of the language pass:
-//! letters, digits, `_ . , + - * / ( )` and white space. So no comment, attribute, block or
-//! closure of Rust reaches the parser, and its recursion is bounded by [`DEEPEST`].
+//! In: text. Out: nothing, or what is wrong and where. Only the characters of the language pass: letters, digits, `_ .
+//! , + - * / ( )` and white space. So no comment, attribute, block or closure of Rust reaches the parser, and its
+//! recursion is bounded by [`DEEPEST`].
 
 use std::ops::Range;
 
@@ -20,7 +20,7 @@ pub type Fault = (String, Range<usize>, &'static str);
 /// The first thing that is outside the language or beyond a limit.
 pub fn check(text: &str) -> Result<(), Fault> {
     let bytes = text.as_bytes();
-    // `depth`: open parentheses; `signs`: operators in a row, each of which nests the parser once.
+    // `depth` counts open parentheses; `signs` counts operators in a row, each of which nests the parser once more.
     let (mut at, mut depth, mut signs, mut tokens) = (0, 0_usize, 0_usize, 0_usize);
     let mut open: Vec<usize> = Vec::new();
     while let Some(c) = text[at..].chars().next() {

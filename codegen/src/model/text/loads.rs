@@ -1,4 +1,4 @@
-//! The sections of loads: forces, torques, springs; and of the ports, where other parts push.
+//! The sections of loads: forces, torques, springs; and the ports, at which other parts exert forces.
 
 use super::builder::{Builder, si};
 use super::fields::Fields;
@@ -59,7 +59,7 @@ impl Builder<'_> {
             let coordinate = self.coordinate_of(Some(coordinate));
             let scale = coordinate.and_then(|id| self.draft.units.coordinates.get(id)).copied();
             let scale = scale.unwrap_or(si(Unit::NONE));
-            // A generalised force works along q: its unit is J per unit of q.
+            // A generalised force does work along q: its unit is J per unit of q.
             let per_q = over(over(Unit::TORQUE, scale.unit), scale.unit);
             let stiffness = self.needed(fields, "stiffness", per_q, "\"k\"");
             let rest = match fields.get("rest") {
@@ -88,7 +88,7 @@ impl Builder<'_> {
     }
 }
 
-/// Quotient of two units; exponents beyond all bounds have been reported where they arose.
+/// Quotient of two units; exponents that are too large have been reported where they arose.
 fn over(a: Unit, b: Unit) -> Unit {
     a.per(b).unwrap_or(Unit::NONE)
 }

@@ -15,8 +15,8 @@ use crate::source::Span;
 use crate::words::count;
 
 impl Builder<'_> {
-    /// Every coordinate has the speed `u_<name>` unless it names another one or has none; then
-    /// follow those of `[speeds]`.
+    /// Declares the speeds: every coordinate has `u_<name>` unless it names another one or has none; those of
+    /// `[speeds]` follow.
     pub(super) fn declare_speeds(&mut self) {
         let mut plan = Vec::new();
         for (i, (key, value)) in self.entries("coordinates").iter().enumerate() {
@@ -113,7 +113,7 @@ impl Builder<'_> {
                     let Some(coordinate) = self.draft.model.coordinates.as_slice().get(id.index()) else {
                         continue;
                     };
-                    // A coordinate in degrees has a speed in degrees per second.
+                    // The speed of a coordinate in degrees is in degrees per second.
                     let Scale { unit, factor } = self.draft.units.coordinates[id];
                     let unit = unit.per(Unit::TIME).unwrap_or(Unit::NONE);
                     self.draft.units.speeds.push(Scale { unit, factor });
@@ -134,7 +134,7 @@ impl Builder<'_> {
                 }
             }
         }
-        // A coordinate in closed form is no state and may go without a speed.
+        // A coordinate in closed form is not part of the state and may go without a speed.
         let model = &self.draft.model;
         let with_speed = |c: CoordinateId| {
             model.speeds.iter().any(|s| matches!(s.meaning, SpeedMeaning::RateOf(of) if of == c))
@@ -222,7 +222,7 @@ impl Builder<'_> {
         Orientation::Directions { axes }
     }
 
-    /// The frame that an orientation starts from: N, where none is given.
+    /// The frame from which an orientation starts: N unless another one is given.
     fn parent(&mut self, given: Option<&Value>) -> FrameId {
         let inertial = FrameId::from_index(0);
         match given {

@@ -1,8 +1,9 @@
 //! The text of a model: TOML, repetition, extension, names, and the expressions in its strings.
 //!
-//! In: text. Out: a [`Draft`](super::draft::Draft). From the notation to the sections: `document` (TOML with places,
-//! `amount` of values at most), `repeat` and `extend` and `joints` (which entries there are), `scope` (names), `lexing`, `syntax` and `expression` (strings), `builder`
-//! with `entry` (fields), then a file for each group of sections.
+//! In: text. Out: a [`Draft`](super::draft::Draft). In order: `document` parses TOML with places (`amount` bounds its
+//! size); `repeat`, `extend` and `joints` produce the entries; `scope` holds the names; `lexing`, `syntax` and
+//! `expression` read strings; `builder` with `entry` reads fields, and one file for each group of sections does the
+//! rest.
 
 pub mod amount;
 mod bodies;

@@ -1,7 +1,7 @@
-//! Repeated sub-assemblies: `[repeat.<name>]` is written once and stands once per entry of `each`.
+//! Repeated sub-assemblies: `[repeat.<name>]` is written once and copied for each entry of `each`.
 //!
-//! In: the document. Out: [`Sections`]: for each section of the language its entries in order,
-//! with every `{placeholder}` in keys and strings replaced by the entry's text.
+//! In: the document. Out: [`Sections`]: for each section of the language its entries in order, with every
+//! `{placeholder}` in keys and strings replaced by the entry's text.
 
 use std::collections::BTreeMap;
 
@@ -19,14 +19,15 @@ pub struct Sections {
     pub scalars: Vec<(Key, Value)>,
     /// `[[configurations]]`.
     pub configurations: Vec<Table>,
-    /// Does the author close loops or give closed forms? Then a coordinate is dependent unless it says otherwise.
+    /// Does the author close loops or give closed forms? Coordinates are then dependent unless they say otherwise.
     pub constrained: bool,
-    /// Does the author constrain motion?
+    /// Does the author state motion constraints?
     pub restricted: bool,
 }
 
 impl Sections {
-    /// Notes what constraints there are before joints bring their own, which say what depends on them.
+    /// Records which constraints the author states, before joints add theirs and mark the dependent coordinates
+    /// themselves.
     pub fn note_constraints(&mut self) {
         let entries = |section: &str| self.tables.get(section).map_or(&[][..], Vec::as_slice);
         let has = |section: &str, field: &str| {
@@ -71,7 +72,7 @@ const MOST_COPIES: usize = 1000;
 
 /// Expands repetition.
 pub fn expand(document: &Table, found: &mut Diagnostics) -> Sections {
-    // All repeats share one table; each counts as standing where it is written.
+    // All repeats share one table; each takes the place where it is written.
     let mut items: Vec<(&Key, &Value, bool)> = Vec::new();
     for (key, value) in &document.entries {
         match (key.name.as_str(), value) {
@@ -93,7 +94,7 @@ pub fn expand(document: &Table, found: &mut Diagnostics) -> Sections {
     sections
 }
 
-/// Refuses more entries than a mechanism of this kind can have.
+/// Refuses a text with more entries than any mechanism of this kind has.
 pub fn limit(sections: &mut Sections, place: Span, found: &mut Diagnostics) {
     let entries: usize = sections.tables.values().map(Vec::len).sum();
     if MOST_ENTRIES < entries {
@@ -106,7 +107,7 @@ pub fn limit(sections: &mut Sections, place: Span, found: &mut Diagnostics) {
     }
 }
 
-/// Files one top-level entry under its section.
+/// Puts one top-level entry into its section.
 fn add(key: &Key, value: Value, sections: &mut Sections, found: &mut Diagnostics) {
     match (key.name.as_str(), value) {
         ("constraints", Value::Table(table)) => {
@@ -115,7 +116,7 @@ fn add(key: &Key, value: Value, sections: &mut Sections, found: &mut Diagnostics
                 add_section(&name, &sub, value, sections, found);
             }
         }
-        // Of `[view]` the sub-tables are sections, what else it says are fields.
+        // Sub-tables of `[view]` are sections; its other entries are fields.
         ("view", Value::Table(table)) => {
             for (sub, value) in table.entries {
                 match value {

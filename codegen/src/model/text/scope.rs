@@ -1,4 +1,4 @@
-//! Names of a model: what each stands for, and the nearest known name for a misspelt one.
+//! Names of a model: what each refers to, and the nearest known name for a misspelt one.
 
 use std::collections::BTreeMap;
 
@@ -9,7 +9,7 @@ use crate::model::ids::{
 };
 use crate::source::Span;
 
-/// What a name in an expression stands for.
+/// What a name in an expression refers to.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Binding {
     /// A parameter.
@@ -40,15 +40,15 @@ impl Binding {
     }
 }
 
-/// Words with a meaning of their own in expressions.
+/// Words that have a fixed meaning in expressions.
 pub const RESERVED: [&str; 3] = ["t", "pi", "deg"];
 
 /// All names of a model.
 #[derive(Debug, Default)]
 pub struct Scope {
-    /// Quantities: they share one name space, because they stand bare in expressions.
+    /// Quantities: they share one name space, because expressions name them without a prefix.
     pub values: BTreeMap<String, (Binding, Span)>,
-    /// Frames: they stand before `.x`, `.y`, `.z`.
+    /// Frames: expressions name them before `.x`, `.y`, `.z`.
     pub frames: BTreeMap<String, (FrameId, Span)>,
     /// Bodies.
     pub bodies: BTreeMap<String, (BodyId, Span)>,
@@ -98,7 +98,7 @@ fn is_word(name: &str) -> bool {
     starts && letters.all(|c| c.is_ascii_alphanumeric() || c == '_') && name != "_" && name.len() <= 64
 }
 
-/// Checks the name of something that no expression refers to: any word will do.
+/// Checks a name that no expression refers to: any word is allowed.
 pub(super) fn check_word(name: &str, span: Span, found: &mut Diagnostics) {
     if !is_word(name) {
         found.push(
@@ -109,7 +109,7 @@ pub(super) fn check_word(name: &str, span: Span, found: &mut Diagnostics) {
     }
 }
 
-/// Checks the name of a quantity, a frame or a body: a word without a meaning of its own in expressions.
+/// Checks the name of a quantity, a frame or a body: a word that has no fixed meaning in expressions.
 pub(super) fn check_name(name: &str, span: Span, found: &mut Diagnostics) {
     check_word(name, span, found);
     if RESERVED.contains(&name) {
@@ -130,7 +130,7 @@ pub(super) fn check_name(name: &str, span: Span, found: &mut Diagnostics) {
 /// `did you mean ...?`, if a known name is near.
 pub fn suggestion<'a>(name: &str, known: impl IntoIterator<Item = &'a str>) -> Option<String> {
     let near = known.into_iter().map(|k| (edit_distance(name, k), k)).min()?;
-    // One letter has no near names, except itself in the other case.
+    // A name of one letter matches only itself in the other case.
     let allowed = (name.chars().count() + 1) / 3;
     (near.0 <= allowed).then(|| format!("did you mean `{}`?", near.1))
 }
@@ -152,7 +152,7 @@ fn edit_distance(a: &str, b: &str) -> usize {
     row[b.len()]
 }
 
-/// How a function is written.
+/// The call of a function with placeholders for its arguments, for messages.
 pub fn usage(name: &str, count: usize) -> String {
     match name {
         "dot" => {

@@ -1,7 +1,7 @@
-//! Sections -> [`Draft`]: names declared first, then every entry read with names resolved to ids.
+//! Sections -> [`Draft`]: declares all names first, then reads every entry with names resolved to ids.
 //!
-//! Values that are numbers in the end (nominal values, ranges, starts) stay expressions here; they
-//! are evaluated once the parameters have been put in order and checked.
+//! Values that must be numbers (nominal values, ranges, starts) remain expressions here; they are evaluated once the
+//! parameters have been put in order and checked.
 
 use super::builder::Builder;
 use super::repeat::Sections;

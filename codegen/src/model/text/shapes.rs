@@ -1,7 +1,8 @@
-//! Bodies by shape: mass from density, inertia about the mass centre, in closed form.
+//! Mass and inertia of a body from its shape and density, in closed form.
 //!
-//! In: the fields of a body. Out: how much of it there is (volume, area or length, whatever the density counts by) and
-//! its moments of inertia per mass along the frame's axes. Formulas: Beer & Johnston, Vector Mechanics, inside back cover.
+//! In: the fields of a body. Out: its amount (the volume, area or length to which the density refers) and its moments
+//! of inertia about the mass centre per unit of mass, along the frame's axes. Formulas: Beer & Johnston, Vector
+//! Mechanics, inside back cover.
 
 use super::builder::{Builder, si};
 use super::document::{Value, wrong_kind};
@@ -12,22 +13,22 @@ use crate::model::expression::{Axis, Expr, ExprKind};
 use crate::model::unit::Unit;
 use crate::source::Span;
 
-/// A shape as a body's mass and inertia see it.
+/// A shape's contribution to mass and inertia.
 pub(super) struct Solid {
-    /// Volume; area of a disc, length of a rod.
+    /// Volume; for a disc its area, for a rod its length.
     pub amount: Expr,
-    /// Mass per amount.
+    /// Unit of the density: mass per amount.
     pub density: Unit,
-    /// Moments of inertia per mass about x, y, z; none where it is 0.
+    /// Moments of inertia per unit of mass about x, y, z; `None` where 0.
     pub moments: [Option<Expr>; 3],
-    /// How pictures show it: what of it, with which sizes, along which axis.
+    /// The shape for pictures: its kind, its lengths, its axis.
     pub picture: Option<(ShapeKind, Vec<Expr>, Axis)>,
 }
 
-/// Amount, moment about the axis, moment across it.
+/// Amount, moment about the axis, and moment about a perpendicular to it.
 type Round = (Expr, Option<Expr>, Expr);
 
-/// A shape of the language: its word, its sizes, an example.
+/// The shapes of the language: word, number of lengths, example.
 const WORDS: [(&str, usize, &str); 8] = [
     ("box", 3, "the lengths of three edges: box = [1, 0.5, \"20_mm\"]"),
     ("ball", 1, "a radius: ball = 0.02"),
@@ -40,7 +41,7 @@ const WORDS: [(&str, usize, &str); 8] = [
 ];
 
 impl Builder<'_> {
-    /// The shape of a body, if it has one; an error has been reported.
+    /// The shape of a body, if it has one; `Err` if an error has been reported.
     pub(super) fn solid(&mut self, fields: &Fields<'_>) -> Result<Option<Solid>, ()> {
         let given: Vec<_> =
             WORDS.into_iter().filter_map(|word| fields.get(word.0).map(|value| (word, value))).collect();
@@ -110,7 +111,8 @@ fn of(word: &str, sizes: Vec<Expr>, axis: Axis, span: Span) -> Solid {
             (pi() * (s(0).power(2) - s(1).power(2)) * s(2), Some(squares() / n(2.0)), across)
         }
         "capsule" => {
-            // Of the mass l/(l + 4r/3) is cylinder, the rest two half balls with their centres 3r/8 outside its ends.
+            // The cylinder has the share l/(l + 4r/3) of the mass; the rest is two half balls, centred 3r/8 outside its
+            // ends.
             let (square, ends) = (|| s(0).power(2), || n(4.0) * s(0) / n(3.0));
             let whole = || s(1) + ends();
             let along = (s(1) * square() / n(2.0) + ends() * of_fifths(square())) / whole();

@@ -1,12 +1,13 @@
-//! Text of an expression -> its syntax, every part with its range of bytes: Rust's notation, as far as models have it.
+//! Parses an expression's text into a syntax tree, every part with its range of bytes: the subset of Rust that models
+//! use.
 //!
-//! In: text that [`check`](super::lexing::check) has let through. Out: a tree, or the first thing that cannot be read. Read by
-//! recursive descent: sums of products of signed factors, behind a factor parts `.x`, calls `(..)` and methods `.powi(2)`.
-//! Its depth is bounded by [`DEEPEST`](super::lexing::DEEPEST).
+//! In: text that [`check`](super::lexing::check) has accepted. Out: a tree, or the first thing that cannot be read. By
+//! recursive descent: sums of products of signed factors; a factor may be followed by parts `.x`, calls `(..)` and
+//! methods `.powi(2)`. Its depth is bounded by [`DEEPEST`](super::lexing::DEEPEST).
 
 use std::ops::Range;
 
-/// A part of the text.
+/// A node of the syntax tree.
 pub struct Syntax {
     /// What it is.
     pub kind: Kind,
@@ -14,25 +15,25 @@ pub struct Syntax {
     pub range: Range<usize>,
 }
 
-/// What a part of the text is.
+/// The kinds of nodes.
 pub enum Kind {
     /// A number.
     Number(Number),
     /// A single word.
     Word(String),
-    /// What stands in parentheses.
+    /// An expression in parentheses.
     Group(Box<Syntax>),
     /// -a
     Negate(Box<Syntax>),
-    /// *a: Python's a**2 reads as a*(*2).
+    /// *a: the second star of Python's a**2, which reads as a*(*2).
     Star,
-    /// a + b, by its sign.
+    /// a + b or another operation, by its sign.
     Binary(char, Box<Syntax>, Box<Syntax>),
     /// a.x
     Part(Box<Syntax>, Word),
     /// f(a, b)
     Call(Box<Syntax>, Vec<Syntax>),
-    /// a.f(b), a first among the arguments.
+    /// a.f(b); a is the first of the arguments.
     Method(Word, Vec<Syntax>),
 }
 
@@ -54,15 +55,15 @@ pub struct Number {
     pub is_integer: bool,
 }
 
-/// Why a text cannot be read, and where.
+/// The reason why a text cannot be read, and where.
 pub enum Fault {
-    /// The notation breaks.
+    /// A syntax error.
     Broken(&'static str, Range<usize>),
-    /// Rust that no expression of a model has.
+    /// Valid Rust that the language of models does not have.
     Foreign(Range<usize>),
 }
 
-/// Words that Rust reads as something else than a name.
+/// Words that Rust does not accept as a name.
 const KEYWORDS: [&str; 51] = [
     "abstract", "as", "async", "await", "become", "box", "break", "const", "continue", "crate", "do", "dyn",
     "else", "enum", "extern", "false", "final", "fn", "for", "if", "impl", "in", "let", "loop", "macro",
@@ -71,7 +72,7 @@ const KEYWORDS: [&str; 51] = [
     "where", "while", "yield",
 ];
 
-/// Would Rust's notation read this word as something else than a name?
+/// Is this a word that Rust does not accept as a name?
 #[must_use]
 pub fn is_keyword(name: &str) -> bool {
     KEYWORDS.contains(&name)
@@ -90,19 +91,19 @@ pub fn read(text: &str) -> Result<Syntax, Fault> {
 struct Reader<'t> {
     text: &'t str,
     at: usize,
-    /// End of what was read last.
+    /// End of the last token.
     end: usize,
 }
 
 impl Reader<'_> {
-    /// The next character that is not blank; it stands at `at`.
+    /// The next character that is not blank; afterwards it is the one at `at`.
     fn next(&mut self) -> Option<char> {
         let rest = &self.text[self.at..];
         self.at += rest.len() - rest.trim_start().len();
         self.text[self.at..].chars().next()
     }
 
-    /// Takes this character if it is the next.
+    /// Consumes this character if it is the next one.
     fn takes(&mut self, wanted: char) -> bool {
         let found = self.next() == Some(wanted);
         if found {
@@ -112,7 +113,7 @@ impl Reader<'_> {
         found
     }
 
-    /// What stands at `at` does not belong there.
+    /// The fault for an unexpected token at `at`.
     fn broken(&mut self, why: &'static str) -> Fault {
         match self.next() {
             Some(c) if is_of_word(c) => Fault::Broken(why, self.at..self.end_of(self.at, is_of_word)),
@@ -121,14 +122,14 @@ impl Reader<'_> {
         }
     }
 
-    /// What follows a syntax does not belong to it: `a as f64` is Rust, `a b` is nothing.
+    /// The fault for text after a complete expression: `a as f64` is Rust, `a b` is a syntax error.
     fn unread(&mut self, before: &Syntax) -> Fault {
         let rest = &self.text[self.at..];
         let word = &rest[..rest.find(|c| !is_of_word(c)).unwrap_or(rest.len())];
         if is_keyword(word) { self.foreign(before.range.start) } else { self.broken("unexpected token") }
     }
 
-    /// Rust from `start` on that a model does not have, as far as the next comma or parenthesis.
+    /// The fault for Rust that models do not have, from `start` to the next comma or parenthesis.
     fn foreign(&self, start: usize) -> Fault {
         let end = self.end_of(self.at, |c| !matches!(c, ',' | ')'));
         Fault::Foreign(start..start + self.text[start..end.max(start + 1)].trim_end().len())
@@ -210,7 +211,7 @@ impl Reader<'_> {
         }
     }
 
-    /// `(a, b)`, a comma behind the last allowed.
+    /// `(a, b)`; a trailing comma is allowed.
     fn arguments(&mut self) -> Result<Vec<Syntax>, Fault> {
         let mut arguments = Vec::new();
         self.takes('(');
@@ -223,7 +224,7 @@ impl Reader<'_> {
         Ok(arguments)
     }
 
-    /// A number, a word, or what stands in parentheses.
+    /// A number, a word, or an expression in parentheses.
     fn single(&mut self) -> Result<Syntax, Fault> {
         let first = self.next();
         let start = self.at;
@@ -267,7 +268,7 @@ impl Reader<'_> {
         Word { text: self.text[range.clone()].to_owned(), range }
     }
 
-    /// The number at `at`: a point belongs to it unless a name follows, an exponent only with its digits.
+    /// The number at `at`. A point belongs to it unless a name follows, an exponent only if digits follow.
     fn number(&mut self) -> Number {
         let bytes = self.text.as_bytes();
         let is_digit = |c: char| c.is_ascii_digit() || c == '_';

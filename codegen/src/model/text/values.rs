@@ -1,4 +1,4 @@
-//! Sections of numbers: configurations, start values, laws of the inputs, the run.
+//! The sections of numbers: configurations, start values, laws of the inputs, settings of a run.
 
 use super::builder::{Builder, si};
 use super::document::wrong_kind;
@@ -11,7 +11,7 @@ use crate::model::ids::*;
 use crate::model::unit::{Scale, Unit};
 use crate::source::Span;
 
-/// The unit of a quantity; none if its entry was faulty, which has been reported.
+/// The unit of a quantity; no unit if its entry was faulty, which has been reported.
 fn known(scale: Option<&Scale>) -> Scale {
     scale.copied().unwrap_or(si(Unit::NONE))
 }

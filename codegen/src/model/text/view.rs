@@ -1,4 +1,4 @@
-//! `[view]`: what pictures show; names resolved to bodies, points and springs, sizes as expressions.
+//! The section `[view]`, which controls pictures: names resolved to bodies, points and springs, sizes as expressions.
 
 use super::builder::{Builder, si};
 use super::document::{Key, Table, Value, wrong_kind};
@@ -12,7 +12,7 @@ use crate::model::ids::{BodyId, PointId};
 use crate::model::unit::Unit;
 use crate::source::Span;
 
-/// What to write where a colour is not known.
+/// Advice for an unknown colour.
 fn colour_help(text: &str) -> String {
     let names = COLOURS.map(|(name, _)| name);
     let all = || format!("colours are {}, or \"#rrggbb\"", names.join(", "));
@@ -57,7 +57,7 @@ impl Builder<'_> {
         for (key, value) in self.entries("view.shapes") {
             let body = self.body_of(key);
             let shape = self.shape(key, value);
-            // What is said for pictures goes before the shape that gives the mass.
+            // A shape stated in `[view]` overrides the shape from which the mass was computed.
             self.draft.model.view.shapes.retain(|(of, _)| Some(*of) != body);
             self.draft.model.view.shapes.extend(body.zip(shape));
         }
@@ -84,7 +84,7 @@ impl Builder<'_> {
         found
     }
 
-    /// All that has this name: bodies and springs, with `points` points too.
+    /// Everything of this name: bodies and springs and, if `points` is true, points.
     fn shown(&mut self, key: &Key, points: bool) -> Vec<Shown> {
         let model = &self.draft.model;
         let bodies = model.bodies.enumerate().map(|(id, b)| (b.name.clone(), Shown::Body(id)));

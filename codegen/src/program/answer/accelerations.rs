@@ -1,9 +1,10 @@
-//! Derivatives of u' along directions, in the form of fewest operations.
+//! Derivatives of u' along directions, in the form with the fewest operations.
 //!
-//! In: r = M u' - forcing at held u', and directions in which symbols change. Out: columns of du' = -M^-1 dr. Three forms
-//! of dr compete: one sweep a direction; eliminations on the graph of operations (`expr/jacobian.rs`); the same with
-//! the constraints differentiated as they stand (`dynamics/implicit.rs`). What r costs is paid for in every direction:
-//! each is tried once more with r expressed anew beside the forward dynamics, whose values it may use.
+//! In: r = M u' - forcing with u' held constant, and directions in which symbols change. Out: columns of du' = -M^-1
+//! dr. Three forms of dr compete: one sweep per direction; vertex elimination on the graph of operations
+//! (`expr/jacobian.rs`); the latter with the constraints differentiated implicitly (`dynamics/implicit.rs`). Since
+//! every direction pays for the operations of r, each form is also tried with r shortened by the value graph together
+//! with the forward dynamics, whose values it may share.
 
 use super::stages::Stages;
 use crate::dynamics::{self, Implicit};
@@ -11,43 +12,43 @@ use crate::expr::{Dag, ExprId, SymbolId};
 use crate::value::{self, Effort, States};
 use rustc_hash::FxHashMap as HashMap;
 
-/// Symbols that change together, and how fast.
+/// Symbols that change together, with their rates.
 pub(super) type Direction = HashMap<SymbolId, ExprId>;
 type Columns = Vec<Vec<ExprId>>;
 
-/// Nodes times directions times results, beyond which eliminations on the graph take too long.
+/// Limit of nodes times directions times results above which vertex elimination takes too long.
 const MOST_WORK: usize = 4_000_000;
-/// Samples at which round-off is watched: the nominal one and the last ones.
+/// Number of samples at which round-off is watched: the nominal one and the last ones.
 const WATCHED: usize = 3;
 
-/// One sweep a direction.
+/// Derivatives by one sweep per direction.
 pub(super) fn sweeps(dag: &mut Dag, of: &[ExprId], directions: &[Direction]) -> Columns {
     directions.iter().map(|along| of.iter().map(|&e| dag.rate(e, along)).collect()).collect()
 }
 
-/// All directions at once, by eliminations on the graph of operations.
+/// Derivatives along all directions at once, by vertex elimination on the graph of operations.
 fn eliminations(dag: &mut Dag, of: &[ExprId], directions: &[Direction]) -> Columns {
     let rows = dag.jacobian(of, directions);
     (0..directions.len()).map(|d| rows.iter().map(|row| row[d]).collect()).collect()
 }
 
-/// What is differentiated.
+/// The functions that are differentiated.
 pub(super) struct Functions<'e> {
-    /// M u' - forcing at held u'.
+    /// M u' - forcing with u' held constant.
     pub residual: &'e [ExprId],
     pub mass: &'e [Vec<ExprId>],
     /// Other functions of the state.
     pub others: &'e [ExprId],
-    /// The same with the dependent unknowns as symbols.
+    /// The other functions again, with the dependent unknowns as symbols.
     pub unsolved: &'e [ExprId],
 }
 
-/// Columns of u', then of the others.
+/// Columns of derivatives: of u', then of the other functions.
 pub(super) fn columns(stages: &mut Stages, of: &Functions, directions: &[Direction]) -> Columns {
     let n = of.residual.len();
     let all = [of.residual, of.others].concat();
     let work = stages.alg.dag.reachable(&all).len() * directions.len() * all.len();
-    // What is linear in all directions has nothing to gain.
+    // If everything is linear in all directions, the forms do not differ.
     if is_linear(&mut stages.alg.dag, &all, directions) || work > MOST_WORK {
         let found = sweeps(&mut stages.alg.dag, &all, directions);
         return solved(stages, of.mass, &found);
@@ -65,7 +66,7 @@ pub(super) fn columns(stages: &mut Stages, of: &Functions, directions: &[Directi
     least.map(|(form, _)| form).unwrap_or_default()
 }
 
-/// Columns with the constraints differentiated as they stand, the residual as it is and expressed anew.
+/// Columns with the constraints differentiated implicitly, for the residual as derived and for the shortened one.
 fn implicit(stages: &mut Stages, of: &Functions, directions: &[Direction]) -> Vec<Columns> {
     let given = (&stages.u_dot.clone()[..], of.unsolved);
     let Some(implicit) =
@@ -89,7 +90,7 @@ fn implicit(stages: &mut Stages, of: &Functions, directions: &[Direction]) -> Ve
     forms
 }
 
-/// Operations of columns and of the u' that they read, as the value graph will leave them.
+/// Operations of the columns and of the u' in them, after the value graph has shortened them.
 fn cost(stages: &mut Stages, columns: &Columns) -> usize {
     let roots = [&stages.dynamics.u_dot[..], &columns.concat()].concat();
     if stages.effort == Effort::None {
@@ -101,7 +102,7 @@ fn cost(stages: &mut Stages, columns: &Columns) -> usize {
     dag.state_cost(&shorter.concat())
 }
 
-/// Does no derivative along a direction read what changes in one?
+/// Is every function linear in the changing symbols, so that no derivative depends on them?
 fn is_linear(dag: &mut Dag, of: &[ExprId], directions: &[Direction]) -> bool {
     let changing: Vec<SymbolId> = directions.iter().flat_map(Direction::keys).copied().collect();
     let slopes = sweeps(dag, of, directions).concat();
@@ -109,7 +110,7 @@ fn is_linear(dag: &mut Dag, of: &[ExprId], directions: &[Direction]) -> bool {
     !slopes.iter().any(reads)
 }
 
-/// Directions in which the symbols of coordinates in closed form change too.
+/// Adds to each direction the rates of the symbols of coordinates in closed form.
 fn with_closed_forms(stages: &mut Stages, directions: &[Direction]) -> Vec<Direction> {
     let mut all = directions.to_vec();
     for (coordinate, form) in stages.k.closed_forms.clone() {
@@ -122,7 +123,7 @@ fn with_closed_forms(stages: &mut Stages, directions: &[Direction]) -> Vec<Direc
     all
 }
 
-/// A residual in fewer operations, those of u' and the mass matrix counted once.
+/// The residual, shortened by the value graph; operations that u' and the mass matrix share with it are counted once.
 fn expressed_anew(stages: &mut Stages, residual: &[ExprId]) -> Vec<ExprId> {
     if stages.effort == Effort::None {
         return residual.to_vec();
@@ -134,7 +135,7 @@ fn expressed_anew(stages: &mut Stages, residual: &[ExprId]) -> Vec<ExprId> {
     shorter.pop().unwrap_or_default()
 }
 
-/// The numbers of all symbols of the expressions at some samples.
+/// The values of all symbols in the expressions at some samples.
 fn states(stages: &mut Stages, of: &[ExprId]) -> States {
     let n = stages.table.points();
     let chosen: Vec<usize> = (0..n).filter(|&sample| sample == 0 || sample + WATCHED > n).collect();
@@ -148,12 +149,12 @@ fn states(stages: &mut Stages, of: &[ExprId]) -> States {
     States { points: chosen.len(), symbols }
 }
 
-/// Columns that begin with du' instead of the residual's changes.
+/// Columns in which the derivatives of the residual are replaced by those of u'.
 fn solved(stages: &mut Stages, mass: &[Vec<ExprId>], columns: &[Vec<ExprId>]) -> Columns {
     let dag = &mut stages.alg.dag;
     let residual: Columns = columns.iter().map(|column| column[..mass.len()].to_vec()).collect();
     let u_dot = dynamics::response(dag, mass, &residual);
-    // The u' that were held are those of the state.
+    // Afterwards the symbols for the constant u' get their values at the state.
     let held: HashMap<SymbolId, ExprId> = (stages.u_dot.iter().zip(&stages.dynamics.u_dot))
         .filter_map(|(&symbol, &value)| Some((dag.as_symbol(symbol)?, value)))
         .collect();

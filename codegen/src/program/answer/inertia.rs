@@ -1,4 +1,4 @@
-//! Answers of the equations of motion themselves: M u' + bias = generalised forces of the inputs.
+//! Answers from the equations of motion: M u' + bias = generalised forces of the inputs.
 
 use super::part::Part;
 use super::stages::{Stages, Target};
@@ -29,14 +29,14 @@ fn without_inputs(stages: &mut Stages) -> Vec<ExprId> {
     stages.alg.dag.substitute(&forcing, &off)
 }
 
-/// 0 for each of the model's own inputs.
+/// Sets each of the model's own inputs to 0.
 fn inputs_off(stages: &mut Stages) -> HashMap<SymbolId, ExprId> {
     let zero = stages.alg.dag.zero();
     stages.input_symbols().into_iter().map(|s| (s, zero)).collect()
 }
 
-/// Generalised forces that the given accelerations take with the inputs at 0: through the mass matrix or by the
-/// recursion over the bodies, whichever takes fewer operations.
+/// Generalised forces that the given accelerations need with the inputs at 0, through the mass matrix or by the
+/// Newton-Euler recursion, whichever takes fewer operations.
 fn needed(stages: &mut Stages) -> Vec<ExprId> {
     let forcing = without_inputs(stages);
     let u_dot = stages.u_dot.clone();
@@ -48,7 +48,7 @@ fn needed(stages: &mut Stages) -> Vec<ExprId> {
     if cost(&recursive) < cost(&by_matrix) { recursive } else { by_matrix }
 }
 
-/// M u' - forcing at the given accelerations, by the recursion over the bodies.
+/// M u' - forcing at the given accelerations, by the Newton-Euler recursion.
 pub(super) fn recursive(stages: &mut Stages) -> Vec<ExprId> {
     let u_dot = stages.u_dot.clone();
     let missing = dynamics::missing_forces(stages.alg, stages.model, stages.k, stages.solution, &u_dot);

@@ -1,11 +1,11 @@
-//! The model's law: what commands the inputs.
+//! The answer `law`: inputs as the model's law commands them.
 
 use super::part::Part;
 use super::stages::{Stages, Target};
 use crate::diagnostic::Diagnostic;
 use crate::kinematics;
 
-/// One number an input; an input without a law stays as it is given.
+/// One value per input; an input without a law is returned as given.
 pub(super) fn law(stages: &mut Stages, _: &Target) -> Result<Vec<Part>, Diagnostic> {
     let mut values = stages.k.inputs.clone();
     for (input, law) in &stages.model.laws {

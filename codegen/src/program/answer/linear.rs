@@ -1,9 +1,9 @@
-//! Linearisation: how the rates and the outputs answer to small changes of state, inputs and parameters.
+//! Linearisation: derivatives of the rates and the outputs by state, inputs and parameters.
 //!
-//! In: the equations with u' held as symbols, r = M u' - forcing. Out: by the implicit function theorem
-//! du'/dx = -M^-1 dr/dx (`accelerations`). State: the coordinates that the configuration constraints leave independent, and the independent speeds; the other coordinates
-//! follow, dq = P dq_i with f_q P = 0, while motion constraints restrict the speeds only (Peterson, Gede, Hubbard
-//! 2015). The state need not be an equilibrium.
+//! In: the equations with u' held as symbols, r = M u' - forcing. Out: by the implicit function theorem du'/dx = -M^-1
+//! dr/dx (`accelerations`). The state is the coordinates that the configuration constraints leave independent, and the
+//! independent speeds. The other coordinates follow, dq = P dq_i with f_q P = 0; motion constraints restrict the speeds
+//! only (Peterson, Gede, Hubbard 2015). The state need not be an equilibrium.
 
 use super::accelerations::{self, Direction, Functions};
 use super::inertia;
@@ -16,14 +16,14 @@ use crate::model::CoordinateId;
 
 type Parts = Result<Vec<Part>, Diagnostic>;
 
-/// What is differentiated.
+/// The functions that are differentiated.
 struct Equations {
-    /// M u' - forcing at held u'.
+    /// M u' - forcing with u' held constant.
     residual: Vec<ExprId>,
     /// Rates of the independent coordinates.
     q_dot: Vec<ExprId>,
     outputs: Vec<ExprId>,
-    /// Both with the dependent unknowns as symbols.
+    /// Rates and outputs again, with the dependent unknowns as symbols.
     unsolved: Vec<ExprId>,
     mass: Vec<Vec<ExprId>>,
     /// Names of the independent coordinates and speeds.
@@ -31,7 +31,7 @@ struct Equations {
     output_names: Vec<String>,
 }
 
-/// Columns of derivatives, one a direction: of the rates of the state, and of the outputs.
+/// Columns of derivatives, one per direction: of the rates of the state, and of the outputs.
 struct Columns {
     rates: Vec<Vec<ExprId>>,
     outputs: Vec<Vec<ExprId>>,
@@ -91,13 +91,13 @@ pub(super) fn parameter_derivatives(stages: &mut Stages, _: &Target) -> Parts {
     Ok(vec![Part::matrix("u_dot", doc, stages.speed_names(), parameters.len(), &rows)])
 }
 
-/// Coordinates that are state: independent or not.
+/// The coordinates in the state that are independent, or those that are not.
 fn coordinates(stages: &Stages, independent: bool) -> Vec<CoordinateId> {
     let all = stages.model.coordinates.enumerate().filter(|(_, c)| c.independent == independent);
     all.map(|(id, _)| id).filter(|&id| stages.k.coordinate_symbol(&stages.alg.dag, id).is_some()).collect()
 }
 
-/// One direction an independent coordinate: itself, and the dependent ones that follow it.
+/// One direction per independent coordinate: the coordinate itself and the dependent ones that follow it.
 fn independent_directions(stages: &mut Stages, independent: &[CoordinateId]) -> Option<Vec<Direction>> {
     let dependent = coordinates(stages, false);
     let one = stages.alg.dag.one();
@@ -139,7 +139,7 @@ impl Equations {
         let outputs: Vec<ExprId> = outputs.collect();
         let unsolved = [&q_dot[..], &outputs].concat();
         let (q_dot, outputs) = (stages.solved(&q_dot), stages.solved(&outputs));
-        // Coordinates in closed form change with those that they are forms of.
+        // Coordinates in closed form change with those that they depend on.
         let forms = stages.k.closed_form_values(&mut stages.alg.dag);
         let mut closed = |list: &[ExprId]| stages.alg.dag.substitute(list, &forms);
         let (residual, q_dot, outputs) = (closed(&residual), closed(&q_dot), closed(&outputs));

@@ -1,8 +1,9 @@
-//! What a program can be asked for: the one list, and how each answer is derived.
+//! The catalogue of answers that a program can be asked for, and how each is derived.
 //!
-//! In: requests such as `mass_matrix` or `pose:platform`. Out: [`Answer`]s, named parts of expressions over the program's
-//! DAG. Interpreter, emitted files, `eval`, `check` and the command line know of answers by this list only: a new one is
-//! a function that returns its parts, and an entry of [`CATALOGUE`]. What is not asked for is not derived.
+//! In: requests such as `mass_matrix` or `pose:platform`. Out: [`Answer`]s, named parts of expressions over the
+//! program's DAG. Interpreter, emitted files, `eval`, `check` and the command line know answers only through this list:
+//! a new one is a function that returns its parts, and an entry of [`CATALOGUE`]. An answer that is not asked for is
+//! not derived.
 
 mod accelerations;
 mod inertia;
@@ -26,28 +27,28 @@ pub use request::{Asked, Function, Request};
 pub use stages::{Stages, Target};
 use std::borrow::Cow;
 
-/// An entry of the list.
+/// An entry of the catalogue.
 #[derive(Debug)]
 pub struct Kind {
     /// Its name.
     pub name: &'static str,
-    /// What it gives, in a sentence.
+    /// What it returns, in a sentence.
     pub doc: &'static str,
-    /// What has to stand behind the colon.
+    /// What must be named after the colon.
     pub about: About,
-    /// Which stages it needs.
+    /// The last stage that it needs.
     pub needs: Needs,
     derive: Derive,
 }
 
-/// What an answer is about.
+/// The subject of an answer.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum About {
     /// The mechanism as a whole.
     Mechanism,
     /// A port, a point, a frame, or `frame@point`.
     Place,
-    /// A port, which takes a wrench: six more inputs.
+    /// A port, whose wrench becomes six further inputs.
     Port,
 }
 
@@ -62,16 +63,16 @@ pub enum Needs {
     Accelerations,
 }
 
-/// How an answer comes about.
+/// The function that derives an answer, and its kind.
 #[derive(Clone, Copy, Debug)]
 enum Derive {
-    /// From what every program holds; emitted as a tuple.
+    /// From the data of every program; emitted as a tuple.
     Standing(fn(&Program) -> Vec<Part>),
     /// On request; emitted as a struct.
     Asked(fn(&mut Stages, &Target) -> Result<Vec<Part>, Diagnostic>),
-    /// The same, with symbols for u' in between: no argument.
+    /// On request, with symbols for u' during the derivation; u' is no argument of the emitted function.
     Held(fn(&mut Stages, &Target) -> Result<Vec<Part>, Diagnostic>),
-    /// The same, with u' as an argument.
+    /// On request, with u' as an argument of the emitted function.
     Given(fn(&mut Stages, &Target) -> Result<Vec<Part>, Diagnostic>),
 }
 
@@ -82,7 +83,7 @@ const fn kind(name: &'static str, about: About, needs: Needs, derive: Derive, do
     Kind { name, doc, about, needs, derive }
 }
 
-/// Everything that can be asked for. Answers that every program has come first, in the order of the emitted file.
+/// All answers. Those that every program has come first, in the order of the emitted file.
 #[rustfmt::skip]
 pub const CATALOGUE: &[Kind] = &[
     kind("rates", Mechanism, Accelerations, Derive::Standing(standing::rates),
@@ -135,7 +136,7 @@ pub const CATALOGUE: &[Kind] = &[
         "Pose, twist, bias acceleration, Jacobian and inverse inertia of a port; its wrench is six more inputs."),
 ];
 
-/// The entry of a name.
+/// The entry with this name.
 #[must_use]
 pub fn find(name: &str) -> Option<&'static Kind> {
     CATALOGUE.iter().find(|kind| kind.name == name)
@@ -150,7 +151,7 @@ impl Kind {
 }
 
 impl Kind {
-    /// Does the answer mean something of independent speeds only?
+    /// Is the answer meaningful for independent speeds only?
     fn takes_independent(&self) -> bool {
         !self.is_standing() && self.needs != Needs::Motion
     }
@@ -166,7 +167,7 @@ fn redundant(request: &Request) -> Diagnostic {
     )
 }
 
-/// Answers on request as a program holds them.
+/// The requested answers as a program holds them.
 #[derive(Default)]
 pub(super) struct Answered {
     pub answers: Vec<Answer>,
@@ -174,7 +175,7 @@ pub(super) struct Answered {
     pub u_dot: Vec<ExprId>,
 }
 
-/// A request with its entry and what it is about.
+/// A request with its catalogue entry and its subject.
 pub(super) struct Resolved<'m> {
     request: Request,
     pub kind: &'static Kind,
@@ -183,7 +184,7 @@ pub(super) struct Resolved<'m> {
     pub wrench: Option<&'m Port>,
 }
 
-/// Why the names of functions mean two things, or one of them asks for an answer twice.
+/// Errors for function names that have two meanings, and for functions that ask for an answer twice.
 fn ambiguous(functions: &[Function]) -> impl Iterator<Item = Diagnostic> {
     functions.iter().enumerate().filter_map(|(place, function)| {
         let Function { name, requests } = function;
@@ -203,7 +204,7 @@ fn ambiguous(functions: &[Function]) -> impl Iterator<Item = Diagnostic> {
     })
 }
 
-/// Requests whose names exist.
+/// Looks up the names in all requests.
 pub(super) fn resolve<'m>(model: &'m Model, asked: &Asked) -> Result<Vec<Resolved<'m>>, Diagnostics> {
     let mut found = Diagnostics::new(model.source.clone());
     ambiguous(&asked.functions).for_each(|error| found.push(error));
@@ -251,7 +252,7 @@ fn resolve_one(model: &Model, request: Request) -> Result<Resolved<'_>, Diagnost
     Ok(Resolved { request, kind, marker, wrench })
 }
 
-/// A port, a point, a frame, or `frame@point`. What is both a point and a frame is asked about both.
+/// Looks up a port, a point, a frame, or `frame@point`. A name of both a point and a frame refers to both.
 fn marker_of(model: &Model, name: &str) -> Option<Marker> {
     let frame = |name: &str| model.frames.enumerate().find(|(_, f)| f.name == name).map(|(id, _)| id);
     let point = |name: &str| model.points.enumerate().find(|(_, p)| p.name == name).map(|(id, _)| id);
@@ -286,7 +287,7 @@ fn known(model: &Model, about: About) -> String {
     format!("ports: {ports}; points: {points}; frames: {frames}; a point of a frame: `frame@point`")
 }
 
-/// The model with the wrenches of the ports that were asked for as inputs.
+/// The model with the wrenches at the requested ports as further inputs.
 pub(super) fn with_wrenches<'m>(
     model: &'m Model,
     resolved: &[Resolved],
@@ -303,12 +304,12 @@ pub(super) fn with_wrenches<'m>(
     Ok(pushed)
 }
 
-/// Does an answer need symbols for u'?
+/// Does any answer need symbols for u'?
 pub(super) fn holds_u_dot(resolved: &[Resolved]) -> bool {
     resolved.iter().any(|one| matches!(one.kind.derive, Derive::Given(_) | Derive::Held(_)))
 }
 
-/// The answers that are derived on request.
+/// Derives the requested answers.
 pub(super) fn derive(
     stages: &mut Stages,
     resolved: &[Resolved],
@@ -341,14 +342,14 @@ pub(super) fn derive(
     if found.has_errors() {
         return Err(found);
     }
-    // An argument only where a function takes it.
+    // u' becomes an argument only if some function takes it.
     let is_argument = answers.iter().any(|answer| answer.takes_u_dot);
     let u_dot = if is_argument { stages.u_dot.clone() } else { Vec::new() };
     Ok(Answered { answers, functions: asked.functions.clone(), u_dot })
 }
 
 impl Program {
-    /// Takes out what was not asked for, where only that is wanted.
+    /// If nothing but the requests is wanted, removes everything else.
     pub(super) fn keep_only(&mut self, asked: &Asked) {
         if !asked.only {
             return;
@@ -379,7 +380,7 @@ impl Program {
         }
     }
 
-    /// The answer to a request: one that every program has, or one that was asked for.
+    /// The answer to a request, whether every program has it or it was asked for.
     #[must_use]
     pub fn answer(&self, request: &Request) -> Option<Answer> {
         let name = request.to_string();
@@ -402,19 +403,19 @@ impl Program {
         }
     }
 
-    /// The answers of a function; what the program does not have is left out.
+    /// The answers of a function; those that the program does not have are omitted.
     #[must_use]
     pub fn answers_of(&self, function: &Function) -> Vec<Answer> {
         function.requests.iter().filter_map(|request| self.answer(request)).collect()
     }
 
-    /// The results of a function, in the order of the interpreter's.
+    /// The results of a function, in the order of the interpreter.
     #[must_use]
     pub fn function_roots(&self, function: &Function) -> Vec<ExprId> {
         self.answers_of(function).iter().flat_map(Answer::roots).collect()
     }
 
-    /// The numbers of an answer about the mechanism; none where the program has no such answer.
+    /// The results of an answer about the mechanism; empty if the program does not have it.
     #[must_use]
     pub fn roots_of(&self, name: &str) -> Vec<ExprId> {
         self.answer(&Request::new(name)).map(|answer| answer.roots()).unwrap_or_default()
@@ -432,7 +433,7 @@ impl Program {
         standing.map(|kind| kind.name).filter(is_there).collect()
     }
 
-    /// Names of those among them that need no mass.
+    /// Names of those answers of a complete file that need no mass.
     #[must_use]
     pub fn kinematic(&self) -> Vec<&'static str> {
         let needs_no_mass = |name: &&str| find(name).is_some_and(|kind| kind.needs == Needs::Motion);

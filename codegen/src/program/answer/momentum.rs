@@ -1,8 +1,8 @@
 //! Momentum of the mechanism and its mass centre.
 //!
-//! In: bodies with the motions of their centres and frames. Out: mass, mass centre c = sum m r / sum m, momentum
-//! p = sum m v, and moment of momentum about O, H = sum r x m v + I w. p' and H' are force and moment of everything
-//! outside on the mechanism, its bearings included (Kane, Levinson 1985, section 7.1).
+//! In: bodies with the motions of their centres and frames. Out: mass, mass centre c = sum m r / sum m, momentum p =
+//! sum m v, and angular momentum about O, H = sum r x m v + I w. p' and H' are the force and moment that everything
+//! outside exerts on the mechanism, its bearings included (Kane, Levinson 1985, section 7.1).
 
 use super::part::Part;
 use super::stages::{Stages, Target};
@@ -11,7 +11,7 @@ use crate::expr::ExprId;
 use crate::kinematics::{Marker, lower_scalar};
 use crate::model::Body;
 
-/// Along the axes of one frame.
+/// Components along the axes of one frame.
 type Components = [ExprId; 3];
 
 pub(super) fn momentum(stages: &mut Stages, target: &Target) -> Result<Vec<Part>, Diagnostic> {
@@ -58,7 +58,7 @@ pub(super) fn momentum(stages: &mut Stages, target: &Target) -> Result<Vec<Part>
     Ok(parts)
 }
 
-/// I w along N's axes.
+/// I w, along the axes of N.
 fn of_turning(stages: &mut Stages, body: &Body) -> Components {
     let zero = stages.alg.dag.zero();
     let Some(frame) = body.frame else { return [zero; 3] };

@@ -1,4 +1,4 @@
-//! Answers about a place: where a port, a point or a frame is, how it moves, what moves it.
+//! Answers about a place (a port, a point or a frame): its pose, its motion, and its effective inertia.
 
 use super::part::Part;
 use super::stages::{Stages, Target};
@@ -77,7 +77,7 @@ pub(super) fn inverse_inertia(stages: &mut Stages, target: &Target) -> Parts {
     Ok(vec![Part::matrix("inverse_inertia", doc, components(target), rows.len(), &inverse)])
 }
 
-/// All of a port.
+/// All answers about a port.
 pub(super) fn port(stages: &mut Stages, target: &Target) -> Parts {
     let mut parts = Vec::new();
     for derive in [pose, twist, bias_acceleration, jacobian, inverse_inertia] {

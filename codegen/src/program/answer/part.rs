@@ -1,19 +1,20 @@
-//! An answer as data: named parts, each a number, a list or a matrix of expressions.
+//! The data of an answer: named parts, each a number, a list or a matrix of expressions.
 
 use crate::expr::ExprId;
 
-/// What was asked for, answered: one function of the emitted file, or a field of what such a function returns.
+/// An answer: one function of the emitted file, or a field of what such a function returns.
 #[derive(Clone, Debug)]
 pub struct Answer {
     /// The request as it is written, such as `rates` or `pose:platform`.
     pub name: String,
-    /// What it gives, in a sentence.
+    /// What it returns, in a sentence.
     pub doc: String,
     /// Its parts, in order.
     pub parts: Vec<Part>,
-    /// A tuple of its parts, bare if it is only one; else a struct with a field for each.
+    /// Is it emitted as a tuple of its parts (or a bare part if there is only one)? Otherwise as a struct with a field
+    /// per part.
     pub is_tuple: bool,
-    /// Do its functions take derivatives of the speeds as arguments?
+    /// Do the functions that return it take derivatives of the speeds as arguments?
     pub takes_u_dot: bool,
 }
 
@@ -24,11 +25,11 @@ pub struct Part {
     pub name: &'static str,
     /// What it is, with units or axes.
     pub doc: String,
-    /// How many numbers, and in which order.
+    /// Number and arrangement of its values.
     pub shape: Shape,
-    /// The numbers; those of a matrix row by row.
+    /// The values; those of a matrix row by row.
     pub values: Vec<ExprId>,
-    /// What the entries of a list, or the rows of a matrix, belong to; empty where nothing has a name.
+    /// Names of the entries of a list, or of the rows of a matrix; empty if they have none.
     pub labels: Vec<String>,
 }
 
@@ -37,7 +38,7 @@ pub struct Part {
 pub enum Shape {
     /// One number.
     Number,
-    /// So many numbers.
+    /// This many numbers.
     List(usize),
     /// Rows and columns.
     Matrix(usize, usize),
@@ -57,12 +58,12 @@ impl Part {
         Self { name, doc: doc.to_owned(), shape: Shape::Number, values: vec![value], labels: Vec::new() }
     }
 
-    /// A list; `labels` say what its entries belong to.
+    /// A list; `labels` name its entries.
     pub fn list(name: &'static str, doc: &str, labels: Vec<String>, values: Vec<ExprId>) -> Self {
         Self { name, doc: doc.to_owned(), shape: Shape::List(values.len()), values, labels }
     }
 
-    /// A matrix with so many columns.
+    /// A matrix with this number of columns.
     pub fn matrix(
         name: &'static str,
         doc: &str,

@@ -1,9 +1,10 @@
 //! Joint reactions: the force and the moment that a joint transmits to its outer side.
 //!
-//! In: a cut, `frame@point` or a point. Out: the components along the frame's axes (N's without a frame), moments about
-//! the point. A component is determined where its release gives the mechanism one freedom more; it is then the force
-//! that Kane's equation of that speed lacks (`model/release.rs`). Where other joints hold it as well no equation of
-//! rigid bodies says how they share it: such components are named, not invented.
+//! In: a cut, `frame@point` or a point. Out: the components along the frame's axes (those of N without a frame), with
+//! moments about the point. A component is determined if its release gives the mechanism one more degree of freedom; it
+//! is then the force missing in Kane's equation of that speed (`model/release.rs`). If other joints hold that component
+//! too, the equations of rigid bodies do not say how they share it: such components are named in the answer but not
+//! computed.
 
 use super::part::Part;
 use super::stages::{Stages, Target};
@@ -42,7 +43,7 @@ pub(super) fn reaction(stages: &mut Stages, target: &Target) -> Result<Vec<Part>
     Ok(vec![Part::list("reaction", &doc, determined.iter().map(name).collect(), forces)])
 }
 
-/// The cut that is asked for.
+/// The cut named in the request.
 fn cut_of(model: &Model, target: &Target) -> Result<Cut, Diagnostic> {
     let request = &target.request;
     if let Some(coordinate) = model.coordinates.iter().find(|c| c.closed_form.is_some()) {
@@ -60,8 +61,8 @@ fn cut_of(model: &Model, target: &Target) -> Result<Cut, Diagnostic> {
     })
 }
 
-/// What the released components lack while they do not move, in the program's own expressions; none where some of them
-/// give no freedom.
+/// The forces missing on the released components while these do not move, in the program's own expressions; `None` if
+/// some of them add no degree of freedom.
 fn forces(stages: &mut Stages, cut: Cut, components: &[usize]) -> Option<Vec<ExprId>> {
     let model = stages.model.released(cut, components).ok()?;
     let (mut alg, k) = kinematics::derive(&model, stages.choice, Optimise::default()).ok()?;
@@ -79,7 +80,7 @@ fn forces(stages: &mut Stages, cut: Cut, components: &[usize]) -> Option<Vec<Exp
     stages.alg.dag.graft(&alg.dag, &lacking, &known)
 }
 
-/// What stands in the program for the symbols of the released model: 0 for what is released.
+/// The program's expressions for the symbols of the released model; 0 for the released components.
 fn known(alg: &Algebra, k: &Kinematics, stages: &mut Stages, moving: &[ExprId]) -> HashMap<SymbolId, ExprId> {
     let zero = stages.alg.dag.zero();
     let own = stages.k;

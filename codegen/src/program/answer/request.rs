@@ -1,36 +1,36 @@
-//! What is asked for, by name.
+//! Requests for answers, by name.
 //!
-//! In: text such as `rates`, `pose:platform` or `jacobian:arm@tip`. Out: [`Request`]s, and [`Function`]s of those that
-//! are asked together: they share what they have in common.
+//! In: text such as `rates`, `pose:platform` or `jacobian:arm@tip`. Out: [`Request`]s, and [`Function`]s of requests
+//! that are answered together and share sub-expressions.
 
 use crate::model::Model;
 use std::fmt;
 use std::str::FromStr;
 
-/// The name of an answer and, behind a colon, what it is about.
+/// The name of an answer and, after a colon, its subject.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub struct Request {
     /// Name of the answer.
     pub answer: String,
-    /// A port, a point, a frame, or `frame@point`; none where the answer is about the mechanism.
+    /// A port, a point, a frame, or `frame@point`; `None` if the answer is about the mechanism.
     pub of: Option<String>,
 }
 
 /// Requests that are answered by one function.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Function {
-    /// Name of the function; that of the request where it is only one.
+    /// Name of the function; for a single request that of the request.
     pub name: String,
     /// What it answers, in order.
     pub requests: Vec<Request>,
 }
 
-/// Everything that is asked of a derivation.
+/// Everything that a derivation is asked for.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub struct Asked {
     /// Functions besides those that every mechanism has.
     pub functions: Vec<Function>,
-    /// Are only these wanted? Then nothing else is derived.
+    /// If true, nothing but these functions is derived.
     pub only: bool,
 }
 
@@ -76,13 +76,13 @@ impl fmt::Display for Request {
 }
 
 impl Function {
-    /// A function of one answer, named after it.
+    /// A function with one answer, named after it.
     #[must_use]
     pub fn single(request: Request) -> Self {
         Self { name: request.to_string(), requests: vec![request] }
     }
 
-    /// One function of several answers; of one, it is named after it.
+    /// One function with several answers; with a single one it is named after that.
     #[must_use]
     pub fn together(name: &str, requests: Vec<Request>) -> Self {
         match <[Request; 1]>::try_from(requests) {
@@ -91,11 +91,11 @@ impl Function {
         }
     }
 
-    /// Reads `rates, pose:platform`, or with a name of its own `flight = rates, pose:platform`; several answers without a
-    /// name are `answers`, behind `place` others `answers_2` and so on.
+    /// Parses `rates, pose:platform`, or with a name for the function `flight = rates, pose:platform`. Several answers
+    /// without a name give a function `answers`; if `place` is not 0 it is `answers_2` and so on.
     ///
     /// # Errors
-    /// What cannot be read.
+    /// The part that cannot be parsed.
     pub fn parse(text: &str, place: usize) -> Result<Self, String> {
         let (name, list) = match text.split_once('=') {
             Some((name, list)) => (Some(name.trim().to_owned()), list),
@@ -121,7 +121,7 @@ impl Asked {
         Self { functions, only: true }
     }
 
-    /// What a complete file holds: these functions, the model's law if it has one, and what every mechanism has.
+    /// The contents of a complete file: these functions, the model's law if it has one, and what every mechanism has.
     #[must_use]
     pub fn complete(model: &Model, functions: Vec<Function>) -> Self {
         let law = Request::new("law");
@@ -132,13 +132,13 @@ impl Asked {
         asked
     }
 
-    /// These functions beside those that every mechanism has.
+    /// These functions in addition to those that every mechanism has.
     #[must_use]
     pub fn besides(functions: Vec<Function>) -> Self {
         Self { functions, only: false }
     }
 
-    /// Every request once, in order.
+    /// Every request, without repetitions, in order.
     #[must_use]
     pub fn requests(&self) -> Vec<Request> {
         let mut all: Vec<Request> = Vec::new();

@@ -1,4 +1,4 @@
-//! What an answer is derived from: the values of the stages before it.
+//! The results of the stages from which answers are derived.
 
 use crate::dynamics::Dynamics;
 use crate::expr::tape::SampleTable;
@@ -9,7 +9,7 @@ use crate::model::Model;
 use crate::value::Effort;
 use rustc_hash::FxHashMap as HashMap;
 
-/// Numbers in [-1, 1] that repeat nowhere: multiples of the golden section.
+/// Numbers in [-1, 1] without repetition: fractional parts of multiples of the golden section.
 fn scattered(i: usize, sample: usize) -> f64 {
     const GOLDEN: f64 = 0.618_033_988_749_894_9;
     2.0 * ((1 + 101 * i + sample) as f64 * GOLDEN).fract() - 1.0
@@ -17,9 +17,9 @@ fn scattered(i: usize, sample: usize) -> f64 {
 
 /// Kinematics, constraints and dynamics of a model, and the symbols of given accelerations.
 pub struct Stages<'s> {
-    /// Where expressions are made.
+    /// The algebra in which expressions are made.
     pub alg: &'s mut Algebra,
-    /// The model, with the wrenches that were asked for.
+    /// The model, with the wrenches of the requested ports as inputs.
     pub model: &'s Model,
     /// Its kinematics.
     pub k: &'s Kinematics,
@@ -29,27 +29,27 @@ pub struct Stages<'s> {
     pub dynamics: &'s Dynamics,
     /// Values at the sampled configurations.
     pub table: &'s mut SampleTable,
-    /// Given u', one symbol an independent speed.
+    /// Symbols for given u', one per independent speed.
     pub u_dot: Vec<ExprId>,
-    /// Inputs of the model itself; those of wrenches stand behind them.
+    /// Number of the model's own inputs; those of wrenches follow them.
     pub own_inputs: usize,
     /// How its parameters are treated.
     pub choice: &'s ParameterChoice,
-    /// How hard to look for fewer operations.
+    /// Effort spent on reducing the number of operations.
     pub effort: Effort,
 }
 
-/// What an answer is about.
+/// The subject of an answer.
 #[derive(Clone, Debug)]
 pub struct Target {
     /// The request as it is written, for messages.
     pub request: String,
-    /// The frame and the point, where it is about one.
+    /// The frame and the point, if the answer is about a place.
     pub marker: Option<Marker>,
 }
 
 impl<'s> Stages<'s> {
-    /// The stages of a model; where an answer takes u' as given, with symbols for it and values of them at the samples.
+    /// The stages of a model. If an answer needs u' as symbols, adds these, with values at the samples.
     pub fn new(
         alg: &'s mut Algebra,
         (model, choice): (&'s Model, &'s ParameterChoice),
@@ -82,7 +82,7 @@ impl<'s> Stages<'s> {
         independent.into_iter().map(|u| self.k.unknowns[u].name.clone()).collect()
     }
 
-    /// Expressions with the dependent unknowns in terms of the independent speeds.
+    /// Expressions with the dependent unknowns replaced by their values in the independent speeds.
     pub fn solved(&mut self, values: &[ExprId]) -> Vec<ExprId> {
         self.alg.dag.substitute(values, &self.dynamics.values)
     }

@@ -1,4 +1,4 @@
-//! Answers that every program has: those that the runtime's `Mechanism` needs, and what stands beside them.
+//! Answers that every program has: those that the runtime's `Mechanism` trait needs, and a few others.
 
 use super::part::Part;
 use crate::program::derived::Program;
@@ -33,7 +33,7 @@ pub(super) fn projection(program: &Program) -> Vec<Part> {
     ]
 }
 
-/// Empty where the speeds are independent.
+/// Empty if the speeds are independent.
 pub(super) fn speed_projection(program: &Program) -> Vec<Part> {
     match program.speed_correction.is_empty() {
         true => Vec::new(),
@@ -43,7 +43,7 @@ pub(super) fn speed_projection(program: &Program) -> Vec<Part> {
     }
 }
 
-/// Empty where nothing drives the mechanism.
+/// Empty if the mechanism is not driven.
 pub(super) fn drive(program: &Program) -> Vec<Part> {
     program.drive.map(|power| Part::number("power", "W", power)).into_iter().collect()
 }

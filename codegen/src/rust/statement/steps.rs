@@ -1,4 +1,4 @@
-//! What a function's body computes, step by step, and which steps get a statement.
+//! The steps that a function's body computes, and which of them get a statement of their own.
 
 use super::super::options::Core;
 use super::super::pairs::pair_angles;
@@ -9,7 +9,7 @@ use crate::id::Id;
 use rustc_hash::{FxHashMap as HashMap, FxHashSet as HashSet};
 
 impl<'p> Body<'p> {
-    /// The value behind an operand: a negation without a name is written where it is read.
+    /// The value behind an operand: unnamed negations are skipped, because they are written where they are used.
     pub(super) fn value(&self, mut id: ExprId) -> ExprId {
         let dag = self.dag();
         while let Node::Negate(positive) = dag.node(id)
@@ -21,14 +21,14 @@ impl<'p> Body<'p> {
         id
     }
 
-    /// Values that a node reads, in the order of its operands; no constants.
+    /// Values that a node uses, in the order of its operands, without constants.
     fn reads(&self, id: ExprId) -> impl DoubleEndedIterator<Item = ExprId> + use<'p> {
         let values =
             self.operands(id).map(|a| a.map(|a| self.value(a)).filter(|&a| !self.dag().is_constant(a)));
         values.into_iter().flatten()
     }
 
-    /// What the body computes, operands first.
+    /// The steps that the body computes, operands first.
     pub(super) fn steps(&mut self, roots: &[ExprId]) -> Vec<Step> {
         let dag = self.dag();
         let order = dag.reachable_above(roots, |id| self.field(id).is_some());
@@ -72,7 +72,7 @@ impl<'p> Body<'p> {
         steps
     }
 
-    /// A difference of angles that only sines and cosines were formed of is read by nobody.
+    /// Removes differences of angles that nothing uses except unrounded sines and cosines.
     fn drop_idle_differences(&self, steps: &mut Vec<Step>, roots: &[ExprId]) {
         let mut read: HashSet<ExprId> = roots.iter().map(|&root| self.value(root)).collect();
         steps.iter().for_each(|step| read.extend(step.reads.iter()));
@@ -95,8 +95,8 @@ impl<'p> Body<'p> {
         }
     }
 
-    /// Decides which steps get a statement of their own. One that could stand inside its only user waits for
-    /// it; what still waits when something else comes first gets a statement, so that the order is kept.
+    /// Decides which steps get a statement of their own. A step that could be written inside its only user is held
+    /// back; if another step comes in between, it gets a statement, so that the order is kept.
     pub(super) fn break_up<'s>(&mut self, order: impl Iterator<Item = &'s Step>) {
         let dag = self.dag();
         let mut waiting: Vec<(ExprId, usize)> = Vec::new();
@@ -123,7 +123,7 @@ impl<'p> Body<'p> {
     }
 }
 
-/// Cycles of a present-day host until the value can be read, roughly.
+/// Latency on a present-day host, in cycles, roughly.
 fn latency(node: Node) -> usize {
     match node {
         Node::Unary(Unary::Sin | Unary::Cos, _) => 60,

@@ -1,22 +1,22 @@
-//! The checksum that a controller's image carries behind its constants, and by which it checks itself.
+//! Writes into a controller's image the checksum by which the controller checks its own program.
 //!
-//! In: an ELF of the controller. Out: the same with the checksum of its vectors, and of all bytes from the begin of the
-//! code to the end of the constants, in its section `.checksum`; the linker cannot compute it. An image without it
-//! refuses to move anything.
+//! In: an ELF of the controller. Out: the same with a checksum over its vectors and over all bytes from the beginning
+//! of the code to the end of the constants, in its section `.checksum`; the linker cannot compute it. A controller
+//! without a valid checksum refuses to move anything.
 
 use object::elf::SHF_ALLOC;
 use object::{Object, ObjectSection, ObjectSymbol, SectionFlags};
 use smartbed_firmware::link::checksum::checksum;
 
-/// The section that holds it.
+/// The section of the checksum.
 const SECTION: &str = ".checksum";
-/// The linker's names for begin and end of what is summed: the vectors, then code and constants.
+/// The linker's symbols at the beginning and end of each range: the vectors, then code and constants.
 const BOUNDS: [[&str; 2]; 2] = [["__svectors", "__evectors"], ["__stext", "__erodata"]];
 
 /// Writes the checksum.
 ///
 /// # Errors
-/// A text if the ELF has no place for it, or what is to be summed has gaps.
+/// A message if the ELF has no place for it, or the ranges have gaps.
 pub fn write(elf: &mut [u8]) -> Result<(), String> {
     let file = object::File::parse(&*elf).map_err(|e| format!("the image is not an ELF file: {e}"))?;
     let program =
@@ -30,14 +30,14 @@ pub fn write(elf: &mut [u8]) -> Result<(), String> {
     Ok(())
 }
 
-/// The bytes between two of the linker's names.
+/// The bytes between two symbols.
 fn between(file: &object::File, bounds: [&str; 2]) -> Result<Vec<u8>, String> {
     let bound = |name: &str| {
         let found = file.symbols().find(|s| s.name() == Ok(name)).map(|s| s.address());
         found.ok_or_else(|| format!("the image has no symbol {name}"))
     };
     let (begin, end) = (bound(bounds[0])?, bound(bounds[1])?);
-    // Sections that are not loaded stand at address 0, where some chips have their vectors.
+    // Sections that are not loaded have the address 0, which is also that of the vectors of some chips.
     let is_loaded = |flags: SectionFlags| matches!(flags, SectionFlags::Elf { sh_flags, .. } if sh_flags.0 & SHF_ALLOC.0 != 0);
     let here = |section: &object::Section| {
         (begin..end).contains(&section.address()) && section.size() > 0 && is_loaded(section.flags())
@@ -70,8 +70,8 @@ mod tests {
     const CODE: [u8; 6] = [1, 2, 3, 4, 5, 6];
     const CONSTANTS: [u8; 2] = [7, 8];
 
-    /// A program of vectors, code and constants that begin at an address; its checksum lies behind its bounds. What is
-    /// not loaded stands where the vectors are.
+    /// A program of vectors, code and constants that begin at an address, with its checksum after its bounds. A section
+    /// that is not loaded has the address of the vectors.
     fn program(constants: u32) -> Vec<u8> {
         elf(
             &[

@@ -1,7 +1,7 @@
-//! A small ELF written byte by byte, for the tests of what reads one: 32 bits, little-endian, ARM.
+//! Writes a small ELF (32 bits, little-endian, ARM) byte by byte, to test the code that reads ELFs.
 //!
-//! In: sections with their addresses and bytes, symbols. Out: the file. Layout: header, bytes of the sections, among
-//! them the symbols and all names, headers of the sections (System V ABI, chapter 4).
+//! In: sections with their addresses and bytes, symbols. Out: the file. Layout: header, bytes of the sections,
+//! including the symbols and all names, headers of the sections (System V ABI, chapter 4).
 
 use object::elf::{EM_ARM, ET_EXEC, SHT_PROGBITS, SHT_STRTAB, SHT_SYMTAB};
 
@@ -16,14 +16,14 @@ pub struct Section<'a>(pub &'a str, pub u32, pub u32, pub &'a [u8]);
 /// Name, address, size, type, and whether it is defined.
 pub struct Symbol<'a>(pub &'a str, pub u32, pub u32, pub u8, pub bool);
 
-/// A section as it stands in the file.
+/// A section as stored in the file.
 struct Part<'a> {
     name: &'a str,
     kind: u32,
     flags: u32,
     address: u32,
     bytes: Vec<u8>,
-    /// The section with the names, the first global symbol, bytes of an entry: of symbols only.
+    /// For symbols only: the section with the names, the first global symbol, bytes of an entry.
     table: [u32; 3],
 }
 
@@ -63,7 +63,7 @@ pub fn elf(sections: &[Section], symbols: &[Symbol]) -> Vec<u8> {
     file
 }
 
-/// The header of a file whose section headers begin at an offset, the names of sections in the last.
+/// The file header; section headers begin at an offset, the last section holds their names.
 fn header(sections: u32, count: u32) -> Vec<u8> {
     let mut file = vec![0x7F, b'E', b'L', b'F', 1, 1, 1];
     file.resize(16, 0);
@@ -74,12 +74,12 @@ fn header(sections: u32, count: u32) -> Vec<u8> {
     file
 }
 
-/// Symbols as they stand in the file, and their names.
+/// Symbols as stored in the file, and their names.
 fn table(symbols: &[Symbol]) -> (Vec<u8>, Vec<u8>) {
     let (mut table, mut texts) = (vec![0; SYMBOL as usize], vec![0]);
     for Symbol(name, address, size, kind, defined) in symbols {
         table.extend([length(&texts), *address, *size].into_iter().flat_map(u32::to_le_bytes));
-        // Global, of its type; in the first section, or in none.
+        // Global, of the given type; in the first section, or undefined.
         table.extend([1 << 4 | kind, 0, u8::from(*defined), 0]);
         texts.extend(name.bytes().chain([0]));
     }

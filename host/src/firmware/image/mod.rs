@@ -1,9 +1,8 @@
-//! An ELF image of a Cortex-M, or a RISC-V core: what is in it, what it needs, and whether it may be shipped.
+//! An ELF image for a Cortex-M or a RISC-V core: its functions, its memory, and whether it obeys the rules.
 //!
-//! In: the bytes of the ELF. Out: [`Image`] (functions decoded once), then [`size::Size`],
-//! [`stack::Stack`] and the list of broken rules ([`rules::findings`]).
-//! Invariant: an address is decoded as an instruction only where the mapping symbols ($t, $x, $d) of
-//! the ABI say that it is code.
+//! In: the bytes of the ELF. Out: [`Image`] (functions decoded once), then [`size::Size`], [`stack::Stack`] and the
+//! list of broken rules ([`rules::findings`]). Invariant: an address is decoded as an instruction only where the ABI's
+//! mapping symbols ($t, $x, $d) mark code.
 
 pub mod checksum;
 #[cfg(test)]
@@ -22,18 +21,18 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
 
-/// A function of the image with everything that its instructions do.
+/// A function of the image with the effects of its instructions.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Function {
     /// Readable name.
     pub name: String,
     /// Address of its first instruction.
     pub address: u32,
-    /// One past its last byte; what lies between functions is padding.
+    /// Address after its last byte; bytes between functions are padding.
     pub end: u32,
-    /// How many instructions it has.
+    /// Number of its instructions.
     pub instructions: u64,
-    /// Address and meaning of every instruction that is not [`Kind::Other`].
+    /// Address and effect of every instruction that is not [`Kind::Other`].
     pub effects: Vec<(u32, Kind)>,
 }
 
@@ -42,11 +41,11 @@ pub struct Function {
 pub struct Image {
     /// Functions by address.
     pub functions: Vec<Function>,
-    /// Readable names of functions with their addresses, of one address perhaps several.
+    /// Readable names of functions with their addresses; one address may have several.
     pub entries: Vec<(String, u32)>,
     /// Every defined symbol's readable name, sorted.
     pub symbols: Vec<String>,
-    /// Addresses in the vector table: the reset handler, then the exceptions' and interrupts'.
+    /// Addresses in the vector table: the reset handler, then the handlers of exceptions and interrupts.
     pub vectors: Vec<u32>,
     /// Bytes in flash and RAM.
     pub size: size::Size,
@@ -56,7 +55,7 @@ impl Image {
     /// Reads an image.
     ///
     /// # Errors
-    /// A text that says why the bytes are not a little-endian ELF of code.
+    /// A message if the bytes are not a little-endian ELF with code.
     pub fn read(elf: &[u8]) -> Result<Self, String> {
         let file = object::File::parse(elf).map_err(|e| format!("the image is not an ELF file: {e}"))?;
         let marks = marks(&file);
@@ -90,31 +89,31 @@ impl Image {
         Self::read(&fs::read(elf).map_err(|e| wrong(e.to_string()))?).map_err(wrong)
     }
 
-    /// The function that holds `address`.
+    /// Index of the function that contains `address`.
     #[must_use]
     pub fn owner(&self, address: u32) -> Option<usize> {
         owner(&self.functions, address)
     }
 
-    /// The function of that name.
+    /// Index of the function of that name.
     #[must_use]
     pub fn find(&self, name: &str) -> Option<usize> {
         self.functions.iter().position(|f| f.name == name)
     }
 }
 
-/// The name as a programmer writes it, without the hash.
+/// The name as in the source, without the hash.
 fn readable(name: &str) -> String {
     format!("{:#}", rustc_demangle::demangle(name))
 }
 
-/// Addresses of a 32-bit machine; larger ones do not occur.
+/// An address as 32 bits; larger ones do not occur.
 fn word(address: u64) -> u32 {
     u32::try_from(address).unwrap_or(u32::MAX)
 }
 
-/// Every function by address; of several names at an address the first in the alphabet. One
-/// without a size, as hand-written assembly may be, extends to the next.
+/// All functions by address; if there are several names at an address, the first in the alphabet. A function without a
+/// size, as in hand-written assembly, extends to the next one.
 fn functions(file: &object::File) -> Vec<Function> {
     let mut found = BTreeMap::<u32, (u32, String)>::new();
     for (name, address, size) in text_symbols(file) {
@@ -141,7 +140,7 @@ fn text_symbols(file: &object::File) -> impl Iterator<Item = (String, u32, u32)>
     })
 }
 
-/// Is it code from this address on? The mapping symbols of the ABI.
+/// By address, whether code begins there: the mapping symbols of the ABI.
 fn marks(file: &object::File) -> BTreeMap<u32, bool> {
     file.symbols()
         .filter_map(|s| Some((word(s.address()), s.name().ok()?)))
@@ -150,7 +149,7 @@ fn marks(file: &object::File) -> BTreeMap<u32, bool> {
         .collect()
 }
 
-/// Entries of the section `.vector_table` after the first, which is the start value of sp.
+/// Entries of the section `.vector_table` after the first, which is the initial value of sp.
 fn vectors(file: &object::File) -> Vec<u32> {
     let section = file.section_by_name(".vector_table");
     let table = section.and_then(|s| s.data().ok()).unwrap_or_default();
@@ -158,13 +157,13 @@ fn vectors(file: &object::File) -> Vec<u32> {
     words.skip(1).filter(|w| *w != 0).map(|w| w & !1).collect()
 }
 
-/// The function that holds `address`.
+/// Index of the function that contains `address`.
 fn owner(functions: &[Function], address: u32) -> Option<usize> {
     let last = functions.partition_point(|f| f.address <= address).checked_sub(1)?;
     functions.get(last).filter(|f| address < f.end).map(|_| last)
 }
 
-/// Decodes the instruction at the begin of these bytes, which lie at this address.
+/// Decodes the instruction at the beginning of these bytes, which have this address.
 type Decode = fn(u32, &[u8]) -> Instruction;
 
 fn arm(address: u32, code: &[u8]) -> Instruction {

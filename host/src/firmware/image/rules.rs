@@ -1,4 +1,4 @@
-//! What an image may not contain, each with the reason. One broken rule fails the build.
+//! The rules of an image, each with its reason. One broken rule fails the build.
 
 use super::Image;
 use super::stack::{self, Stack};
@@ -9,25 +9,25 @@ use std::fmt;
 /// A rule of the image.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub enum Rule {
-    /// Flash holds it.
+    /// The program fits into flash.
     Flash,
-    /// RAM holds the static data and the stack.
+    /// Static data and stack fit into RAM.
     Ram,
-    /// The stack has a bound.
+    /// The stack is bounded.
     Stack,
-    /// No function calls itself.
+    /// No recursion.
     Recursion,
-    /// No call through a register.
+    /// No calls through registers.
     Indirect,
-    /// Nothing can panic.
+    /// No panics.
     Panic,
-    /// No formatting machinery.
+    /// No formatting code.
     Format,
-    /// No heap.
+    /// No heap allocation.
     Heap,
-    /// No double precision.
+    /// No arithmetic in double precision.
     Double,
-    /// Nothing that the chip's floating-point unit lacks.
+    /// No instruction that the chip's floating-point unit lacks.
     Unit,
     /// No fused multiply-add.
     Fused,
@@ -49,7 +49,7 @@ impl Rule {
         Self::Fused,
     ];
 
-    /// Short name, as it stands in reports.
+    /// Short name, for reports.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -67,7 +67,7 @@ impl Rule {
         }
     }
 
-    /// Why the rule is there, and what to do.
+    /// The reason for the rule, and what to do.
     #[must_use]
     pub fn reason(self) -> &'static str {
         match self {
@@ -96,10 +96,10 @@ impl Rule {
     }
 }
 
-/// A broken rule and where.
+/// A broken rule and its place.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Finding {
-    /// Which rule.
+    /// The rule.
     pub rule: Rule,
     /// The symbol, or the number, that breaks it.
     pub what: String,
@@ -142,7 +142,7 @@ pub fn findings(image: &Image, stack: &Stack, chip: &Chip) -> Vec<Finding> {
     found
 }
 
-/// Who calls the function of that name, for a message.
+/// The callers of the function of that name, for a message.
 fn callers(image: &Image, name: &str) -> String {
     let Some(callee) = image.find(name) else { return String::new() };
     let calls = |f: &usize| *f != callee && stack::callees(image, *f).contains(&callee);
@@ -151,7 +151,7 @@ fn callers(image: &Image, name: &str) -> String {
     if names.is_empty() { String::new() } else { format!(" called by {}", names.join(", ")) }
 }
 
-/// Some cores have what others lack.
+/// Does the rule apply to this chip?
 fn binds(rule: Rule, chip: &Chip) -> bool {
     match rule {
         Rule::Double => !chip.has_double,

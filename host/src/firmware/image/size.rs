@@ -1,4 +1,4 @@
-//! Bytes that an image takes: flash (code, constants, start values) and static RAM.
+//! Memory of an image: flash (code, constants, initial values) and static RAM.
 
 use object::elf::{SHF_ALLOC, SHF_WRITE};
 use object::{Object, ObjectSection, SectionFlags, SectionKind};
@@ -13,7 +13,7 @@ pub struct Size {
 }
 
 impl Size {
-    /// Adds up the sections that are loaded.
+    /// Sums up the sections that are loaded.
     #[must_use]
     pub fn of(file: &object::File) -> Self {
         let mut size = Self::default();

@@ -1,39 +1,39 @@
-//! Worst stack depth along the graph of direct calls.
+//! Upper bound of the stack depth, along the graph of direct calls.
 //!
-//! Bound = deepest path from the reset handler + one exception of each priority: its hardware frame
-//! ([`EXCEPTION_FRAME`]) and the deepest path from a handler of that priority. Exceptions and interrupts that an image
-//! may set a priority of are left at one, so they never interrupt each other; a hard fault interrupts them, and the
-//! non-maskable interrupt that. A function's frame is the sum of everything in it that lowers sp, which is never less
-//! than what it uses.
-//! Recursion and calls through registers have no bound; they are reported, never ignored.
+//! Bound = deepest path from the reset handler + for each priority one exception: its hardware frame
+//! ([`EXCEPTION_FRAME`]) and the deepest path from a handler of that priority. All exceptions and interrupts with a
+//! configurable priority have the same one, so that they never interrupt each other; a hard fault interrupts them, and
+//! the non-maskable interrupt interrupts that. A function's frame is the sum of all its instructions that lower sp,
+//! which is never less than what it uses. Recursion and calls through registers have no bound; they are reported, never
+//! ignored.
 
 use super::Image;
 use crate::firmware::thumb::Kind;
 use std::collections::BTreeSet;
 
-/// Words that an exception pushes with floating-point state, and one to align (bytes).
+/// Bytes that an exception pushes with floating-point state, including one word for alignment.
 pub const EXCEPTION_FRAME: u32 = 4 * (26 + 1);
 
-/// Where a program without vectors begins.
+/// Entry of a program without vectors.
 const ENTRY: &str = "_start";
 
-/// The deepest path.
+/// The bound and its deepest path.
 #[derive(Clone, Default, PartialEq, Eq, Debug)]
 pub struct Stack {
     /// Bound (bytes).
     pub bytes: u32,
     /// Functions along the deepest path with their frames (bytes), from the reset handler on.
     pub path: Vec<(String, u32)>,
-    /// Functions that call themselves, directly or not.
+    /// Functions that call themselves, directly or indirectly.
     pub recursive: BTreeSet<String>,
 }
 
 impl Image {
-    /// The stack bound from the vector table's reset handler and its other handlers; of a program without one, which no
-    /// board starts, from its entry, without the exceptions that a board would have.
+    /// The stack bound from the vector table's reset handler and its other handlers. For a program without a vector
+    /// table, which no board starts, from its entry, without exceptions.
     ///
     /// # Errors
-    /// A text if there is no vector table, or an entry is no function.
+    /// A message if there is no vector table, or an entry of it is not a function.
     pub fn stack(&self) -> Result<Stack, String> {
         let functions: Option<Vec<usize>> = self.vectors.iter().map(|v| self.owner(*v)).collect();
         match functions.as_deref() {
@@ -48,7 +48,7 @@ impl Image {
     }
 }
 
-/// Bytes by which a function lowers sp.
+/// Sum of the bytes by which a function lowers sp.
 #[must_use]
 pub fn frame(image: &Image, function: usize) -> u32 {
     image.functions[function]
@@ -58,7 +58,7 @@ pub fn frame(image: &Image, function: usize) -> u32 {
         .sum()
 }
 
-/// Functions called, or jumped to, by a function.
+/// Functions that a function calls or jumps to.
 #[must_use]
 pub fn callees(image: &Image, function: usize) -> BTreeSet<usize> {
     let effects = image.functions[function].effects.iter();
@@ -71,7 +71,7 @@ pub fn callees(image: &Image, function: usize) -> BTreeSet<usize> {
         .collect()
 }
 
-/// The bound for an image that starts in `entry` and whose handlers have these priorities.
+/// The bound for an image with this entry and with handlers of these priorities.
 #[must_use]
 pub fn bound(image: &Image, entry: usize, priorities: &[&[usize]]) -> Stack {
     let mut walk = Walk { image, memo: vec![None; image.functions.len()], stack: Stack::default() };
@@ -92,7 +92,7 @@ struct Walk<'a> {
 }
 
 impl Walk<'_> {
-    /// Depth and path from `function`; `open` are its callers.
+    /// Depth and path from `function`; `open` are the functions on the path to it.
     fn deepest(&mut self, function: usize, open: &mut Vec<usize>) -> (u32, Vec<usize>) {
         if let Some(known) = &self.memo[function] {
             return known.clone();

@@ -1,9 +1,9 @@
-//! What a function without loops executes and takes, with all that it calls.
+//! Instructions and code size of a function without loops, including all functions that it calls.
 
 use super::Image;
 use crate::firmware::thumb::Kind;
 
-/// Code of these functions and of all that they call, each once (bytes).
+/// Code size of these functions and of all that they call, each counted once (bytes).
 #[must_use]
 pub fn bytes(image: &Image, functions: &[usize]) -> u32 {
     let mut called = functions.to_vec();
@@ -22,16 +22,16 @@ pub fn bytes(image: &Image, functions: &[usize]) -> u32 {
     called.iter().map(|&f| image.functions[f].end - image.functions[f].address).sum()
 }
 
-/// Instructions of a call.
+/// Number of instructions of a call.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Instructions {
-    /// Those of the function and of all calls in it, each along its text.
+    /// Instructions of the function and of all calls in it, each in the order of the text.
     pub count: u64,
-    /// Does anything jump back, through a register, or call itself? What lies there counts once only.
+    /// Is there a jump backwards, a jump through a register, or recursion? Such code is counted only once.
     pub has_loops: bool,
 }
 
-/// Instructions that a call executes, those between a jump and its target counted too: exact for straight-line code.
+/// Instructions of a call, including those between a jump and its target: exact for straight-line code.
 #[must_use]
 pub fn instructions(image: &Image, function: usize) -> Instructions {
     executed(image, function, &mut vec![None; image.functions.len()])
@@ -41,7 +41,7 @@ fn executed(image: &Image, function: usize, known: &mut [Option<Instructions>]) 
     if let Some(count) = known[function] {
         return count;
     }
-    // As long as it is being counted: who calls it from inside goes round.
+    // While it is being counted: a call of it from inside is recursion.
     known[function] = Some(Instructions { count: 0, has_loops: true });
     let this = &image.functions[function];
     let mut sum = Instructions { count: this.instructions, has_loops: false };

@@ -1,6 +1,6 @@
 //! The body of a scene: a shape with its numbers, or lists of points and springs.
 //!
-//! In: the fields of a scene. Out: [`Lists`] where the body starts, every number of them finite.
+//! In: the fields of a scene. Out: [`Lists`] in the initial position, every number in them finite.
 
 use super::super::fields::Fields;
 use super::super::keys;
@@ -8,10 +8,10 @@ use super::super::lists::Lists;
 use super::super::shape as shapes;
 use crate::suggest;
 
-/// Most points of a body; one takes about two kilobytes of memory.
+/// Most points of a body; each takes about two kilobytes of memory.
 const MOST_POINTS: f64 = 1e5;
 
-/// Reads it.
+/// Reads the body.
 ///
 /// # Errors
 /// What is wrong, and where.
@@ -44,7 +44,7 @@ pub fn read(fields: &Fields) -> Result<Lists, String> {
     Ok(lists)
 }
 
-/// Turns the body about the y axis and lifts it; `points` of a list already stand where they start.
+/// Rotates the body about the y axis and lifts it; `points` of a list are already in their initial position.
 fn place(fields: &Fields, lists: &mut Lists) -> Result<(), String> {
     let height = fields.number("drop_height", 0.0)?;
     let tilt = fields.number("tilt", 0.0)?;
@@ -56,7 +56,7 @@ fn place(fields: &Fields, lists: &mut Lists) -> Result<(), String> {
     Ok(())
 }
 
-/// Numbers that are finite one by one may be too large together.
+/// Refuses numbers whose sums or products overflow although each is finite.
 fn refuse_overflow(fields: &Fields, lists: &Lists) -> Result<(), String> {
     let numbers = lists.points.as_flattened().iter().chain(&lists.masses).chain(&lists.rest_lengths);
     match numbers.chain(&lists.stiffness).all(|x| x.is_finite()) {
@@ -115,7 +115,7 @@ pub(super) fn shape(fields: &Fields) -> Result<&'static str, String> {
     })
 }
 
-/// Asked before memory is.
+/// Checks the number of points before memory is allocated.
 fn bounded(fields: &Fields, key: &str, points: f64) -> Result<(), String> {
     match points <= MOST_POINTS {
         true => Ok(()),
@@ -170,7 +170,7 @@ fn read_shape(fields: &Fields) -> Result<Lists, String> {
             bounded((rows as f64 + 2.0) * (columns as f64 + 2.0) - 4.0)?;
             Ok(shapes::sheet(rows, columns, length("width", 1.4)?, length("depth", 1.4)?))
         }
-        // A bar: the table of keys has no other one.
+        // A bar: the table of keys has no other shape left.
         _ => {
             let elements = count("elements", 50, 1)?;
             bounded(elements as f64 + 1.0)?;

@@ -1,4 +1,4 @@
-//! Scene text -> [`Scene`]: shape or lists, ground and law, gas, method, step; the largest stable step is checked here.
+//! Scene text -> [`Scene`]: shape or lists, ground and law, gas, method, step; checks the largest stable step.
 
 pub mod body;
 mod surroundings;
@@ -18,7 +18,7 @@ use super::simulation::{Simulation, Surroundings};
 use crate::input;
 use crate::number::six_digits;
 
-/// Everything that a run needs.
+/// A scene, ready to run.
 #[derive(Clone, Debug)]
 pub struct Scene {
     /// One line about it.
@@ -35,19 +35,19 @@ pub struct Scene {
     pub step: f64,
     /// Length of the run (s).
     pub seconds: f64,
-    /// Steps between two rows of output.
+    /// Steps per row of output.
     pub every: usize,
-    /// Largest stable step (s), if the springs set one.
+    /// Largest stable step (s), if the springs limit it.
     pub largest_step: Option<f64>,
-    /// What pictures show.
+    /// Options for pictures.
     pub view: view::View,
-    /// What is allowed but should be known; for standard error.
+    /// Warnings, for standard error.
     pub warnings: Vec<String>,
 }
 
 impl Scene {
-    /// Steps in the run, the last one perhaps shorter; a rest below a thousandth of a step is rounding, but a run of
-    /// any length takes one.
+    /// Number of steps in the run, the last one perhaps shorter. A remainder below a thousandth of a step is rounding,
+    /// but there is at least one step.
     #[must_use]
     pub fn steps(&self) -> usize {
         let whole = (self.seconds / self.step - ROUNDING).ceil().max(0.0) as usize;
@@ -61,18 +61,18 @@ impl Scene {
         if left < (1.0 - ROUNDING) * self.step { left } else { self.step }
     }
 
-    /// Method and step in words.
+    /// Method and step as text.
     #[must_use]
     pub fn note(&self) -> String {
         format!("{}, step {} s", self.chosen.name, six_digits(self.step))
     }
 }
 
-/// w_max h above which energy compensation lets an undamped body gain energy from impact to impact:
-/// measured on a bar of 50 masses and 20 bounces with Verlet, below 1 % at 0.1, 64 % at 0.5.
+/// w_max h above which energy compensation lets an undamped body gain energy from impact to impact: measured on a bar
+/// of 50 masses and 20 bounces with Verlet, below 1 % at 0.1, 64 % at 0.5.
 const COMPENSATION_FINE: f64 = 0.1;
 
-/// A rest of the time below this share of a step is rounding.
+/// A remainder of the time below this fraction of a step is rounding.
 const ROUNDING: f64 = 1e-3;
 
 /// Most steps of a run.
@@ -86,13 +86,13 @@ pub fn is_scene(path: &std::path::Path) -> bool {
     }
     let text = input::text(&path.display().to_string()).unwrap_or_default();
     if fields::is_too_much(&text) {
-        // Not to be parsed: what its lines begin with must do.
+        // Too large to be parsed: decided by how its lines begin.
         let begins = |line: &str, key: &str| {
             line.trim_start().strip_prefix(key).is_some_and(|rest| rest.trim_start().starts_with('='))
         };
         return text.lines().any(|line| begins(line, "shape") || begins(line, "points"));
     }
-    // A text that cannot be read is a mechanism's: its reader explains best.
+    // A text that cannot be parsed counts as a mechanism: that reader has the best messages.
     let table = text.parse::<toml::Table>().unwrap_or_default();
     table.contains_key("shape") || table.get("points").is_some_and(toml::Value::is_array)
 }
@@ -100,13 +100,13 @@ pub fn is_scene(path: &std::path::Path) -> bool {
 /// Reads the scene at a path, or the one of that name under models/scenes.
 ///
 /// # Errors
-/// Where it was looked for, or what is wrong in it.
+/// The places where it was searched for, or what is wrong in it.
 pub fn open(path_or_name: &str, settings: &[String]) -> Result<Scene, String> {
     refuse_twice(settings)?;
     open_varied(path_or_name, settings, &[])
 }
 
-/// Of two settings of one key the first would be ignored.
+/// Refuses two settings of one key, the first of which would be ignored.
 fn refuse_twice(settings: &[String]) -> Result<(), String> {
     let mut fields = Fields::parse("", "")?;
     let mut keys: Vec<String> = Vec::new();
@@ -120,7 +120,7 @@ fn refuse_twice(settings: &[String]) -> Result<(), String> {
     Ok(())
 }
 
-/// As [`open()`], then changed by more settings, which may choose another law or method than those before.
+/// As [`open()`], then changed by more settings, which may choose another law or method than the first ones.
 ///
 /// # Errors
 /// As [`open()`].
@@ -138,7 +138,7 @@ pub fn open_varied(path_or_name: &str, settings: &[String], variation: &[String]
 /// Reads a scene text.
 ///
 /// # Errors
-/// A message with file, line, what was expected.
+/// A message with file, line and what was expected.
 pub fn parse(path: &str, text: &str, settings: &[String]) -> Result<Scene, String> {
     parse_varied(path, text, [settings, &[]])
 }
@@ -193,7 +193,8 @@ fn parse_varied(path: &str, text: &str, layers: [&[String]; 2]) -> Result<Scene,
     Ok(scene)
 }
 
-/// A reference file holds the motion beside the scene, and its points stand at their height already.
+/// Removes the motion that a reference file contains besides the scene; its points are already in their initial
+/// position.
 fn leave_out_results(fields: &mut Fields) {
     keys::OF_REFERENCES.split_whitespace().for_each(|key| fields.remove(key));
     if fields.get("points").is_some() {
@@ -201,8 +202,7 @@ fn leave_out_results(fields: &mut Fields) {
     }
 }
 
-/// Sets keys. One that only the choice before read (a law's, a shape's) falls away with that choice; one that is
-/// set and not read is refused.
+/// Sets keys. A key that is set but not read is refused.
 fn override_by(fields: &mut Fields, settings: &[String]) -> Result<(), String> {
     let set = settings.iter().map(|setting| fields.set(setting)).collect::<Result<Vec<String>, String>>()?;
     match set.iter().any(|key| key == "format") {
@@ -211,7 +211,7 @@ fn override_by(fields: &mut Fields, settings: &[String]) -> Result<(), String> {
     }
 }
 
-/// Refuses the first key that nothing reads.
+/// Refuses the first key that is not read.
 fn refuse_unread(fields: &Fields, keys: &[String]) -> Result<(), String> {
     let choices = choices(fields)?;
     match keys.iter().find_map(|key| Some((key, keys::complaint(key, &choices)?))) {
@@ -220,7 +220,7 @@ fn refuse_unread(fields: &Fields, keys: &[String]) -> Result<(), String> {
     }
 }
 
-/// What was read with the choice before, and no longer is.
+/// Removes keys that were read with the previous choices (law, shape) only.
 fn forget_unread(fields: &mut Fields) -> Result<(), String> {
     let read: Vec<&str> = keys::read_with(&choices(fields)?).collect();
     let unread: Vec<String> = fields.keys().filter(|k| !read.contains(&k.as_str())).cloned().collect();
@@ -228,7 +228,7 @@ fn forget_unread(fields: &mut Fields) -> Result<(), String> {
     Ok(())
 }
 
-/// What the scene chooses.
+/// The choices that the scene makes.
 fn choices(fields: &Fields) -> Result<Vec<Choice>, String> {
     let mut choices = vec![match fields.get("shape") {
         None => Choice::Lists,
@@ -236,7 +236,7 @@ fn choices(fields: &Fields) -> Result<Vec<Choice>, String> {
     }];
     let law = surroundings::law(fields)?;
     choices.push(Choice::Law(law));
-    // Moreau's law is a way of stepping: no other method takes part.
+    // Moreau's law is a method of its own: a scene with it names no other.
     if law != "moreau" {
         // No default method is adaptive.
         let adaptive = match named_method(fields)? {
@@ -251,11 +251,12 @@ fn choices(fields: &Fields) -> Result<Vec<Choice>, String> {
     Ok(choices)
 }
 
-/// Part of the largest stable step up to which the ledger anchor helps; above it, it harms.
+/// Fraction of the largest stable step up to which anchoring to the ledger helps; above it, it harms.
 const ANCHOR_STEP: f64 = 0.25;
 
-/// Without a word about it, methods that let the energy of an undamped body drift are anchored to the ledger at
-/// each touch: Verlet lifts it there, Runge-Kutta and Nystrom damp it. A damped body cannot be anchored.
+/// Sets the default of `anchor`: for an undamped body, methods whose energy drifts are corrected to the ledger's total
+/// at each touch. With Verlet the correction adds energy, with Runge-Kutta and Nystrom it removes some. A damped body
+/// cannot be anchored.
 fn choose_anchor(fields: &Fields, scene: &mut Scene) -> Result<(), String> {
     let damped = scene.around.air_drag > 0.0 || scene.lists.damping.iter().any(|c| *c > 0.0);
     let small = scene.largest_step.is_some_and(|largest| scene.step <= ANCHOR_STEP * largest);
@@ -275,7 +276,7 @@ fn choose_anchor(fields: &Fields, scene: &mut Scene) -> Result<(), String> {
     Ok(())
 }
 
-/// Largest stable step (s) of a method, if something sets one. Dampers bound no step of a method that solves for them.
+/// Largest stable step (s) of a method, if there is one. Dampers do not limit a method that treats them implicitly.
 ///
 /// # Errors
 /// A body that cannot be.
@@ -309,8 +310,8 @@ fn check_step(fields: &Fields, scene: &Scene) -> Result<(), String> {
     Ok(())
 }
 
-/// Says so where energy compensation and the step's own energy error add up. The method that keeps the
-/// energy exactly has none; a damped body loses it again.
+/// A warning if energy compensation and the step's own energy error add up. A method that conserves energy exactly has
+/// no such error; a damped body dissipates it.
 fn warn_of_gain(path: &str, scene: &Scene) -> Option<String> {
     let compensated = matches!(scene.around.ground?.law, ContactLaw::Compensation { eta, .. } if eta > 0.0);
     let damped = scene.around.air_drag > 0.0 || scene.lists.damping.iter().any(|c| *c > 0.0);
@@ -327,7 +328,7 @@ fn warn_of_gain(path: &str, scene: &Scene) -> Option<String> {
     })
 }
 
-/// The word for a method, if there is one.
+/// The name of the method, if there is one.
 fn named_method(fields: &Fields) -> Result<Option<&str>, String> {
     fields.get("method").map(|_| fields.word("method", "")).transpose()
 }

@@ -1,4 +1,4 @@
-//! What is around the body of a scene: gravity, air, ground with its law, gas.
+//! The surroundings of a scene's body: gravity, air, ground with its law, gas.
 
 use smartbed_runtime::contact::{ContactLaw, Ground};
 use smartbed_runtime::flexible::{Gas, Inflation, PressureForm};
@@ -9,14 +9,14 @@ use super::super::lists::Lists;
 use super::super::simulation::Surroundings;
 use crate::suggest;
 
-/// Part of the shortest rest length within which points touch together.
+/// Points within this fraction of the shortest rest length touch together.
 const CLUSTER: f64 = 1e-11;
-/// The same at most: a point this far from the ground is on it.
+/// Largest such fraction: a point this near to the ground is on it.
 const WIDEST_CLUSTER: f64 = 1e-3;
-/// A normal written with so few digits that its length is off 1 by less than this is a unit vector.
+/// A normal whose length differs from 1 by less than this, because it has few digits, is scaled to a unit vector.
 const UNIT: f64 = 1e-3;
 
-/// Reads them; massless points hand their mass to their neighbours.
+/// Reads the surroundings; the mass of massless points is distributed to their neighbours.
 ///
 /// # Errors
 /// What is wrong, and where.
@@ -32,7 +32,7 @@ pub(super) fn read(fields: &Fields, lists: &mut Lists) -> Result<Surroundings, S
     })
 }
 
-/// The law's name; the references write "EC-P, frictionless floor ...".
+/// The law's name; reference files write "EC-P, frictionless floor ...".
 pub(super) fn law(fields: &Fields) -> Result<&'static str, String> {
     let word = fields.word("law", "compensation")?;
     let name = if word.starts_with("EC-P") { "compensation" } else { word };
@@ -90,7 +90,8 @@ fn read_ground(fields: &Fields, lists: &mut Lists) -> Result<Option<Ground<f64>>
     Ok(Some(Ground { normal, offset, law, friction: fields.not_negative("mu", 0.0)?, tolerance }))
 }
 
-/// Who takes the energy of an impact: all neighbours of a touching point, or masses in the middle alone (thesis 5.9).
+/// The first point that may receive the energy of an impact: all neighbours of a touching point do, or only masses in
+/// the middle of cells (thesis 5.9).
 fn first_receiver(fields: &Fields, lists: &Lists) -> Result<usize, String> {
     match (fields.word("receivers", "all")?, lists.first_centre) {
         ("all", _) => Ok(0),
@@ -104,7 +105,7 @@ fn first_receiver(fields: &Fields, lists: &Lists) -> Result<usize, String> {
     }
 }
 
-/// Takes the mass of the points that touch: those named, else the lowest.
+/// Removes the mass of the points that touch: those named, else the lowest.
 fn take_masses(fields: &Fields, lists: &mut Lists) -> Result<(), String> {
     let massless = match fields.points("massless", lists.points.len())? {
         Some(points) if points.is_empty() => {
@@ -121,7 +122,7 @@ fn take_masses(fields: &Fields, lists: &mut Lists) -> Result<(), String> {
     lists.redistribute(&massless).map_err(|e| fields.error("massless", &e))
 }
 
-/// The ground is the plane n.x = offset: with another length of n it would stand elsewhere.
+/// The ground is the plane n.x = offset; scaling n alone would move it.
 fn read_floor(fields: &Fields) -> Result<([f64; 3], f64), String> {
     let Some([normal, offset]) = fields.table("floor", ["normal", "offset"])? else {
         return Ok(([0.0, 0.0, 1.0], 0.0));

@@ -1,15 +1,15 @@
-//! `[view]` of a scene: what pictures leave out, and colours.
+//! `[view]` of a scene: which parts pictures leave out, and colours.
 
 use crate::scene::fields::Fields;
 use serde_json::Value;
 use smartbed_codegen::model::colour::{self, COLOURS};
 
-/// What can be left out.
+/// Parts that can be left out.
 const PARTS: [&str; 5] = ["springs", "points", "surface", "ground", "forces"];
-/// What has a colour of its own choice; without one springs and surface are coloured by their strain.
+/// Parts whose colour can be chosen; by default springs and surface are coloured by their strain.
 const COLOURED: [&str; 2] = ["springs", "surface"];
 
-/// What pictures show of a scene.
+/// Options for pictures of a scene.
 #[derive(Clone, PartialEq, Eq, Default, Debug)]
 pub struct View {
     /// Parts left out.

@@ -1,23 +1,23 @@
-//! Gas of flexible parts that keeps its mass: its lines, what it took since the start.
+//! Sealed gas of flexible parts: its supply and vent, and its energy accounts.
 
 use smartbed_runtime::gas::{Account, Line};
 use smartbed_runtime::world::{Cell, Content};
 
-/// Gas that is told of at a part's name.
+/// A sealed gas, reported under the name of its part.
 #[derive(Clone, Debug)]
 pub(super) struct Air {
     /// The part that encloses it.
     pub(super) part: usize,
     pub(super) cell: usize,
-    /// Volume behind the last step (m^3).
+    /// Volume after the last step (m^3).
     pub(super) volume: f64,
-    /// Supply and vent, as far as there are.
+    /// Supply and vent, if there are any.
     pub(super) lines: [Option<Line<f64>>; 2],
     /// Enthalpy, heat and work since the start (J).
     pub(super) account: Account<f64>,
 }
 
-/// Numbers of an [`Air`] that a run goes on from.
+/// Number of values of an [`Air`] in a checkpoint.
 pub(super) const SAVED: usize = 6;
 
 impl Air {
@@ -35,7 +35,7 @@ impl Air {
         [state[0], state[1], enthalpy_in, enthalpy_out, heat, work]
     }
 
-    /// From [`Air::save`].
+    /// Restores state and accounts from [`Air::save`].
     pub(super) fn load(&mut self, numbers: &[f64], cells: &mut [Cell<f64>]) {
         if let (Content::Sealed { state, .. }, &[pressure, mass, enthalpy_in, enthalpy_out, heat, work]) =
             (&mut cells[self.cell].content, numbers)

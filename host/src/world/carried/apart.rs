@@ -1,21 +1,21 @@
-//! An engine whose parts step by themselves where they are apart.
+//! An engine that steps groups of parts separately while they are apart.
 //!
-//! In: a world of flexible parts. Out: it, or an engine that has it step group by group (`islands`); state, rows, energies and pictures are the
-//! world's own.
+//! In: a world of flexible parts. Out: an engine that steps it group by group (`islands`), or the world itself if it is
+//! one group; state, rows, energies and pictures are the world's own.
 
 use super::CarriedWorld;
 use super::islands::Islands;
 use crate::world::engine::{self, Column, Energies, Engine, Event, Settled};
 use crate::world::picture::Picture;
 
-/// A world and how its parts are grouped.
+/// A world and the grouping of its parts.
 #[derive(Clone, Debug)]
 struct Apart {
     world: CarriedWorld,
     islands: Islands,
 }
 
-/// The engine of a world in which what is slower than `sleep` (m/s, rad/s) stands still.
+/// The engine of a world in which everything slower than `sleep` (m/s, rad/s) is frozen.
 #[must_use]
 pub fn engine(world: CarriedWorld, sleep: Option<f64>) -> Box<dyn Engine> {
     match Islands::new(&world, sleep) {

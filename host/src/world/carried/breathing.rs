@@ -1,8 +1,8 @@
-//! Flow of gas beside the motion of a world.
+//! Flow of gas, split from the motion of a world.
 //!
-//! In: gas with lines (`air`), a step of motion. Out: a step with flow around it: half a step of flow at the volume that is there,
-//! a step with the lines shut, half a step of flow (Strang 1968, order 2). What flow changes of the gas' potential is given by
-//! whoever opens the line: work of the drives.
+//! In: sealed gas with supply or vent (`air`), and a function for a step of motion. Out: half a step of flow at
+//! constant volume, a step of motion with the lines closed, half a step of flow (Strang splitting 1968, order 2). The
+//! change of the gas's potential by flow counts as work of the drives.
 
 use super::air::Air;
 use super::{CarriedWorld, Place, words};
@@ -11,7 +11,7 @@ use smartbed_runtime::mechanism::Fault;
 use smartbed_runtime::world::Content;
 
 impl CarriedWorld {
-    /// A step with flow before and behind it; an error leaves everything as it was.
+    /// A step of motion with half a step of flow before and after it; after an error everything is as before.
     pub(super) fn breathing(
         &mut self,
         h: f64,
@@ -33,7 +33,7 @@ impl CarriedWorld {
         done
     }
 
-    /// Volumes that are not known yet.
+    /// Computes volumes that are not known yet.
     fn look(&mut self) -> Result<(), Fault> {
         if self.airs.iter().any(|air| air.volume.is_nan()) {
             let (t, x) = (self.t, self.x.clone());
@@ -45,7 +45,7 @@ impl CarriedWorld {
         Ok(())
     }
 
-    /// Flow for h seconds, volumes at rest.
+    /// Flow for h seconds at constant volumes.
     fn flow(&mut self, h: f64) -> Result<(), String> {
         for air in &mut self.airs {
             let open: Vec<Line<f64>> =
@@ -66,7 +66,7 @@ impl CarriedWorld {
         Ok(())
     }
 
-    /// What gas took while its walls moved.
+    /// Accounts for the work of moving walls on the gas, and updates the volumes.
     fn push(&mut self) -> Result<(), Fault> {
         let (t, x) = (self.t, self.x.clone());
         self.with(|mut island| island.place(t, &x))?;
@@ -81,7 +81,7 @@ impl CarriedWorld {
         Ok(())
     }
 
-    /// Volumes are looked for anew: the state is another.
+    /// Marks the volumes as unknown, because the state was changed from outside.
     pub(super) fn forget_volumes(&mut self) {
         self.airs.iter_mut().for_each(|air| air.volume = f64::NAN);
     }
@@ -93,7 +93,7 @@ impl CarriedWorld {
     }
 }
 
-/// What a gas cannot do, and what to do about it.
+/// The error of a gas in words, with advice.
 fn gas_words(fault: GasFault<f64>) -> String {
     match fault {
         GasFault::Collapsed(volume) => {

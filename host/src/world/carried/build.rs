@@ -1,6 +1,6 @@
-//! A world of flexible parts at its start: carriers, one body of all flexible parts, attachments, contacts.
+//! Builds a world of flexible parts at its start: carriers, one body of all flexible parts, attachments, contacts.
 //!
-//! In: an assembly. Out: a [`CarriedWorld`], or what cannot be derived, assembled or stepped.
+//! In: an assembly. Out: a [`CarriedWorld`], or the reason why it cannot be derived, assembled or stepped.
 
 use super::air::Air;
 use super::methods::Contacts;
@@ -18,10 +18,10 @@ use smartbed_runtime::vec3;
 use smartbed_runtime::world::{Attachment, Carrier, Cell, Content, Floating, Group, Inertias, Still, Wrench};
 
 impl CarriedWorld {
-    /// At its start.
+    /// Builds the world at its start.
     ///
     /// # Errors
-    /// What cannot be derived, assembled or stepped, in words.
+    /// A message if it cannot be derived, assembled or stepped.
     pub fn new(assembly: &Assembly) -> Result<Self, String> {
         let contacts = contacts(assembly);
         let default = contacts.default_method(assembly.parts.iter().any(is_undamped));
@@ -58,7 +58,7 @@ impl CarriedWorld {
         Ok(world)
     }
 
-    /// Carriers in the order of the parts; their starts.
+    /// Adds the carriers in the order of the parts; returns their initial coordinates and speeds.
     fn carriers(&mut self, assembly: &Assembly) -> Result<[Vec<f64>; 2], String> {
         let [mut q, mut u] = [Vec::new(), Vec::new()];
         for (number, part) in assembly.parts.iter().enumerate() {
@@ -72,7 +72,7 @@ impl CarriedWorld {
                     HostCarrier::Mechanism(Box::new(ported))
                 }
                 Kind::Rigid(rigid) if rigid.on.is_some() => {
-                    // Its port has a number when all carriers are there.
+                    // The index of its port is known only when all carriers have been added.
                     self.places.push(Place::Shape(usize::MAX, standing(rigid), rigid.shape));
                     continue;
                 }
@@ -108,7 +108,7 @@ impl CarriedWorld {
         Ok([q, u])
     }
 
-    /// All flexible parts as one body.
+    /// Combines all flexible parts into one body.
     fn flexible(&mut self, assembly: &Assembly) -> Result<(), String> {
         let mut drag = None;
         for (number, (part, place)) in assembly.parts.iter().zip(&mut self.places).enumerate() {
@@ -144,7 +144,7 @@ impl CarriedWorld {
         Ok(())
     }
 
-    /// Puts attached parts into the frames that hold them, and writes the first state.
+    /// Moves attached parts into the frames that hold them, and writes the initial state.
     fn join(&mut self, assembly: &Assembly, [q, u]: &[Vec<f64>; 2]) -> Result<(), String> {
         let mut frames = std::mem::take(&mut self.room.frames);
         Group { members: &mut self.carriers }.frames(0.0, q, u, &mut frames).map_err(words)?;
@@ -155,7 +155,7 @@ impl CarriedWorld {
             let Place::Nodes(nodes, ..) = self.places[attachment.part].clone() else { continue };
             let port = self.port(assembly, attachment.to, attachment.port.as_deref());
             let frame = self.room.frames[port];
-            // The part's own places are those in the frame of its first attachment.
+            // The part's own positions are relative to the frame of its first attachment.
             if !std::mem::replace(&mut placed[attachment.part], true) {
                 for node in nodes.clone() {
                     let point = frame.point(self.room.pos[node]);
@@ -183,7 +183,7 @@ impl CarriedWorld {
         Ok(())
     }
 
-    /// What can be touched, and the memory of steps with contacts.
+    /// Adds the parts that can be touched, and the memory for steps with contacts.
     fn touch(&mut self, assembly: &Assembly) -> Result<(), String> {
         let mut port = 0;
         let mut touchable = Vec::new();
@@ -207,7 +207,7 @@ impl CarriedWorld {
         Ok(())
     }
 
-    /// Frames of the ports of mechanisms that time alone moves.
+    /// Frames of the ports of mechanisms whose motion is completely prescribed.
     fn commanded(&self) -> Vec<Frame<f64>> {
         let (mut port, mut frames) = (0, Vec::new());
         for carrier in &self.carriers {
@@ -220,7 +220,7 @@ impl CarriedWorld {
         frames
     }
 
-    /// Number of a port among all.
+    /// Index of a port among all.
     fn port(&self, assembly: &Assembly, part: usize, name: Option<&str>) -> usize {
         let Place::Carrier(number, _) = self.places[part] else { return usize::MAX };
         let first: usize = self.carriers[..number].iter().map(Carrier::n_ports).sum();
@@ -229,14 +229,14 @@ impl CarriedWorld {
     }
 }
 
-/// Is it flexible, with springs that nothing damps?
+/// Is it flexible, with springs that have no damping?
 fn is_undamped(part: &Part) -> bool {
     let Kind::Flexible(body) = &part.kind else { return false };
     let lists = &body.lists;
     !lists.springs.is_empty() && body.air_drag == 0.0 && lists.damping.iter().all(|c| *c == 0.0)
 }
 
-/// What the contacts of an assembly ask of its method.
+/// The requirements of the assembly's contacts on the method.
 fn contacts(assembly: &Assembly) -> Contacts {
     let unlocated = assembly.contacts.iter().any(|contact| matches!(contact.law, Law::Moreau { .. }));
     match (assembly.contacts.is_empty(), unlocated) {
@@ -246,13 +246,13 @@ fn contacts(assembly: &Assembly) -> Contacts {
     }
 }
 
-/// The frame of a rigid part that does not move.
+/// The frame of a fixed rigid part.
 fn standing(rigid: &Rigid) -> Frame<f64> {
     let (origin, axes) = (rigid.start.position, rigid.start.attitude.axes());
     Frame { origin, axes, velocity: [0.0; 3], angular_velocity: [0.0; 3] }
 }
 
-/// Springs with their ends counted from `first`.
+/// Springs with node indices shifted by `first`.
 fn springs(lists: &Lists, first: usize) -> impl Iterator<Item = Spring<f64>> + '_ {
     (0..lists.springs.len()).map(move |n| Spring {
         tail: lists.springs[n][0] + first,
@@ -263,7 +263,7 @@ fn springs(lists: &Lists, first: usize) -> impl Iterator<Item = Spring<f64>> + '
     })
 }
 
-/// Ports of a mechanism that attachments and surfaces use, each once.
+/// Ports of a mechanism that attachments and surfaces use, without duplicates.
 fn ports(assembly: &Assembly, part: usize) -> Vec<String> {
     let mut ports: Vec<String> = Vec::new();
     let attached = assembly.attachments.iter().filter(|a| a.to == part).filter_map(|a| a.port.as_ref());
@@ -279,7 +279,8 @@ fn ports(assembly: &Assembly, part: usize) -> Vec<String> {
     ports
 }
 
-/// The largest step that follows every flexible part's fastest motion; refuses the scene's where it is larger.
+/// The largest step that resolves the fastest motion of every flexible part; refuses the scene's step if that is
+/// larger.
 fn stable_step(assembly: &Assembly, fixed: &Fixed) -> Result<Option<f64>, String> {
     let mut stable: Option<f64> = None;
     for part in &assembly.parts {
@@ -287,7 +288,7 @@ fn stable_step(assembly: &Assembly, fixed: &Fixed) -> Result<Option<f64>, String
         let around =
             Surroundings { gravity: fixed.gravity, air_drag: fixed.air_drag, ground: None, inflation: None };
         let method = smartbed_runtime::ode::nodes::Method::Verlet;
-        // Attached nodes have no mass and do not move: any will do.
+        // Attached nodes have no mass and do not move: any value will do.
         let mut lists = body.lists.clone();
         lists
             .masses

@@ -1,4 +1,4 @@
-//! What can be asked of a world's equations, and another method or state put in their place: for measuring.
+//! Queries about a world's equations, and functions that replace its method or state, for measurements.
 
 use super::methods::{Contacts, Stepping};
 use super::{CarriedWorld, words};
@@ -10,19 +10,20 @@ impl CarriedWorld {
         self.contacts == Contacts::None
     }
 
-    /// What its contacts ask of its method.
+    /// The kind of its contacts, which restricts the methods.
     #[must_use]
     pub fn contacts(&self) -> Contacts {
         self.contacts
     }
 
-    /// The largest step that follows the flexible parts' fastest motion (s), if there is a bound.
+    /// Stability limit of the step (s): the largest that resolves the fastest motion of the flexible parts, if there is
+    /// one.
     #[must_use]
     pub fn largest_stable_step(&self) -> Option<f64> {
         self.stable
     }
 
-    /// Takes the method of this name.
+    /// Chooses the method with this name.
     ///
     /// # Errors
     /// There is none.
@@ -35,7 +36,7 @@ impl CarriedWorld {
         Ok(())
     }
 
-    /// Puts it at a time and state, as [`CarriedWorld::numbers`] has it.
+    /// Sets time and state, in the layout of [`CarriedWorld::numbers`].
     ///
     /// # Errors
     /// A state of another size, or one that cannot be assembled.

@@ -1,9 +1,9 @@
-//! A step of parts that are apart, each group of parts that meet or are joined by itself.
+//! Steps groups of parts that are apart, each group by itself.
 //!
-//! In: a world, the length of a step. Out: the world behind it. Parts that attachments join are a component; components whose boxes are
-//! so near that they may touch within a few steps go together as a group. A group is a [`Subset`], on as many threads as
-//! there are; each is alone, so their number changes no bit. A group in which everything has been slower than
-//! `run.sleep` for a while stands still until something comes near it or an input changes.
+//! In: a world, the length of a step. Out: the world after it. Parts joined by attachments form a component; components
+//! whose bounding boxes are so near that they may touch within a few steps form a group. Each group is a [`Subset`]
+//! with its own data, so that groups run on any number of threads with the same bits. A group in which everything has
+//! been slower than `run.sleep` for a while is frozen until something comes near it or an input changes.
 
 use super::reach::Reach;
 use super::subset::Subset;
@@ -14,29 +14,29 @@ use smartbed_runtime::world::Carrier;
 use std::num::NonZero;
 use std::thread;
 
-/// How long everything of a group is slow before it stands still (s).
+/// Time (s) for which everything in a group must be slow before it is frozen.
 const QUIET: f64 = 0.1;
-/// Nodes of all groups below which threads take more time than they save.
+/// Below this number of nodes in all groups, threads cost more time than they save.
 const MANY_NODES: usize = 2_000;
 
-/// Components of a world, as they are grouped.
+/// The components of a world, and their grouping.
 #[derive(Clone, Debug)]
 pub(super) struct Islands {
-    /// The component of each part; none for what is fixed in space.
+    /// By part: its component; `None` if it is fixed in space.
     component: Vec<Option<usize>>,
-    /// How near each component's things reach.
+    /// By component: its bounding box and fastest speed.
     reaches: Vec<Reach>,
-    /// How long each has been slow (s).
+    /// By component: time for which it has been slow (s).
     quiet: Vec<f64>,
     /// Components whose parts may touch.
     pairs: Vec<[usize; 2]>,
     groups: Vec<Island>,
-    /// Slower than this counts as still (m/s).
+    /// Speed below which a component counts as slow (m/s).
     sleep: Option<f64>,
     threads: usize,
 }
 
-/// Some components, as they step together.
+/// A group of components that are stepped together.
 #[derive(Clone, Debug)]
 struct Island {
     components: Vec<usize>,
@@ -45,7 +45,7 @@ struct Island {
 }
 
 impl Islands {
-    /// Of a world; none if all of it is one component that never stands still.
+    /// For a world; `None` if it is a single component that is never frozen.
     pub(super) fn new(world: &CarriedWorld, sleep: Option<f64>) -> Option<Islands> {
         let component = components(world);
         let count = component.iter().flatten().max().map_or(0, |last| last + 1);
@@ -65,7 +65,7 @@ impl Islands {
         Some(Islands { component, reaches, quiet, pairs, groups, sleep, threads })
     }
 
-    /// Numbers that a run goes on from.
+    /// The values that a checkpoint needs.
     pub(super) fn save(&self) -> &[f64] {
         if self.sleep.is_some() { &self.quiet } else { &[] }
     }
@@ -76,12 +76,12 @@ impl Islands {
         self.forget();
     }
 
-    /// The world stands elsewhere: everything is grouped anew.
+    /// Discards the grouping, because the state was changed from outside.
     pub(super) fn forget(&mut self) {
         self.groups.clear();
     }
 
-    /// Something outside acts otherwise on a part.
+    /// Unfreezes the group of a part, because something acts on it differently now.
     pub(super) fn wake(&mut self, part: usize) {
         let Some(component) = self.component[part] else { return };
         for group in self.groups.iter_mut().filter(|group| group.components.contains(&component)) {
@@ -91,7 +91,7 @@ impl Islands {
         self.quiet[component] = 0.0;
     }
 
-    /// A step of all groups; an error leaves the world as it was.
+    /// Steps all groups; after an error the world is as before.
     pub(super) fn step(
         &mut self,
         whole: &mut CarriedWorld,
@@ -123,7 +123,7 @@ impl Islands {
         self.rest(whole, h)
     }
 
-    /// Groups what is near one another; what was grouped so keeps its memory.
+    /// Groups the components that are near one another; a group with the same members as before keeps its data.
     fn group(&mut self, whole: &mut CarriedWorld, h: f64) -> Result<(), String> {
         if self.groups.is_empty() {
             let (t, x) = (whole.t, whole.x.clone());
@@ -162,14 +162,14 @@ impl Islands {
         Ok(())
     }
 
-    /// Boxes of what moves are found anew by its step.
+    /// Discards the bounding boxes of moving groups, which their next step computes anew.
     fn forget_reaches(&mut self) {
         for group in self.groups.iter().filter(|group| !group.stands) {
             group.components.iter().for_each(|own| self.reaches[*own] = Reach::NOTHING);
         }
     }
 
-    /// What has been slow for long enough stands still; its motion is booked as damping.
+    /// Freezes groups that have been slow for long enough; their remaining kinetic energy is booked as damping.
     fn rest(&mut self, whole: &mut CarriedWorld, h: f64) -> Result<(), String> {
         let Some(least) = self.sleep else { return Ok(()) };
         for group in self.groups.iter_mut().filter(|group| !group.stands) {
@@ -187,7 +187,7 @@ impl Islands {
     }
 }
 
-/// Steps each by itself, on so many threads; what happened, in their order.
+/// Steps each subset by itself, on this number of threads; events are in the order of the subsets.
 fn step_all(moving: &mut [&mut Subset], h: f64, threads: usize) -> Result<Vec<Event>, String> {
     let nodes: usize = moving.iter().map(|subset| subset.points()).sum();
     let threads = if nodes < MANY_NODES { 1 } else { threads.min(moving.len()) };
@@ -213,7 +213,7 @@ fn step_all(moving: &mut [&mut Subset], h: f64, threads: usize) -> Result<Vec<Ev
     Ok(events)
 }
 
-/// The component of each part: attachments join, a surface belongs to the mechanism that carries it.
+/// By part: its component. Attachments join parts; a surface on a port belongs to the mechanism that carries it.
 fn components(world: &CarriedWorld) -> Vec<Option<usize>> {
     let carriers: Vec<usize> = (world.carriers.iter()).flat_map(|own| [own.n_ports()]).collect();
     let mut owner_of_port = Vec::new();
@@ -246,7 +246,7 @@ fn components(world: &CarriedWorld) -> Vec<Option<usize>> {
     component
 }
 
-/// Groups of what pairs join among n, each in ascending order, by their first ones.
+/// Connected components of n items joined by pairs, each in ascending order, sorted by their first members.
 fn joined(n: usize, pairs: impl Iterator<Item = [usize; 2]>) -> Vec<Vec<usize>> {
     let mut group: Vec<usize> = (0..n).collect();
     let find = |group: &[usize], mut one: usize| {

@@ -1,34 +1,34 @@
-//! Methods of worlds by name, and which of them a world with contacts takes.
+//! Integration methods of worlds by name, and which of them a world with contacts can use.
 
 use crate::suggest;
 use smartbed_runtime::ode::Method;
 
-/// How a step is made.
+/// The kind of a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Stepping {
     /// By a method for any ordinary differential equations.
     Ode(Method),
-    /// By forces that are means over the step (energy-momentum).
+    /// With forces averaged over the step (energy-momentum method).
     Conserving,
-    /// By forces in its middle, impacts and lasting contacts alike (Moreau).
+    /// With forces at its midpoint; impacts and lasting contacts are treated alike (Moreau).
     Moreau,
 }
 
-/// What a world's contacts ask of its method.
+/// The kind of contacts, which restricts the methods.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Contacts {
     /// There are none.
     None,
-    /// Their touches are located in time, steps cut there.
+    /// Touches are located in time, and steps are cut there.
     Located,
-    /// They act over whole steps.
+    /// Contact forces act over whole steps.
     Unlocated,
 }
 
-/// The method of free motion while a world without contacts is relaxed.
+/// The method of free motion in the relaxation of a world without contacts.
 pub(super) const RELAXED: Method = Method::SemiImplicitEuler;
 
-/// A method: name, step, order where nothing touches.
+/// A method: its name, its kind, its order while nothing touches.
 pub type Named = (&'static str, Stepping, u32);
 
 /// Methods by name.
@@ -44,7 +44,7 @@ const METHODS: [Named; 8] = [
 ];
 
 impl Contacts {
-    /// Methods for a world with such contacts.
+    /// The methods for a world with such contacts.
     pub fn methods(self) -> impl Iterator<Item = Named> {
         METHODS.into_iter().filter(move |(_, stepping, _)| match (self, stepping) {
             (Contacts::None, Stepping::Moreau)
@@ -54,8 +54,8 @@ impl Contacts {
         })
     }
 
-    /// The method where nobody chooses. A flexible part without any damping keeps what a step errs in energy: there the
-    /// method is one that errs in none.
+    /// The method if none is chosen. A flexible part without any damping would keep the energy error of every step, so
+    /// that it gets a method that conserves energy.
     #[must_use]
     pub fn default_method(self, is_undamped: bool) -> &'static str {
         match self {
@@ -68,7 +68,7 @@ impl Contacts {
     /// The method of this name.
     ///
     /// # Errors
-    /// There is none, with the likely name, or it is not for such contacts, with what to do.
+    /// An unknown name, with the most similar one, or a method that does not suit such contacts, with advice.
     pub fn method(self, name: &str) -> Result<(&'static str, Stepping), String> {
         if let Some((known, stepping, _)) = self.methods().find(|(known, ..)| *known == name) {
             return Ok((known, stepping));

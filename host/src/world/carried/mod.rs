@@ -1,8 +1,8 @@
-//! Worlds of flexible parts on mechanisms, rigid bodies and fixed frames, as one set of equations.
+//! Worlds of flexible parts on mechanisms, rigid bodies and fixed frames, as one system of equations.
 //!
 //! In: an assembly (`build`). Out: an [`Engine`](super::engine::Engine) over the runtime's [`Island`], which borrows
-//! the lists kept here: all flexible parts as one body, all carriers as one group. Where something can touch, the
-//! runtime's `World` steps it and keeps the accounts; elsewhere works (drives, damping) are integrals of powers by
+//! the lists stored here: all flexible parts as one body, all carriers as one group. If there are contacts, the
+//! runtime's `World` steps it and keeps the accounts; otherwise works (drives, damping) are integrals of powers by
 //! Simpson's rule over each step.
 
 mod air;
@@ -34,7 +34,7 @@ use smartbed_runtime::vec3::{self, Vec3};
 use smartbed_runtime::world::{Attachment, Carrier, Cell, Group, Island, Memory, Wrench};
 use std::ops::Range;
 
-/// What never changes.
+/// Data that never changes.
 #[derive(Clone, Debug, Default)]
 struct Fixed {
     mass: Vec<f64>,
@@ -48,7 +48,7 @@ struct Fixed {
     air_drag: f64,
 }
 
-/// Memory that an island borrows.
+/// Working memory that an island borrows.
 #[derive(Clone, Debug, Default)]
 struct Room {
     pos: Vec<Vec3<f64>>,
@@ -59,14 +59,14 @@ struct Room {
     wrenches: Vec<Wrench<f64>>,
 }
 
-/// A part of the assembly within the lists.
+/// Where a part of the assembly is found in the lists.
 #[derive(Clone, Debug)]
 enum Place {
-    /// Number of its carrier.
+    /// Index of its carrier.
     Carrier(usize, Option<Shape<f64>>),
-    /// A shape on a port, its place there.
+    /// Port, frame relative to it, and shape of a surface on a port.
     Shape(usize, Frame<f64>, Shape<f64>),
-    /// Nodes, facets, and its gas.
+    /// Ranges of its nodes and facets, and the index of its gas.
     Nodes(Range<usize>, Range<usize>, Option<usize>),
 }
 
@@ -77,7 +77,7 @@ struct Powers {
     damped: f64,
 }
 
-/// Flexible parts on carriers.
+/// A world of flexible parts on carriers.
 #[derive(Clone, Debug)]
 pub struct CarriedWorld {
     names: Vec<String>,
@@ -91,7 +91,7 @@ pub struct CarriedWorld {
     contacts: Contacts,
     method: (&'static str, Stepping),
     h: f64,
-    /// Commanded frames at the start, with their motion.
+    /// Frames of the ports that time alone moves, at the start, with their motion.
     starts: Vec<Frame<f64>>,
     t: f64,
     drive: f64,
@@ -102,7 +102,7 @@ pub struct CarriedWorld {
     touching: Option<Touching>,
     unsettled: usize,
     forced: usize,
-    /// The largest step that follows the flexible parts' fastest motion (s).
+    /// Stability limit of the step (s): the largest that resolves the fastest motion of the flexible parts.
     stable: Option<f64>,
 }
 
@@ -111,14 +111,14 @@ fn words(fault: Fault) -> String {
 }
 
 impl CarriedWorld {
-    /// The state: coordinates of the carriers, places of the free nodes; speeds of the carriers, velocities of the
-    /// nodes.
+    /// The state: coordinates of the carriers, positions of the free nodes; then speeds of the carriers, velocities of
+    /// the nodes.
     #[must_use]
     pub fn numbers(&self) -> &[f64] {
         &self.x
     }
 
-    /// A step of a world with contacts; pairs that come into touch are events. `at_rest` while it is relaxed.
+    /// A step of a world with contacts; pairs that come into contact are events. `at_rest` is true in a relaxation.
     fn step_touching(
         &mut self,
         h: f64,
@@ -138,10 +138,11 @@ impl CarriedWorld {
         let mut report = done?;
         self.unsettled += usize::from(!report.settled);
         self.forced += usize::from(report.forced);
-        // What the step's own accounts do not see of mechanisms: powers in the middle, but those of the wrenches.
+        // The step's accounts do not see forces inside mechanisms: adds their powers at the midpoint, without those of
+        // the wrenches.
         let middle: Vec<f64> = old.iter().zip(x.iter()).map(|(a, b)| 0.5 * (a + b)).collect();
         let accounts = &mut report.accounts;
-        // Where time gives a mechanism's motion, by Simpson's rule.
+        // Simpson's rule for a mechanism that time alone moves.
         self.each_mechanism(&middle, |ported, q, u, wrenches| {
             let none = vec![Wrench::zero(); wrenches.len()];
             let ends: &[_] = if u.is_empty() { &[(0.0, 1.0), (0.5, 4.0), (1.0, 1.0)] } else { &[(0.5, 6.0)] };
@@ -155,17 +156,17 @@ impl CarriedWorld {
         Ok(report)
     }
 
-    /// The method between touches; of steps that have no such method, that of what is relaxed.
+    /// The method between touches; for kinds of steps without one, that of a relaxation.
     fn ode_method(&self) -> Method {
         if let Stepping::Ode(method) = self.method.1 { method } else { methods::RELAXED }
     }
 
-    /// Does a step know of contacts, or does it act over its whole like one that does?
+    /// Is it stepped by the runtime's `World`, because of contacts or because its forces are averaged over the step?
     fn steps_as_world(&self) -> bool {
         self.contacts != Contacts::None || self.method.1 == Stepping::Conserving
     }
 
-    /// Does something with the island that the lists are.
+    /// Calls a function with the island that the lists form.
     pub(crate) fn with<T>(
         &mut self,
         act: impl FnOnce(Island<'_, f64, Group<'_, HostCarrier>>) -> Result<T, Fault>,
@@ -184,14 +185,14 @@ impl CarriedWorld {
         act(Island::new(group, fixed.body(&grids), &fixed.attachments, memory)?.with_cells(&fixed.cells)?)
     }
 
-    /// Rates of a state; forces and wrenches of it are in memory then.
+    /// Rates of a state; its forces and wrenches remain in the working memory.
     pub(crate) fn rates(&mut self, t: f64, x: &[f64]) -> Result<Vec<f64>, Fault> {
         let mut dot = vec![0.0; x.len()];
         self.with(|mut island| island.rates(t, x, &mut dot))?;
         Ok(dot)
     }
 
-    /// Powers at the state whose rates were asked for last.
+    /// Powers at the state whose rates were computed last.
     fn powers(&mut self, t: f64, x: &[f64]) -> Result<Powers, Fault> {
         let mut powers = Powers::default();
         let forces = self.room.viscous.iter().zip(&self.room.vel);
@@ -205,7 +206,7 @@ impl CarriedWorld {
         Ok(powers)
     }
 
-    /// Shows each mechanism with its part of the state and the wrenches at its ports.
+    /// Calls a function for each mechanism with its part of the state and the wrenches at its ports.
     fn each_mechanism(
         &mut self,
         x: &[f64],
@@ -228,7 +229,7 @@ impl CarriedWorld {
         self.touching.as_ref().map_or(&[], |touching| touching.pushed.values())
     }
 
-    /// Where speeds begin in the state.
+    /// Index in the state at which speeds begin.
     fn split(&self) -> usize {
         self.carriers.iter().map(Carrier::n_q).sum::<usize>() + 3 * self.free()
     }

@@ -1,6 +1,6 @@
-//! How far a part reaches, and whether two may touch within the next steps.
+//! Bounding boxes of parts, and whether two parts may touch within the next steps.
 //!
-//! In: where its points stand, how fast they are. Out: a box, grown by what a few steps may move it.
+//! In: positions of a part's points and their largest speed. Out: a box, enlarged by the motion of a few steps.
 
 use smartbed_runtime::vec3::{self, Vec3};
 
@@ -34,7 +34,7 @@ impl Reach {
         self.speed = self.speed.max(other.speed);
     }
 
-    /// Grown by what a few steps of h (s) may move it.
+    /// The box enlarged by the motion of a few steps of h (s).
     fn grown(&self, h: f64, gravity: f64) -> Reach {
         let size = vec3::norm(vec3::sub(self.high, self.low));
         let size = if size.is_finite() { size } else { 0.0 };

@@ -1,4 +1,4 @@
-//! Relaxation towards rest: what `settle::relax` asks of a world of flexible parts.
+//! Implements the relaxation of `settle::relax` for worlds of flexible parts.
 
 use super::methods::{Contacts, RELAXED};
 use super::{CarriedWorld, Place};
@@ -18,7 +18,7 @@ impl Relaxing for CarriedWorld {
     }
 
     fn masses(&self) -> Vec<f64> {
-        // The speeds of carriers are of many kinds: they count as 1 kg moves.
+        // Speeds of carriers have different units: each counts as those of a mass of 1 kg.
         let carriers = self.carriers.iter().map(Carrier::n_u).sum::<usize>();
         let free = self.fixed.mass.iter().zip(&self.fixed.held).filter(|(_, held)| !**held);
         std::iter::repeat_n(1.0, carriers).chain(free.flat_map(|(mass, _)| [*mass; 3])).collect()
@@ -66,7 +66,7 @@ impl Relaxing for CarriedWorld {
     }
 }
 
-/// Equations in which time stands still at 0.
+/// The same equations with time fixed at 0.
 struct Standing<O>(O);
 
 impl<O: Ode<f64>> Ode<f64> for Standing<O> {

@@ -1,26 +1,26 @@
-//! A step of a world of flexible parts, and what may be held from outside over it.
+//! A step of a world of flexible parts, and the inputs that can be held over it.
 //!
-//! In: state, length of the step, inputs. Out: the state behind it, works and events. Where something can touch, the
-//! runtime's step keeps the accounts; elsewhere works are integrals of powers by Simpson's rule.
+//! In: state, length of the step, inputs. Out: the state after it, works and events. If there are contacts, the
+//! runtime's step keeps the accounts; otherwise works are integrals of powers by Simpson's rule.
 
 use super::{CarriedWorld, Place, words};
 use crate::world::carriers::HostCarrier;
 use crate::world::engine::Event;
 use smartbed_runtime::ode::State;
 
-/// What controllers drive.
+/// Inputs that controllers can drive.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Drivable {
-    /// The opening of a line, by number of the gas: supply or vent.
+    /// The opening of a gas line: indices of the gas and of the line (supply or vent).
     Line(usize, usize),
-    /// Both: above 0 the supply opens, below it the vent.
+    /// Both lines of a gas: a positive value opens the supply, a negative one the vent.
     Valves(usize),
-    /// An input of a mechanism, by number of the carrier.
+    /// An input of a mechanism: indices of the carrier and of the input.
     Input(usize, usize),
 }
 
 impl CarriedWorld {
-    /// A step of motion, lines of gas shut.
+    /// A step of motion, with gas lines closed.
     pub(super) fn move_on(&mut self, h: f64, found: &mut Vec<Event>) -> Result<(), String> {
         if self.steps_as_world() {
             let (mut x, mut low) = (std::mem::take(&mut self.x), std::mem::take(&mut self.low));
@@ -40,7 +40,7 @@ impl CarriedWorld {
         let (mut x, mut low, mut scratch) =
             (std::mem::take(&mut self.x), std::mem::take(&mut self.low), std::mem::take(&mut self.scratch));
         let method = self.ode_method();
-        // Where time gives everything there is nothing to integrate.
+        // An empty state: time prescribes all motion, nothing is integrated.
         let done = if x.is_empty() {
             Ok(())
         } else {
@@ -64,7 +64,7 @@ impl CarriedWorld {
         Ok(())
     }
 
-    /// What there is to drive, by name.
+    /// All inputs by name.
     pub(super) fn drivable(&self) -> Vec<(String, Drivable)> {
         let mut list = Vec::new();
         for (number, air) in self.airs.iter().enumerate() {
@@ -92,7 +92,7 @@ impl CarriedWorld {
         list
     }
 
-    /// Holds one, by its number, at a value; the part that it drives, if that changes it.
+    /// Sets an input by index; returns the part that it drives, if the value has changed.
     pub(super) fn drive_input(&mut self, input: usize, value: f64) -> Option<usize> {
         let (_, what) = self.drivable().into_iter().nth(input)?;
         let mut open = |air: usize, line: usize, share: f64| {

@@ -1,7 +1,7 @@
-//! Some parts of a world as a world of its own, which a step may be taken of alone.
+//! Some parts of a world as a world of their own, so that they can be stepped separately.
 //!
-//! In: a world, parts that no attachment joins to others. Out: the same lists with what belongs to these parts only, and where
-//! its numbers stand in those of the whole. Before a step it takes the whole's state, behind it it gives it back.
+//! In: a world, parts that no attachment joins to others. Out: the lists restricted to these parts, with the indices of
+//! their entries in the whole. Before a step it copies its state from the whole, afterwards back.
 
 use super::reach::Reach;
 use super::{CarriedWorld, Fixed, Place, Room};
@@ -12,7 +12,7 @@ use smartbed_runtime::vec3::{self, Vec3};
 use smartbed_runtime::world::{Attachment, Carrier, Cell, Group, Inertias, Thing, Wrench};
 use std::ops::Range;
 
-/// Numbers of the whole, by the subset's own.
+/// A restricted world, with the indices of its entries in the whole.
 #[derive(Clone, Debug)]
 pub(super) struct Subset {
     /// The parts.
@@ -23,12 +23,12 @@ pub(super) struct Subset {
     cells: Vec<usize>,
     airs: Vec<usize>,
     pairs: Vec<usize>,
-    /// Nodes and things of each part here, and how far the things reach about their ports (m).
+    /// By part: its nodes and its shape here, and the reach of the shape from its port (m).
     nodes: Vec<Range<usize>>,
     things: Vec<Option<Thing<f64>>>,
 }
 
-/// How numbers of the whole become those of the subset.
+/// Maps of indices from the whole to the subset.
 struct Renumbered {
     nodes: Vec<usize>,
     ports: Vec<usize>,
@@ -44,7 +44,7 @@ impl Renumbered {
 }
 
 impl CarriedWorld {
-    /// What belongs to these parts, in ascending order, and to what is fixed in space and holds nodes of theirs.
+    /// The subset of these parts, in ascending order, and of parts fixed in space that hold their nodes.
     pub(super) fn subset(&self, parts: &[usize]) -> Subset {
         let parts = &self.with_holders(parts);
         let (n_q, n_free) = (self.carriers.iter().map(Carrier::n_q).sum::<usize>(), self.free());
@@ -119,7 +119,7 @@ impl CarriedWorld {
         Subset { parts: parts.to_vec(), world, x, carriers, cells, airs, pairs, nodes: nodes_of, things }
     }
 
-    /// The world of such lists; its pairs by number, the thing that each part is.
+    /// The world with renumbered lists; its pairs by index, and the thing that represents each part.
     fn renumbered(
         &self,
         new: &Renumbered,
@@ -127,7 +127,7 @@ impl CarriedWorld {
         parts: &[usize],
         n: usize,
     ) -> (CarriedWorld, Vec<usize>, Vec<Option<Thing<f64>>>) {
-        // Parts stand in ascending order, so nodes and ports keep theirs.
+        // Parts are in ascending order, so that nodes and ports keep their order.
         let order: Vec<usize> = (0..new.nodes.len()).filter(|node| new.nodes[*node] != usize::MAX).collect();
         let of_nodes = |list: &[Vec3<f64>]| order.iter().map(|node| list[*node]).collect::<Vec<_>>();
         let ports = new.ports.iter().filter(|port| **port != usize::MAX).count();
@@ -230,7 +230,7 @@ impl CarriedWorld {
 }
 
 impl Subset {
-    /// Takes the whole's state.
+    /// Copies the state from the whole.
     pub(super) fn take(&mut self, whole: &CarriedWorld) {
         let own = &mut self.world;
         for (n, place) in self.x.iter().enumerate() {
@@ -255,7 +255,7 @@ impl Subset {
         (own.unsettled, own.forced) = (0, 0);
     }
 
-    /// Gives it back, and what the step did.
+    /// Copies the state back, and adds the accounts and events of the step.
     pub(super) fn give(&self, whole: &mut CarriedWorld) {
         let own = &self.world;
         for (n, place) in self.x.iter().enumerate() {
@@ -276,19 +276,19 @@ impl Subset {
         whole.forced += own.forced;
     }
 
-    /// Tells the whole what pushes here.
+    /// Reports the contact forces to the whole.
     pub(super) fn tell(&self, whole: &mut CarriedWorld) {
         if let (Some(to), Some(from)) = (&mut whole.touching, &self.world.touching) {
             to.hear(from, &self.pairs);
         }
     }
 
-    /// Nodes.
+    /// Number of nodes.
     pub(super) fn points(&self) -> usize {
         self.world.room.pos.len()
     }
 
-    /// Boxes of the parts where they were placed last.
+    /// Bounding boxes of the parts at their last positions.
     pub(super) fn reaches(&self) -> impl Iterator<Item = (usize, Reach)> {
         self.parts.iter().enumerate().map(|(n, part)| {
             let room = &self.world.room;
@@ -307,7 +307,7 @@ impl Subset {
         })
     }
 
-    /// The fastest of all nodes (m/s), speeds of mechanisms and bodies (m/s, rad/s).
+    /// Largest speed of all nodes (m/s), mechanisms and bodies (m/s, rad/s).
     pub(super) fn fastest(&self) -> f64 {
         let own = &self.world;
         let (mut next, mut most) = (own.split(), 0.0_f64);
@@ -318,7 +318,7 @@ impl Subset {
             match carrier {
                 HostCarrier::Floating(floating) => {
                     u[..3].iter().for_each(|x| add(*x));
-                    // Momentum about the axis of least inertia turns fastest.
+                    // For a given angular momentum the largest angular velocity is about the axis of least inertia.
                     let [x, y, z] = floating.body.inertia;
                     add(vec3::norm([u[3], u[4], u[5]]) / x.min(y).min(z));
                 }
@@ -328,7 +328,7 @@ impl Subset {
         own.x[next..].iter().fold(most, |most, x| most.max(x.abs()))
     }
 
-    /// Ends all motion; what was left of it is booked as damping.
+    /// Stops all motion; its kinetic energy is booked as damping.
     pub(super) fn stop(&mut self, whole: &mut CarriedWorld) -> Result<(), String> {
         let before = self.world.energies()?.kinetic;
         let split = self.world.split();
@@ -341,7 +341,7 @@ impl Subset {
         Ok(())
     }
 
-    /// May it change though nothing of it moves: does time move a mechanism, does gas flow?
+    /// Can it change although nothing moves, because time drives a mechanism or gas flows?
     pub(super) fn is_driven(&self) -> bool {
         let flows = self.world.airs.iter().flat_map(|air| air.lines.iter().flatten());
         let reads_time =
@@ -350,12 +350,12 @@ impl Subset {
     }
 }
 
-/// Frames of the ports that have a new number.
+/// Frames of the ports that are part of the subset.
 fn frames_of(new: &[usize], frames: &[Frame<f64>]) -> Vec<Frame<f64>> {
     new.iter().zip(frames).filter(|(new, _)| **new != usize::MAX).map(|(_, frame)| *frame).collect()
 }
 
-/// How many free nodes stand before each.
+/// Number of free nodes before each node.
 fn before(held: &[bool]) -> Vec<usize> {
     let mut count = 0;
     let before = held.iter().map(|held| {

@@ -1,8 +1,8 @@
-//! A world as Rust for the firmware: constant tables, derived equations, its carriers.
+//! Emits a world as Rust for the firmware: constant tables, derived equations, its carriers.
 //!
 //! In: a world at its start. Out: the text of a Rust file in single precision, which the firmware's program `world`
-//! includes. `Debug` of the runtime's plain types is their Rust expression, and of a number the shortest decimal that
-//! reads back to it: the compiler rounds it once to single precision, for chip and host alike.
+//! includes. `Debug` output of the runtime's plain types is a Rust expression, and for a number the shortest decimal
+//! that reads back the same: the compiler rounds it once to single precision, for chip and host alike.
 
 use super::methods::{Contacts, Stepping};
 use super::{CarriedWorld, Place, Touching};
@@ -18,10 +18,10 @@ use smartbed_runtime::surface::Frame;
 use smartbed_runtime::world::{Coupling, InverseInertia, StepMemory, Touch};
 use std::fmt::{Debug, Write as _};
 
-/// Contacts more than a quarter, for where few are near.
+/// Spare room for contacts: at least this many, or a quarter of those found if that is more.
 const BESIDE: usize = 4;
 
-/// What a world needs of the chip's memory, in single precision.
+/// Memory that a world needs on the chip, in single precision.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Demand {
     /// Nodes.
@@ -29,13 +29,13 @@ pub struct Demand {
     /// Numbers of the state.
     numbers: usize,
     method: Method,
-    /// Ports, answers about them and room for contacts, where parts touch.
+    /// If parts may touch: number of ports, number of answers about them, room for contacts.
     contacts: Option<[usize; 3]>,
 }
 
 impl Demand {
-    /// Bytes: state and what its sums have rounded away, the method's memory; places, velocities and two forces of each
-    /// node; what contacts need beside, with the host's pointers a little more than the chip's.
+    /// Bytes: the state with the compensation of its summation, and the method's memory; positions, velocities and two
+    /// forces of each node; memory for contacts, with the host's pointers slightly larger than the chip's.
     #[must_use]
     pub fn bytes(&self) -> usize {
         let numbers = |scratch: usize| size_of::<f32>() * (2 * self.numbers + scratch + 4 * 3 * self.nodes);
@@ -56,13 +56,13 @@ impl Demand {
         self.contacts.map_or(0, |[.., room]| room)
     }
 
-    /// Without these nodes, so many of all and of the free ones.
+    /// Without this many nodes: all, and the free ones among them.
     #[must_use]
     pub fn without(self, [all, free]: [usize; 2]) -> Self {
         Demand { nodes: self.nodes - all, numbers: self.numbers - 6 * free, ..self }
     }
 
-    /// With these nodes more.
+    /// With this many additional nodes.
     #[must_use]
     pub fn with(self, [all, free]: [usize; 2]) -> Self {
         Demand { nodes: self.nodes + all, numbers: self.numbers + 6 * free, ..self }
@@ -70,10 +70,10 @@ impl Demand {
 }
 
 impl CarriedWorld {
-    /// The chip's method, None where contacts have their own.
+    /// The chip's method; `None` if contacts have a method of their own.
     ///
     /// # Errors
-    /// What the chip does not do.
+    /// If the assembly needs something that the chip does not support.
     pub fn for_chip(&self, assembly: &Assembly) -> Result<Option<Method>, String> {
         if self.contacts == Contacts::Located {
             return Err("the chip locates no touches; take impact = \"moreau\" for all contacts".to_owned());
@@ -96,10 +96,10 @@ impl CarriedWorld {
         }
     }
 
-    /// The tables, with room for so many contacts.
+    /// The tables, with room for this many contacts.
     ///
     /// # Errors
-    /// What the chip does not do, or what cannot be derived.
+    /// If the chip does not support the assembly, or its equations cannot be derived.
     pub fn tables(&self, assembly: &Assembly, room: usize) -> Result<String, String> {
         let method = self.for_chip(assembly)?;
         let fixed = &self.fixed;
@@ -134,7 +134,7 @@ impl CarriedWorld {
         Ok(text + &self.members(assembly)?)
     }
 
-    /// What it needs, with room for so many contacts.
+    /// The memory that it needs, with room for this many contacts.
     #[must_use]
     pub fn demand(&self, room: usize) -> Demand {
         let ports = self.room.frames.len();
@@ -142,7 +142,8 @@ impl CarriedWorld {
         Demand { nodes: self.fixed.mass.len(), numbers: self.x.len(), method: self.ode_method(), contacts }
     }
 
-    /// Room for the contacts of so many steps: what is near at once, found by taking them, and a quarter more.
+    /// Room for the contacts during this many steps: the most that are near at once, found by taking the steps, and a
+    /// quarter more.
     ///
     /// # Errors
     /// Why a step cannot be taken.
@@ -158,7 +159,7 @@ impl CarriedWorld {
         Ok(most + most / 4 + BESIDE)
     }
 
-    /// What can be touched.
+    /// The parts that can be touched.
     fn touched(&self) -> &Touching {
         self.touching.as_ref().expect("there is one but while a step is made")
     }
@@ -205,7 +206,7 @@ impl CarriedWorld {
     }
 }
 
-/// Refuses what single precision has no number for.
+/// Refuses numbers that single precision cannot represent.
 fn representable(tables: &str) -> Result<(), String> {
     let numbers = tables.split(|c: char| !(c.is_ascii_alphanumeric() || ".-".contains(c)));
     let large = numbers.filter_map(|word| word.parse::<f64>().ok()).find(|x| !(*x as f32).is_finite());
@@ -215,7 +216,7 @@ fn representable(tables: &str) -> Result<(), String> {
     }
 }
 
-/// Rust of a mechanism's equations with these ports, and its carrier, `#` for its number.
+/// Rust code of a mechanism's equations with these ports, and its carrier, with `#` for its number.
 fn emitted(mechanism: &Mechanism, ports: &[String]) -> Result<(String, String), String> {
     let model = &mechanism.model;
     let mut functions = Vec::new();
@@ -245,7 +246,7 @@ fn wrench(program: &Program, n: usize, port: &str) -> String {
     format!("port_{n} => {}", place.unwrap_or(program.inputs.len()))
 }
 
-/// The model's law as a function of the state; without one the inputs stay as they are.
+/// The model's law as a function of the state; without a law it leaves the inputs unchanged.
 fn command(program: &Program, has_law: bool) -> String {
     let (underscore, body) = match has_law {
         true => ("", "law(t, q, u, inputs, p).inputs"),

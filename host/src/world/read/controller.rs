@@ -1,6 +1,6 @@
-//! `[controllers.NAME]`: what is read, what is driven, how often, towards which target.
+//! Reads `[controllers.NAME]`: the value read, the input driven, the period, and the target.
 //!
-//! Targets in quotes are in the unit that `unit` names; plain ones, gains and outputs are in SI units.
+//! Targets in quotes are in the unit named by `unit`; plain ones, gains and outputs are in SI units.
 
 use super::value::{Bound, list, needed, number, scalar};
 use crate::world::assembly::Controlling;
@@ -42,7 +42,7 @@ pub(super) fn read(key: &Key, value: &Value, found: &mut Diagnostics) -> Option<
     Some(Controlling { name: key.name.clone(), reads, drives, period, target, gain, integral, bias, limits })
 }
 
-/// A name in quotes that must be there.
+/// A required name in quotes.
 fn word(fields: &Fields<'_>, key: &'static str, example: &str, found: &mut Diagnostics) -> Option<String> {
     match fields.need(key, example, found)? {
         Value::Text(text) => Some(text.text.clone()),

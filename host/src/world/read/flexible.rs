@@ -1,6 +1,6 @@
-//! A flexible part: a shape of format 1 with its keys, where it starts, and the gas inside.
+//! Reads a flexible part: a shape of format 1 with its keys, its start, and the gas inside.
 //!
-//! Numbers are read with their units and handed to the reader of format 1, which knows the shapes.
+//! Numbers with units are converted and passed to the reader of format 1, which knows the shapes.
 
 use super::value::{Bound, list, needed, number, scalar};
 use crate::scene::Lists;
@@ -38,7 +38,7 @@ const UNITS: [(&str, &str); 18] = [
     ("initial_velocity", "m/s"),
 ];
 
-/// Volume that counts as none (m^3).
+/// Volume below which a surface counts as flat (m^3).
 const FLAT: f64 = 1e-9;
 /// Temperature of gas unless it is given (K).
 const ROOM: f64 = 293.15;
@@ -47,13 +47,13 @@ const CRITICAL_RATIO: f64 = 0.3;
 
 /// Keys of every flexible part, beside those of its shape.
 pub const COMMON: [&str; 4] = ["shape", "fixed", "C", "stretch"];
-/// Keys of this format alone.
+/// Keys that exist only in this format.
 pub const OWN: [&str; 6] = ["start", "air_drag", "gas", "base", "attach", "grid"];
 
-/// Gas, and its supply and vent.
+/// Gas, with its supply and vent.
 type Filled = (Content<f64>, [Option<Line<f64>>; 2]);
 
-/// Reads it; `offset` is where a copy of a grid stands.
+/// Reads it; `offset` is the displacement of a copy in a grid.
 pub(super) fn read(
     name: (&str, smartbed_codegen::source::Span),
     table: &Table,
@@ -104,7 +104,7 @@ pub(super) fn read(
     Some(Flexible { lists, air_drag, gas, lines })
 }
 
-/// Keys that the part's shape reads.
+/// Keys of the part's shape that are allowed here.
 fn allowed(table: &Table) -> Vec<&'static str> {
     let shape = match table.get("shape") {
         Some(Value::Text(text)) => shapes().find(|known| *known == text.text),
@@ -112,11 +112,11 @@ fn allowed(table: &Table) -> Vec<&'static str> {
     };
     let choice = shape.map_or(Choice::Lists, Choice::Shape);
     let keys = READERS.iter().filter(|r| r.choice == choice).flat_map(|r| r.keys.split_whitespace());
-    // Where the body starts and what is inside stand in `start` and `gas` here.
+    // In this format the start and the gas are stated in `start` and `gas`.
     keys.filter(|key| !["pressure", "drop_height"].contains(key)).chain(COMMON).collect()
 }
 
-/// A value with units taken off, as format 1 has it.
+/// A value converted to SI, in the form that format 1 uses.
 fn json(value: &Value, key: &str, found: &mut Diagnostics) -> Option<Json> {
     let unit = UNITS.iter().find(|(known, _)| *known == key);
     Some(match (value, unit) {
@@ -139,7 +139,7 @@ fn json(value: &Value, key: &str, found: &mut Diagnostics) -> Option<Json> {
     })
 }
 
-/// `start = { position, height, tilt, velocity }`: the last three are keys of format 1; gives the first.
+/// Reads `start = { position, height, tilt, velocity }` and returns the position; the other three are keys of format 1.
 fn start(fields: &Fields<'_>, plain: &mut Map<String, Json>, found: &mut Diagnostics) -> [f64; 3] {
     let Some(table) = fields.table("start", found) else { return [0.0; 3] };
     let inner = Fields::of("start", table.span, table);
@@ -158,7 +158,7 @@ fn start(fields: &Fields<'_>, plain: &mut Map<String, Json>, found: &mut Diagnos
     position.unwrap_or_default()
 }
 
-/// Closes a sheet: a ring of nodes below its rim, walls between the two, and a flat base.
+/// Closes a sheet: adds a ring of nodes below its rim, walls between the two, and a flat base.
 fn close_below(lists: &mut Lists, depth: f64) {
     let Some(rim) = ring(lists) else { return };
     let low: Vec<usize> = rim
@@ -180,10 +180,10 @@ fn close_below(lists: &mut Lists, depth: f64) {
     }
 }
 
-/// Edges of facets that no other facet has the other way round, from each node to the next.
+/// Boundary edges: edges of facets that no other facet has in the opposite direction, from each node to the next.
 pub(super) fn open_edges(facets: &[[usize; 4]]) -> BTreeMap<usize, usize> {
-    // Edges by their ends, whichever way they go: those of a pair of neighbours stand beside each other.
-    // One number an edge, lower node, higher node, direction, because numbers are sorted four times as fast as tuples.
+    // Edges by their ends, whatever their direction, so that those of two neighbours are adjacent after sorting. Each
+    // edge is one number (lower node, higher node, direction), because numbers are sorted four times as fast as tuples.
     const NODE: u32 = 31;
     let mut edges = Vec::with_capacity(4 * facets.len());
     for [a, b, c, d] in facets.iter().copied() {
@@ -209,7 +209,8 @@ pub(super) fn open_edges(facets: &[[usize; 4]]) -> BTreeMap<usize, usize> {
     open
 }
 
-/// The nodes around an open surface, in the order of its facets; none unless it has one edge all round.
+/// The boundary nodes of an open surface in the order of its facets; `None` unless there is exactly one closed
+/// boundary.
 fn ring(lists: &Lists) -> Option<Vec<usize>> {
     let open = open_edges(&lists.facets);
     let first = *open.keys().next()?;
@@ -221,7 +222,8 @@ fn ring(lists: &Lists) -> Option<Vec<usize>> {
     (nodes.len() == open.len()).then_some(nodes)
 }
 
-/// `gas = { gauge, ambient, sealed, exponent, volume, temperature, supply, vent }`; those behind `sealed` are of sealed gas.
+/// Reads `gas = { gauge, ambient, sealed, exponent, volume, temperature, supply, vent }`; keys after `sealed` require
+/// sealed gas.
 fn gas(table: &Table, lists: &Lists, found: &mut Diagnostics) -> Option<Filled> {
     let fields = Fields::of("gas", table.span, table);
     let gauge = scalar(fields.need("gauge", "\"4_kPa\"", found)?, "gauge", "Pa", Bound::Any, found)?;
@@ -240,7 +242,7 @@ fn gas(table: &Table, lists: &Lists, found: &mut Diagnostics) -> Option<Filled> 
     }
     let enclosed = volume(lists);
     let ambient = number(&fields, "ambient", "Pa", Bound::NotNegative, found).unwrap_or(101_325.0);
-    // A surface laid flat encloses nothing yet: regulated gas may blow it up.
+    // A flat surface encloses nothing yet, but regulated gas can inflate it.
     let encloses = |volume: f64| volume > 0.0 || !sealed && volume > -FLAT;
     let given = if sealed { number(&fields, "volume", "m^3", Bound::Positive, found) } else { None };
     if !(encloses(given.unwrap_or(enclosed)) && ambient + gauge > 0.0) {
@@ -268,7 +270,7 @@ fn gas(table: &Table, lists: &Lists, found: &mut Diagnostics) -> Option<Filled> 
     Some((content, [supply, vent]))
 }
 
-/// `supply = { gauge, conductance, critical_ratio, opening, temperature }`; a vent leads to the air outside.
+/// Reads `supply = { gauge, conductance, critical_ratio, opening, temperature }`; a vent leads to the ambient air.
 fn line(table: &Table, is_supply: bool, ambient: f64, found: &mut Diagnostics) -> Option<Line<f64>> {
     let fields = Fields::of(if is_supply { "supply" } else { "vent" }, table.span, table);
     let gauge = if is_supply {

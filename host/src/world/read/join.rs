@@ -1,4 +1,4 @@
-//! What joins parts: attachments of nodes to ports and bodies, contacts with their laws.
+//! Reads the connections of parts: attachments of nodes to ports and bodies, and contacts with their laws.
 
 use super::value::{Bound, number, one_of};
 use crate::world::assembly::{Attachment, Contact, Kind, Law, Part};
@@ -11,21 +11,22 @@ use smartbed_runtime::rigid::law::{Law as Located, LawFault};
 /// Impact laws.
 const IMPACTS: [&str; 5] = ["stronge", "newton", "compensation", "plastic", "moreau"];
 
-/// Numbers of the parts of a name: the part itself, or all copies of its grid.
+/// Indices of the parts that a name refers to: the part itself, or all copies of its grid.
 pub(super) fn parts_named(name: &str, parts: &[Part]) -> Vec<usize> {
     let is =
         |part: &Part| part.name == name || part.name.strip_prefix(name).is_some_and(|r| r.starts_with('['));
     parts.iter().enumerate().filter(|(_, part)| is(part)).map(|(n, _)| n).collect()
 }
 
-/// A name that no part has.
+/// Reports the name of a part that does not exist.
 fn unknown_part(name: &str, span: Span, parts: &[Part], found: &mut Diagnostics) {
     let help = crate::suggest::help(name, parts.iter().map(|p| p.name.as_str()));
     let error = Diagnostic::error(format!("there is no part `{name}`"));
     found.push(error.label(span, "unknown part").help(help.trim_start_matches("; ").to_owned()));
 }
 
-/// `attach = [{ nodes = "rim", to = "tile.platform" }]` of part `number`; its nodes become fixed and lose their mass.
+/// Reads `attach = [{ nodes = "rim", to = "tile.platform" }]` of part `number`; its nodes become fixed and lose their
+/// mass.
 pub(super) fn attach(
     items: &Value,
     number: usize,
@@ -66,7 +67,7 @@ pub(super) fn attach(
     joined
 }
 
-/// Nodes by number, or those of a group: `rim` (what the shape holds fixed), `base` (what closes a sheet below).
+/// Nodes by number, or those of a group: `rim` (nodes fixed by the shape), `base` (nodes that close a sheet below).
 fn nodes(fields: &Fields<'_>, table: &Table, part: &Part, found: &mut Diagnostics) -> Option<Vec<usize>> {
     let Kind::Flexible(body) = &part.kind else { return None };
     let (count, lists) = (body.lists.points.len(), &body.lists);
@@ -88,7 +89,7 @@ fn nodes(fields: &Fields<'_>, table: &Table, part: &Part, found: &mut Diagnostic
             let nodes: Vec<usize> =
                 match one_of(&group.text, group.span, ("group of nodes", &["rim", "base"]), found)? {
                     "base" => base,
-                    // Both in rising order.
+                    // Both lists are in ascending order.
                     _ => (0..count).filter(|n| lists.fixed[*n] && base.binary_search(n).is_err()).collect(),
                 };
             if nodes.is_empty() {
@@ -124,7 +125,7 @@ fn nodes(fields: &Fields<'_>, table: &Table, part: &Part, found: &mut Diagnostic
     Some(chosen)
 }
 
-/// Nodes that facets alone touch, no springs: those below a sheet.
+/// Nodes of facets without springs: those below a sheet.
 fn base_nodes(body: &crate::world::assembly::Flexible) -> Vec<usize> {
     let mut below = vec![false; body.lists.points.len()];
     body.lists.facets.iter().flatten().for_each(|node| below[*node] = true);
@@ -132,7 +133,7 @@ fn base_nodes(body: &crate::world::assembly::Flexible) -> Vec<usize> {
     (0..below.len()).filter(|n| below[*n]).collect()
 }
 
-/// `tile.platform`: a part and its port; of a rigid part its name alone.
+/// `tile.platform`: a part and its port; for a rigid part its name alone.
 fn target(
     text: &Text,
     from: usize,
@@ -143,7 +144,7 @@ fn target(
         Some((name, port)) => (name, Some(port)),
         None => (text.text.as_str(), None),
     };
-    // A copy of a grid is attached to the copy beside it.
+    // A copy in a grid is attached to the copy with the same indices.
     let copy = parts[from].name.find('[').map_or("", |at| &parts[from].name[at..]);
     let beside = format!("{name}{copy}");
     let own =
@@ -210,7 +211,7 @@ pub(super) fn on(text: &Value, number: usize, parts: &mut [Part], found: &mut Di
     }
 }
 
-/// A `[[contacts]]` table: the pairs it means.
+/// Reads a `[[contacts]]` table into the pairs that it describes.
 pub(super) fn contact(table: &Table, parts: &[Part], found: &mut Diagnostics) -> Vec<Contact> {
     let fields = Fields::of("contacts", table.span, table);
     let between = fields.need("between", "[\"load\", \"ground\"]", found);

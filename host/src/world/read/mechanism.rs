@@ -1,7 +1,7 @@
-//! A mechanism: a model, what the scene commands, and where its origin stands.
+//! Reads a mechanism: a model, commands of the scene, and the position of its origin.
 //!
-//! Commanded coordinates become functions of time in a model that extends the one named: prescribed motion, units and
-//! places in messages are then the model's own.
+//! Commanded coordinates become functions of time in a model that extends the one named, so that prescribed motion,
+//! units and places in messages are those of models.
 
 use super::value::{list, one_of};
 use crate::world::assembly::Mechanism;
@@ -11,13 +11,13 @@ use smartbed_codegen::model::{self, Fields, Model};
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
-/// The key of `start` that is no coordinate: where the mechanism's origin stands.
+/// The key of `start` that is not a coordinate: the position of the mechanism's origin.
 const PLACE: &str = "position";
 
 /// Finds the file of a model by its name, or says that there is none.
 pub type Find<'a> = &'a dyn Fn(&str) -> Result<PathBuf, String>;
 
-/// Reads it; `offset` is where a copy of a grid stands.
+/// Reads it; `offset` is the displacement of a copy in a grid.
 pub(super) fn read(
     fields: &Fields<'_>,
     offset: [f64; 3],
@@ -54,7 +54,7 @@ pub(super) fn read(
     Some(Mechanism { model, place })
 }
 
-/// Sections that take the place of the model's own.
+/// Text of the sections that override those of the model.
 fn changes(fields: &Fields<'_>, base: &Model, found: &mut Diagnostics) -> Option<String> {
     let (mut text, mut commanded) = (String::new(), 0);
     let known: Vec<&str> = base.coordinates.iter().map(|c| c.name.as_str()).collect();
@@ -80,7 +80,7 @@ fn changes(fields: &Fields<'_>, base: &Model, found: &mut Diagnostics) -> Option
         };
         let entries = table.iter().flat_map(|table| &table.entries);
         let mut lines = String::new();
-        // Where the whole mechanism stands is no coordinate of its own.
+        // The position of the whole mechanism is not a coordinate of the model.
         for (key, value) in entries.filter(|(key, _)| section != "start" || key.name != PLACE) {
             let written = match value {
                 Value::Text(text) => format!("{:?}", text.text),

@@ -1,7 +1,8 @@
-//! Scene text of format 2 -> [`Assembly`]: settings, parts, what joins them, the run; all errors with their places.
+//! Scene text of format 2 -> [`Assembly`]: settings, parts, joins, run; reports all errors with their places.
 //!
-//! `value` reads numbers with units, `settings` lays `--set` on top; `mechanism`, `flexible` and `rigid` read a part
-//! each, `join` attachments and contacts, `view` what pictures show, `overlap` judges where rigid parts start.
+//! `value` reads numbers with units, `settings` applies `--set`; `mechanism`, `flexible` and `rigid` read one kind of
+//! part each, `join` attachments and contacts, `view` the options of pictures; `overlap` checks the initial positions
+//! of rigid parts.
 
 mod controller;
 mod flexible;
@@ -32,10 +33,10 @@ const MOST_NODES: usize = 200_000;
 /// Most steps of a run.
 const MOST_STEPS: f64 = 1e9;
 
-/// Reads a scene; `settings` are `--set`'s, `find` gives the file of a model's name where none lies beside the scene.
+/// Reads a scene; `settings` are those of `--set`; `find` locates the file of a model that is not beside the scene.
 ///
 /// # Errors
-/// Everything that is wrong in it.
+/// All errors in it.
 pub fn parse(path: &str, text: &str, settings: &[String], find: Find<'_>) -> Result<Assembly, Diagnostics> {
     let source = Source::new(path, text);
     let mut found = Diagnostics::new(source.clone());
@@ -59,7 +60,7 @@ pub fn parse(path: &str, text: &str, settings: &[String], find: Find<'_>) -> Res
     }
 }
 
-/// The file of a model in the scene's own folder, which moves with the scene.
+/// The file of a model in the scene's own folder, if it exists.
 fn beside(scene: &Path, name: &str) -> Option<PathBuf> {
     let folder = scene.parent()?;
     let files = [name.to_owned(), format!("{name}.toml")].map(|file| folder.join(file));
@@ -112,7 +113,7 @@ fn read(path: &str, table: &Table, find: Find<'_>, found: &mut Diagnostics) -> O
     Some(assembly)
 }
 
-/// What each part with attachments says of them.
+/// The value of `attach` for each part that has one.
 type Attached = Vec<(usize, Value)>;
 
 fn parts(entries: &[(Key, Value)], find: Find<'_>, found: &mut Diagnostics) -> (Option<Vec<Part>>, Attached) {
@@ -163,7 +164,7 @@ fn parts(entries: &[(Key, Value)], find: Find<'_>, found: &mut Diagnostics) -> (
     (whole.then_some(parts), attached)
 }
 
-/// Copies of a part by `grid = { count = [7, 4], pitch = ["0.4_m", "0.4_m"] }`: how each is named and where it stands.
+/// Copies of a part by `grid = { count = [7, 4], pitch = ["0.4_m", "0.4_m"] }`: the name and displacement of each.
 fn copies(key: &Key, table: &Table, found: &mut Diagnostics) -> Vec<(String, [f64; 3])> {
     let single = vec![(String::new(), [0.0; 3])];
     let grid = match table.get("grid") {
@@ -200,7 +201,7 @@ fn copies(key: &Key, table: &Table, found: &mut Diagnostics) -> Vec<(String, [f6
     (0..rows * columns).map(copy).collect()
 }
 
-/// One part, by the key that says what it is.
+/// Reads one part, by the key that states its kind.
 fn part(key: &Key, table: &Table, offset: [f64; 3], find: Find<'_>, found: &mut Diagnostics) -> Option<Kind> {
     let fields = Fields::of(&key.name, key.span, table);
     let kinds = ["mechanism", "shape", "points", "rigid"].map(|kind| table.get(kind).is_some());
@@ -222,7 +223,7 @@ fn part(key: &Key, table: &Table, offset: [f64; 3], find: Find<'_>, found: &mut 
             read.map(Kind::Rigid)
         }
         [false, true, false, false] | [false, false, true, false] => {
-            // What holds an attached part says where it stands: its copies start in their own frames.
+            // The position of an attached part follows from its attachment: its copies are not displaced.
             let offset = if table.get("attach").is_some() { [0.0; 3] } else { offset };
             flexible::read((&key.name, key.span), table, offset, found).map(|f| Kind::Flexible(Box::new(f)))
         }

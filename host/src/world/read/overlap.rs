@@ -1,4 +1,4 @@
-//! Rigid parts that overlap where they start: no law of touches can undo that.
+//! Refuses rigid parts that overlap at the start, which no contact law could undo.
 
 use crate::world::assembly::{Assembly, Rigid};
 use smartbed_codegen::diagnostic::{Diagnostic, Diagnostics};
@@ -6,12 +6,12 @@ use smartbed_codegen::source::Span;
 use smartbed_runtime::rigid::narrow::{Placed, features};
 use smartbed_runtime::rigid::scene::Part;
 
-/// An overlap below this share of the parts' size is rounding of the text's numbers.
+/// An overlap below this share of the parts' size is attributed to rounding of the text's numbers.
 const ROUNDING: f64 = 1e-9;
 
-/// Judges every pair of which one moves.
+/// Checks every pair of which at least one part can move.
 pub(super) fn check(assembly: &Assembly, span: impl Fn(&str) -> Option<Span>, found: &mut Diagnostics) {
-    // Where a shape on a port stands is known when the mechanism is.
+    // The position of a shape on a port is not known before the mechanism is assembled.
     let rigid: Vec<(&str, &Rigid)> = assembly.rigid().filter(|(_, rigid)| rigid.on.is_none()).collect();
     for (n, (one_name, one)) in rigid.iter().enumerate() {
         for (other_name, other) in &rigid[n + 1..] {
@@ -36,7 +36,7 @@ pub(super) fn check(assembly: &Assembly, span: impl Fn(&str) -> Option<Span>, fo
     }
 }
 
-/// How deep the two are in each other (m); 0 where they are apart.
+/// Depth of the overlap (m); 0 if they are apart.
 fn depth(one: &Rigid, other: &Rigid) -> f64 {
     let frame = |r: &Rigid| Part { shape: r.shape, body: r.body }.frame(&r.start);
     let (a, b) = (frame(one), frame(other));

@@ -1,4 +1,4 @@
-//! A rigid part: shape, mass, and where it starts.
+//! Reads a rigid part: shape, mass, and start.
 
 use super::value::{Bound, list, needed, number, one_of, vector};
 use crate::world::assembly::Rigid;
@@ -13,7 +13,7 @@ use std::f64::consts::PI;
 /// Names of the shapes.
 const SHAPES: [&str; 4] = ["sphere", "box", "capsule", "half_space"];
 
-/// Reads it; `offset` is where a copy of a grid stands.
+/// Reads it; `offset` is the displacement of a copy in a grid.
 pub(super) fn read(fields: &Fields<'_>, offset: [f64; 3], found: &mut Diagnostics) -> Option<Rigid> {
     let word = fields.text("rigid", found)?;
     let kind = one_of(&word.text, word.span, ("shape", &SHAPES), found)?;
@@ -85,7 +85,7 @@ fn homogeneous(shape: &Shape<f64>) -> [f64; 3] {
             [y + z, z + x, x + y]
         }
         Shape::Capsule(capsule) => {
-            // A cylinder and two half balls, each by its share of the volume.
+            // A cylinder and two half balls, weighted by their shares of the volume.
             let (r, l) = (capsule.radius, 2.0 * capsule.half_length);
             let (cylinder, ball) = (PI * r * r * l, 4.0 / 3.0 * PI * r.powi(3));
             let (cylinder, ball) = (cylinder / (cylinder + ball), ball / (cylinder + ball));
@@ -147,7 +147,7 @@ fn start(
     Some(state)
 }
 
-/// How far the shape reaches below its centre (m).
+/// Distance from its centre to its lowest point (m).
 fn below(shape: &Shape<f64>, attitude: &Attitude<f64>) -> f64 {
     let axes: [[f64; 3]; 3] = attitude.axes();
     match shape {

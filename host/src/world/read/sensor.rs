@@ -1,6 +1,6 @@
-//! `[sensors.NAME]`: what is read, by which transducer, how coarsely, late and noisily.
+//! Reads `[sensors.NAME]`: the quantity, its transducer, resolution, delay and noise.
 //!
-//! Numbers in quotes are in the unit that `unit` names; plain ones are in SI units.
+//! Numbers in quotes are in the unit named by `unit`; plain ones are in SI units.
 
 use super::value::{Bound, count, list, number, one_of};
 use crate::world::assembly::{Sensing, Transducer};

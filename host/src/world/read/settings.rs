@@ -1,11 +1,12 @@
-//! `--set parts.load.mass=7_kg`: keys of a scene changed for one run, each a text of its own in messages.
+//! Applies `--set parts.load.mass=7_kg`: changes keys of a scene for one run. Each setting is a text of its own in
+//! messages.
 
 use smartbed_codegen::diagnostic::{Diagnostic, Diagnostics};
 use smartbed_codegen::model::document::{self, Table, Value};
 use smartbed_codegen::source::{File, Source, Span};
 use std::sync::Arc;
 
-/// The scene's table with the settings on top; what is wrong with them goes to `found`.
+/// The scene's table with the settings applied; errors in them are added to `found`.
 pub(crate) fn apply(mut table: Table, settings: &[String], found: &mut Diagnostics) -> Table {
     for setting in settings {
         let file = u32::try_from(found.source.files.len()).unwrap_or(u32::MAX);
@@ -25,7 +26,7 @@ pub(crate) fn apply(mut table: Table, settings: &[String], found: &mut Diagnosti
     table
 }
 
-/// The setting as TOML: its value as it stands, or as a word in quotes.
+/// A setting as TOML, with its value unchanged or, if that is no TOML, as a quoted string.
 fn toml(setting: &str, file: u32) -> (String, Option<Table>) {
     if let Ok(table) = document::parse(setting, file) {
         return (setting.to_owned(), Some(table));
@@ -36,7 +37,7 @@ fn toml(setting: &str, file: u32) -> (String, Option<Table>) {
     (quoted, table)
 }
 
-/// Values of `given` take the place of those of the same keys, table by table.
+/// Values in `given` override those of the same keys, table by table.
 fn merge(table: &mut Table, given: Table) {
     for (key, value) in given.entries {
         let known = table.entries.iter_mut().find(|(own, _)| own.name == key.name);

@@ -1,6 +1,6 @@
-//! Fields of a scene as numbers, vectors and words: each asked for once, with its unit and its bounds.
+//! Reads fields of a scene as numbers, vectors and words: each is asked for once, with its unit and bounds.
 //!
-//! A plain number is in SI units; a text is a number with its unit (`"20_mm"`, `"9.81 m/s^2"`) or an expression.
+//! A plain number is in SI units; a string is a number with its unit (`"20_mm"`, `"9.81 m/s^2"`) or an expression.
 
 use smartbed_codegen::diagnostic::{Diagnostic, Diagnostics};
 use smartbed_codegen::model::document::{Value, wrong_kind};
@@ -8,7 +8,7 @@ use smartbed_codegen::model::unit::{self, Unit};
 use smartbed_codegen::model::{Fields, quantity};
 use smartbed_codegen::source::Span;
 
-/// What a number must be.
+/// A condition on a number.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(crate) enum Bound {
     Any,
@@ -37,7 +37,7 @@ impl Bound {
     }
 }
 
-/// A unit by its text, which the program itself wrote.
+/// The unit of a text that is a constant of the program.
 pub(crate) fn unit(text: &str) -> Unit {
     unit::parse(text).map_or(Unit::NONE, |scale| scale.unit)
 }
@@ -71,7 +71,7 @@ fn said(of: &str) -> &str {
     if of.is_empty() { "no unit" } else { of }
 }
 
-/// A number that may be missing.
+/// An optional number.
 pub(crate) fn number(
     fields: &Fields<'_>,
     key: &'static str,
@@ -82,7 +82,7 @@ pub(crate) fn number(
     scalar(fields.get(key)?, key, of, bound, found)
 }
 
-/// A number that must be there.
+/// A required number.
 pub(crate) fn needed(
     fields: &Fields<'_>,
     key: &'static str,
@@ -117,7 +117,7 @@ pub(crate) fn list<const N: usize>(
     numbers.into_iter().collect::<Option<Vec<f64>>>()?.try_into().ok()
 }
 
-/// A vector that may be missing.
+/// An optional vector.
 pub(crate) fn vector(
     fields: &Fields<'_>,
     key: &'static str,

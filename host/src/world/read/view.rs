@@ -1,4 +1,4 @@
-//! `[view]` of a world: parts left out, their colours, what facets are coloured by. No equation knows of it.
+//! Reads `[view]` of a world: hidden parts, colours, and the quantity that colours facets. No equation depends on it.
 
 use super::value::one_of;
 use crate::world::assembly::{Kind, Part, View};
@@ -8,7 +8,7 @@ use smartbed_codegen::model::colour::{self, COLOURS};
 use smartbed_codegen::model::document::{Table, Value, wrong_kind};
 use smartbed_codegen::source::Span;
 
-/// Left out by this name are the arrows of all contacts.
+/// The name by which the arrows of all contact forces are hidden.
 const FORCES: &str = "forces";
 
 /// Reads it.
@@ -55,7 +55,7 @@ pub(super) fn read(table: &Table, parts: &[Part], found: &mut Diagnostics) -> Vi
     view
 }
 
-/// Numbers of the parts of this name, all copies of a grid.
+/// Indices of the parts of this name, all copies for a grid.
 fn named(name: &str, span: Span, parts: &[Part], found: &mut Diagnostics) -> Vec<usize> {
     let own = |part: &Part| part.name.split('[').next() == Some(name);
     let numbers: Vec<usize> = (0..parts.len()).filter(|n| own(&parts[*n])).collect();

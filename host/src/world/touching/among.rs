@@ -1,14 +1,15 @@
-//! Contacts among some of a world's parts, which step by themselves.
+//! Contacts among some of a world's parts, for stepping these separately.
 //!
-//! In: the contacts of the whole, parts, how things are renumbered. Out: contacts of these parts alone; behind a step the whole hears what
-//! pushed there.
+//! In: the contacts of the whole, parts, a map of indices. Out: the contacts of these parts alone; after a step the
+//! whole is told the contact forces.
 
 use super::{Located, Pairs, Touching};
 use crate::world::pushed::Pushed;
 use smartbed_runtime::world::{Pair, Thing};
 
 impl Touching {
-    /// The pairs among these parts, and with what is fixed in space, for things that `moved` renumbers; which pairs they are here.
+    /// The pairs among these parts and with parts fixed in space, with things renumbered by `moved`; also which pairs
+    /// of the whole they are.
     pub(in crate::world) fn among(
         &self,
         parts: &[usize],
@@ -54,13 +55,13 @@ impl Touching {
         (subset, own)
     }
 
-    /// Takes what [`Pushed::values`] gave: pairs that pressed go on as they are.
+    /// Restores the values of [`Pushed::values`], so that pairs in contact continue.
     pub(in crate::world) fn load(&mut self, pushed: &[f64]) {
         self.pushed.load(pushed);
         self.active = (0..self.pairs.len()).map(|pair| self.pushed.presses(pair)).collect();
     }
 
-    /// Forgets what pushed in the last step, before parts of it are heard.
+    /// Clears the contact forces of the last step before those of the subsets are added.
     pub(in crate::world) fn fall_silent(&mut self) {
         self.forces.clear();
         self.pushed = Pushed::new(self.pairs.len());
@@ -69,7 +70,7 @@ impl Touching {
         }
     }
 
-    /// Takes what a step of some pairs, of these numbers here, found.
+    /// Adds the contact forces that a step of some pairs, with these indices here, has found.
     pub(in crate::world) fn hear(&mut self, of: &Touching, pairs: &[usize]) {
         self.forces.extend(of.forces.iter().cloned());
         for (own, pair) in pairs.iter().enumerate() {

@@ -1,8 +1,8 @@
-//! Contacts of a world whose parts are not rigid alone: what can be touched, which pairs, and the memory of the step.
+//! Contacts of a world with parts that are not rigid: the parts that can touch, the pairs, and the memory of a step.
 //!
-//! In: an assembly and the numbers of its ports and nodes. Out: things and pairs as the runtime's `World` steps them:
-//! without splitting (Moreau 1988; impacts and lasting contacts are one), or with touches located in time and the laws
-//! of impact.
+//! In: an assembly, and the numbers of its ports and nodes. Out: things and pairs that the runtime's `World` steps,
+//! either without splitting steps (Moreau 1988; impacts and lasting contacts are treated alike), or with touches
+//! located in time and impact laws.
 
 mod among;
 
@@ -24,7 +24,8 @@ use smartbed_runtime::world::{
 };
 use std::ops::Range;
 
-/// Share of a body's thickness, or of two of its facets, to which something may be below a facet.
+/// Largest depth below a facet at which contact is detected, as a fraction of a body's thickness, or of the size of two
+/// facets.
 const DEPTH: f64 = 0.25;
 
 /// Things, pairs and memory.
@@ -34,17 +35,17 @@ pub(super) struct Touching {
     pub(super) pairs: Vec<Pair<f64>>,
     /// Parts of each pair.
     pub(super) parts: Vec<[usize; 2]>,
-    /// The thing that each part is.
+    /// By part: the thing that represents it in contacts.
     of_parts: Vec<Option<usize>>,
-    /// Bodies that the parts of each pair are to a contact: ports, then nodes.
+    /// By pair: the bodies of each of its parts in a contact: ports, then nodes.
     bodies: Vec<[Range<usize>; 2]>,
-    /// Which of each pair can move.
+    /// By pair: whether each of its parts can move.
     moves: Vec<[bool; 2]>,
-    /// Was the pair in touch behind the last step?
+    /// By pair: was it in contact after the last step?
     active: Vec<bool>,
     /// Mean forces of the last step.
     pub(super) forces: Vec<ContactForce>,
-    /// Them by pair.
+    /// The same by pair.
     pub(super) pushed: Pushed,
     scratch: Vec<f64>,
     frames: [Vec<Frame<f64>>; 2],
@@ -57,31 +58,31 @@ pub(super) struct Touching {
     touches: [Vec<Touch<f64>>; 2],
     counts: [usize; 2],
     located: Option<Located>,
-    /// Made when a step first asks for it.
+    /// Created on first use.
     means: Option<Means>,
     /// Numbers of the state.
     n: usize,
 }
 
-/// Pairs with the parts of each, and which of them can move.
+/// Pairs of things, with their parts, and which of these can move.
 struct Pairs {
     pairs: Vec<Pair<f64>>,
     parts: Vec<[usize; 2]>,
     moves: Vec<[bool; 2]>,
 }
 
-/// How a step is made.
+/// The kind of a step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum How {
-    /// As its contacts ask.
+    /// Ordinary: touches are located if the contacts' laws do so.
     Freely,
-    /// With forces that are means over it.
+    /// With forces averaged over the step.
     Conserving,
-    /// On the way to rest: nothing is located, and parts leave one another where they overlap.
+    /// A relaxation: touches are not located, and overlapping parts are pushed apart.
     Relaxing,
 }
 
-/// Memory of steps with mean forces.
+/// Memory for steps with averaged forces.
 #[derive(Clone, Debug)]
 struct Means {
     scratch: Vec<f64>,
@@ -90,7 +91,7 @@ struct Means {
 }
 
 impl Means {
-    /// For so many numbers of the state, nodes and ports.
+    /// For this number of values in the state, of nodes and of ports.
     fn new([n, points, ports]: [usize; 3]) -> Self {
         Means {
             scratch: vec![0.0; MeanMemory::<f64>::scratch(n)],
@@ -100,7 +101,7 @@ impl Means {
     }
 }
 
-/// Memory of steps with located touches.
+/// Memory for steps with located touches.
 #[derive(Clone, Debug)]
 struct Located {
     method: Method,
@@ -112,31 +113,32 @@ struct Located {
     overlaps: bool,
 }
 
-/// What a step did that is counted or told.
+/// Results of a step that are counted or reported.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Stepped {
     pub(super) accounts: Accounts<f64>,
-    /// Were impulses found to rounding?
+    /// Did the impulses converge?
     pub(super) settled: bool,
-    /// Were splits used up?
+    /// Was the maximum number of splits reached?
     pub(super) forced: bool,
-    /// How fast parts leave one another on the way to rest (m/s, rad/s).
+    /// Speed with which overlapping parts are pushed apart in a relaxation (m/s, rad/s).
     pub(super) leaving: f64,
 }
 
-/// What a part is to contacts.
+/// The role of a part in contacts.
 #[derive(Clone, Debug)]
 pub(super) enum Touchable {
     /// A shape on a port, or fixed in space.
     Shape(Option<usize>, Frame<f64>),
     /// Nodes and facets.
     Mesh(Range<usize>, Range<usize>),
-    /// Nothing of it can be touched.
+    /// It cannot be touched.
     Nothing,
 }
 
 impl Touching {
-    /// For the assembly's contacts; `of` says what each part is, `size` the numbers of ports, nodes, answers and state.
+    /// For the assembly's contacts; `of` gives the role of each part, `size` the numbers of ports, nodes, answers and
+    /// state values.
     pub(super) fn new(
         assembly: &Assembly,
         of: &[Touchable],
@@ -194,7 +196,7 @@ impl Touching {
         Ok(Self::with((things, of_parts), Pairs { pairs, parts, moves }, located, size))
     }
 
-    /// For these things and pairs; laws are told of pairs whose touches are located.
+    /// For these things and pairs; `laws` are needed for pairs whose touches are located.
     fn with(
         (things, of_parts): (Vec<Thing<f64>>, Vec<Option<usize>>),
         Pairs { pairs, parts, moves }: Pairs,
@@ -243,7 +245,7 @@ impl Touching {
         }
     }
 
-    /// Takes another method between touches, for a state of n entries.
+    /// Chooses another method between touches, for a state of n values.
     pub(super) fn choose(&mut self, method: Method, n: usize) {
         if let Some(located) = &mut self.located {
             located.method = method;
@@ -251,7 +253,7 @@ impl Touching {
         }
     }
 
-    /// Answers about ports that impulses ask for.
+    /// Number of answers about ports that impulses need.
     pub(super) fn answers(&self) -> usize {
         self.answers.len()
     }
@@ -261,7 +263,7 @@ impl Touching {
         self.counts[0]
     }
 
-    /// A step of an island; pairs that come into touch are events.
+    /// A step of an island; pairs that come into contact are events.
     pub(super) fn step(
         &mut self,
         island: Island<'_, f64, impl Carrier<f64>>,
@@ -372,7 +374,7 @@ impl Touching {
     }
 }
 
-/// Contacts that a thing may have at once.
+/// Most contacts that a thing may have at once.
 fn room(thing: &Thing<f64>) -> usize {
     match thing {
         Thing::Mesh { nodes, facets, .. } => nodes[1] - nodes[0] + facets[1] - facets[0] + CAPACITY,
@@ -380,7 +382,7 @@ fn room(thing: &Thing<f64>) -> usize {
     }
 }
 
-/// How deep something may be below a facet of a body.
+/// Largest depth below a facet of a body at which contact is detected.
 fn depth(points: &[Vec3<f64>], facets: &[[usize; 4]]) -> f64 {
     let (mut low, mut high, mut edges) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3], (0.0, 0));
     for facet in facets {

@@ -1,30 +1,31 @@
-//! Motions of joints and their axes: a letter, with a minus sign perhaps, or three numbers.
+//! Motions of joints and their axes: a letter, perhaps with a minus sign, or three numbers.
 //!
-//! In: the value of a field. Out: a [`Direction`], which writes itself as a vector of a frame and as rotations. Simple
-//! rotations go about letters, so a turn about another axis turns z onto it, then about z, then back.
+//! In: the value of a field. Out: a [`Direction`], which can be written as a vector of a frame and as rotations. Simple
+//! rotations are about letters only, so a rotation about another axis turns z onto that axis, then about z, then back.
 
 use crate::model::text::document::{Text, Value};
 use crate::source::Span;
 
-/// Along or about what a motion goes, in the frame reached so far.
+/// The axis of a motion, in the frame that the motions before it have reached.
 #[derive(Clone, Copy)]
 pub enum Along {
-    /// The axis given first, second.
+    /// The joint's own axis: the first one given, the second one.
     Given(usize),
-    /// Always this axis.
+    /// A fixed letter.
     Letter(char),
-    /// The first, second axis behind the one given, in the order x, y, z, x, y.
+    /// The first, second axis after the one given, in the cyclic order x, y, z, x, y.
     Behind(usize),
 }
 
-/// What one or more coordinates of a joint do to the link it carries.
+/// A motion of the link, by one or several coordinates of the joint.
 #[derive(Clone, Copy)]
 pub enum Motion {
-    /// One coordinate shifts it; the coordinate's name ends in the word, or in the axis's letter.
+    /// A translation by one coordinate, whose name ends in this word or, without a word, in the axis's letter.
     Slide(Along, Option<&'static str>),
-    /// One coordinate turns it.
+    /// A rotation by one coordinate.
     Turn(Along, &'static str),
-    /// Four Euler parameters turn it in any way; its speeds are the angular velocity along the link's axes.
+    /// Any rotation, by four Euler parameters; its speeds are the components of the angular velocity along the link's
+    /// axes.
     Attitude,
 }
 const LETTERS: [char; 3] = ['x', 'y', 'z'];
@@ -32,9 +33,9 @@ const LETTERS: [char; 3] = ['x', 'y', 'z'];
 /// The direction of an axis in a frame.
 #[derive(Clone)]
 pub enum Direction {
-    /// Number of the letter; the other way round?
+    /// An axis of the frame: its index, and whether the direction is opposite to it.
     Letter(usize, bool),
-    /// Of length 1, along no letter.
+    /// A unit vector that is along no axis of the frame.
     Vector([f64; 3]),
 }
 use Direction::{Letter, Vector};
@@ -62,7 +63,7 @@ impl Direction {
                 let v: [f64; 3] = numbers.try_into().ok().filter(|_| items.len() == 3)?;
                 let length = v.iter().fold(0.0_f64, |sum, x| sum.hypot(*x));
                 let unit = v.map(|x| x / length);
-                // Along a letter it is exact: no turn of the axis is needed.
+                // An axis along a letter is exact and needs no rotations of its own.
                 match unit.iter().position(|x| x.abs() == 1.0) {
                     Some(n) => Some(Letter(n, unit[n] < 0.0)),
                     None => unit.iter().all(|x| x.is_finite()).then_some(Vector(unit)),
@@ -72,7 +73,7 @@ impl Direction {
         }
     }
 
-    /// The n-th axis behind this one, in the order x, y, z, x, y.
+    /// The n-th axis after this one, in the cyclic order x, y, z, x, y.
     pub fn behind(&self, n: usize) -> Self {
         match self {
             Letter(letter, _) => Letter((letter + n) % 3, false),
@@ -99,7 +100,7 @@ impl Direction {
         }
     }
 
-    /// The letter in names of coordinates.
+    /// The letter of the axis in names of coordinates.
     pub fn name(&self) -> String {
         match self {
             Letter(n, _) => LETTERS[*n].to_string(),
@@ -116,7 +117,7 @@ impl Direction {
         }
     }
 
-    /// Simple rotations that together turn by `angle` about the axis.
+    /// Simple rotations that amount to a rotation by `angle` about the axis.
     pub fn turn(&self, angle: &str, span: Span) -> Vec<Value> {
         let step = |letter: char, angle: &str| {
             let pair = [letter.to_string(), angle.to_owned()];
@@ -125,7 +126,7 @@ impl Direction {
         match *self {
             Letter(n, false) => vec![step(LETTERS[n], angle)],
             Letter(n, true) => vec![step(LETTERS[n], &format!("-{angle}"))],
-            // z is turned about y, then about z, onto the axis (sin b cos a, sin b sin a, cos b).
+            // Rotations about y, then about z take z to the axis (sin b cos a, sin b sin a, cos b).
             Vector([x, y, z]) => {
                 let (a, b) = (f64::atan2(y, x), f64::atan2(x.hypot(y), z));
                 [('z', a), ('y', b)]

@@ -1,8 +1,8 @@
 //! The table of joints: for each word the motions it allows, in order, and how it rolls.
 //!
-//! In: a joint with its names and axes, already read. Out: nothing but rows of data, and for the joints that roll the
-//! motion constraints they bring. A new joint is a new row here; no other file knows the words.
-//! Joints as lists of simple motions: Featherstone, Rigid Body Dynamics Algorithms (2008), table 4.1.
+//! In: a joint whose names and axes have been read. Out: rows of data only and, for joints that roll, their motion
+//! constraints. A new joint is a new row here; no other file knows the words. Joints as lists of simple motions:
+//! Featherstone, Rigid Body Dynamics Algorithms (2008), table 4.1.
 
 use super::axis::{Along, Motion};
 use super::parts::Parts;
@@ -13,13 +13,14 @@ use Motion::{Attitude, Slide, Turn};
 pub struct Kind {
     /// Its word.
     pub word: &'static str,
-    /// How many axes must be given.
+    /// Number of axes that must be given.
     pub axes: usize,
-    /// Can a force or torque drive its coordinates? Along the axis itself, so that it works on no other coordinate.
+    /// Can a force or torque drive its coordinates? Only if it acts along the joint's axis and so on no other
+    /// coordinate.
     pub driven: bool,
-    /// Slides stand before turns: they go along axes of the inner side.
+    /// The motions, translations first, because they go along axes of the inner side.
     pub motions: &'static [Motion],
-    /// Places the link and says that it rolls; a link that does not roll sits where the slides lead.
+    /// Places a rolling link and adds its constraints. A link that does not roll sits at the end of the translations.
     pub rolls: Option<fn(&mut Parts<'_>)>,
 }
 
@@ -87,7 +88,8 @@ pub const KINDS: [Kind; 10] = [
     },
 ];
 
-/// An edge along the link's x axis does not slip sideways. Its speeds are those ahead and sideways: no heading is singular.
+/// A knife edge along the link's x axis: no sideways slip. Its speeds are those ahead and sideways, so that no heading
+/// is singular.
 fn knife_edge(joint: &mut Parts<'_>) {
     let [x, y, yaw] = ["x", "y", "yaw"].map(|word| joint.named(word));
     joint.link(&[]);
@@ -98,8 +100,8 @@ fn knife_edge(joint: &mut Parts<'_>) {
     joint.constrain("edge", &slip, &format!("{}.y", joint.child));
 }
 
-/// A thin disc about the link's y axis: the place of contact, heading, lean from upright, spin.
-/// Its speeds are its angular velocity along the axes that lean with it but do not spin.
+/// A thin disc that spins about the link's y axis. Coordinates: place of contact, heading, lean from upright, spin.
+/// Speeds: its angular velocity along axes that lean with it but do not spin.
 fn rolling_disc(joint: &mut Parts<'_>) {
     let [yaw, lean, spin] = ["yaw", "lean", "spin"].map(|word| joint.named(word));
     let (leaned, foot, child) = (joint.named("leaned"), joint.named("foot"), joint.child.clone());
@@ -115,7 +117,7 @@ fn rolling_disc(joint: &mut Parts<'_>) {
     joint.does_not_slip(&point);
 }
 
-/// A ball on the plane: the place of contact and its attitude.
+/// A ball on the plane. Coordinates: place of contact and attitude.
 fn rolling_ball(joint: &mut Parts<'_>) {
     joint.link(&[]);
     let (base, foot, child) = (joint.base.clone(), joint.named("foot"), joint.child.clone());

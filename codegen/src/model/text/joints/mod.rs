@@ -1,8 +1,8 @@
-//! `[joints]`: each entry says how one link hangs on another; it becomes entries of the other sections.
+//! `[joints]`: each entry says how a link is joined to another one and is replaced by entries of other sections.
 //!
-//! In: the sections after repetition and extension. Out: the same without `[joints]`, with the coordinates, speeds,
-//! frames, points, constraints and loads that the joints stand for, so that nothing behind this stage knows joints.
-//! `kind` is the table of joints, `axis` reads axes, `parts` writes the entries.
+//! In: the sections after repetition and extension. Out: the same without `[joints]`, plus the coordinates, speeds,
+//! frames, points, constraints and loads that the joints stand for; later stages know nothing of joints. `kind` is the
+//! table of joints, `axis` reads axes, `parts` writes the entries.
 
 mod axis;
 mod kind;
@@ -17,10 +17,11 @@ use axis::{Along, Direction, Motion};
 use kind::{KINDS, Kind};
 use parts::Parts;
 
-/// Axes of a universal joint are taken as perpendicular below this cosine: what rounding leaves of numbers with nine digits.
+/// The two axes of a universal joint count as perpendicular if their cosine is below this: the rounding of numbers
+/// written with nine digits.
 const PERPENDICULAR: f64 = 1e-9;
 
-/// Replaces all joints by what they stand for; false if one could not be read, which has been reported.
+/// Replaces all joints by the entries that they stand for; false if one could not be read, which has been reported.
 pub fn expand(sections: &mut Sections, found: &mut Diagnostics) -> bool {
     let before = found.items.len();
     sections.note_constraints();
@@ -28,7 +29,7 @@ pub fn expand(sections: &mut Sections, found: &mut Diagnostics) -> bool {
     for (key, value) in &joints {
         if let Some(fields) = Fields::new(key, value, found) {
             joint(key, &fields, sections, found);
-            // A joint that cannot be told has not asked for all its fields.
+            // Only a joint that could be read has asked for all its fields, so that any other field is an error.
             if found.items.len() == before {
                 fields.finish(found);
             }
@@ -55,7 +56,7 @@ fn joint(key: &Key, fields: &Fields<'_>, sections: &mut Sections, found: &mut Di
     let turned = fields.array("turned", found).map_or(&[][..], |(steps, _)| steps);
     let independent = fields.boolean("independent", found).unwrap_or(!sections.constrained);
 
-    // One turn goes on behind the fixed ones; anything else needs the frame that they lead to.
+    // A single rotation is appended to the fixed ones; any other motion needs a frame after the fixed rotations.
     let single_turn = matches!(kind.motions, [Motion::Turn(..)]);
     let base_frame = (!turned.is_empty() && !single_turn).then(|| format!("{}_base", key.name));
     let base = base_frame.clone().unwrap_or_else(|| parent.clone());
@@ -77,7 +78,7 @@ fn joint(key: &Key, fields: &Fields<'_>, sections: &mut Sections, found: &mut Di
     parts.finish(kind.driven);
 }
 
-/// The row of the table that the field `kind` names.
+/// The row of the table named by the field `kind`.
 fn kind_of(fields: &Fields<'_>, found: &mut Diagnostics) -> Option<&'static Kind> {
     let word = fields.text("kind", found);
     let Some(word) = word else {
@@ -96,7 +97,7 @@ fn kind_of(fields: &Fields<'_>, found: &mut Diagnostics) -> Option<&'static Kind
     kind
 }
 
-/// A name that must be given.
+/// A required field that holds a name.
 fn name_in(
     fields: &Fields<'_>,
     field: &'static str,
@@ -107,7 +108,7 @@ fn name_in(
     fields.text(field, found).map(|text| text.text.clone())
 }
 
-/// The axes that the joint takes: `axis` where it is one, `axes` where there are more.
+/// The axes of the joint: from the field `axis` for one, from `axes` for several.
 fn axes(key: &Key, fields: &Fields<'_>, kind: &Kind, found: &mut Diagnostics) -> Option<Vec<Direction>> {
     let given: Vec<&Value> = match kind.axes {
         0 => Vec::new(),

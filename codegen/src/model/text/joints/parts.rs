@@ -1,7 +1,7 @@
-//! Writes what one joint stands for: entries of the sections that the language has already.
+//! Writes the entries that one joint stands for, in sections that the language already has.
 //!
-//! In: a joint's names and axes. Out: coordinates, speeds, frames, points, constraints and loads in [`Sections`], each at
-//! the place of the joint that brought it. Coordinates come last: which speeds they have depends on what rolls.
+//! In: a joint's names and axes. Out: coordinates, speeds, frames, points, constraints and loads in [`Sections`], each
+//! with the place of its joint. Coordinates come last, because their speeds depend on whether the joint rolls.
 
 use super::axis::{Along, Direction, Motion};
 use crate::diagnostic::{Diagnostic, Diagnostics};
@@ -10,29 +10,29 @@ use crate::model::text::fields::Fields;
 use crate::model::text::repeat::Sections;
 use crate::source::Span;
 
-/// Fields that a coordinate takes over from its joint as they stand.
+/// Fields that a coordinate takes over from its joint unchanged.
 const CARRIED: [&str; 4] = ["unit", "nominal", "range", "speed"];
 
-/// A coordinate that shifts or turns along one axis.
+/// A coordinate that translates or rotates along one axis.
 struct Coordinate {
     name: String,
     direction: Direction,
     slides: bool,
 }
 
-/// A joint on its way into the sections.
+/// A joint while its entries are being written.
 pub struct Parts<'a> {
-    /// Frame in which the slides go and from which the turns start.
+    /// The frame along whose axes the translations go and from which the rotations start.
     pub base: String,
     /// The link that the joint carries: a frame and a point.
     pub child: String,
     /// Point of the inner side at which the joint sits.
     hold: String,
-    /// Point that the slides lead to.
+    /// Point at the end of the translations.
     foot: String,
     coordinates: Vec<Coordinate>,
     attitude: bool,
-    /// Speeds that are combinations of rates: name, unit, independent, value.
+    /// Speeds that are combinations of rates: name, unit, whether independent, value.
     combinations: Vec<(String, &'static str, bool, String)>,
     dependent: Vec<String>,
     independent: bool,
@@ -42,12 +42,12 @@ pub struct Parts<'a> {
     found: &'a mut Diagnostics,
 }
 
-/// What stands for a joint's own text: at the place of what it was made from.
+/// Generated text, with the place of its origin.
 fn text(text: &str, span: Span) -> Value {
     Value::Text(Text::made(text, span))
 }
 
-/// A length, an angle or another plain value as it reads in an expression.
+/// A length, an angle or another plain value as text of an expression.
 fn written(value: &Value, unit: &str) -> String {
     match value {
         Value::Number(number, _) => format!("{number:?}{unit}"),
@@ -58,7 +58,7 @@ fn written(value: &Value, unit: &str) -> String {
 }
 
 impl<'a> Parts<'a> {
-    /// The joint `key` of `fields` between the frame `base` and the link `child`.
+    /// A joint with the name `key` and these fields, between the frame `base` and the link `child`.
     pub fn new(
         (key, fields): (&'a Key, &'a Fields<'a>),
         (base, child): (String, String),
@@ -82,7 +82,7 @@ impl<'a> Parts<'a> {
         }
     }
 
-    /// What belongs to the joint is called by its name and a word.
+    /// The name of something that belongs to the joint: the joint's name and a word.
     pub fn named(&self, word: &str) -> String {
         format!("{}_{word}", self.key.name)
     }
@@ -102,13 +102,13 @@ impl<'a> Parts<'a> {
         text(written, self.key.span)
     }
 
-    /// A point at the vector `position` from O.
+    /// Adds a point at the vector `position` from O.
     pub fn point(&mut self, name: &str, position: &str) {
         let position = self.text(position);
         self.put("points", name, position);
     }
 
-    /// Takes over the motions of the joint about or along `axes`.
+    /// Adds the motions of the joint, along or about `axes`.
     pub fn moves(&mut self, motions: &[Motion], axes: &[Direction]) {
         let single = motions.len() == 1;
         for motion in motions {
@@ -134,14 +134,14 @@ impl<'a> Parts<'a> {
         }
     }
 
-    /// Where the joint sits: the link's point, unless it slides away from there.
+    /// Sets where the joint sits: at the link's point, unless translations lead away from there.
     pub fn sits(&mut self, at: Value) {
         let slides = self.coordinates.iter().any(|c| c.slides);
         let name = if slides { self.hold.clone() } else { self.child.clone() };
         self.put("points", &name, at);
     }
 
-    /// A point where the slides lead to.
+    /// Adds a point at the end of the translations.
     pub fn place(&mut self, name: &str) {
         let slides = self.coordinates.iter().filter(|c| c.slides);
         let shifts = slides.map(|c| format!(" + {}*{}", c.name, c.direction.of(&self.base)));
@@ -150,20 +150,20 @@ impl<'a> Parts<'a> {
         self.foot = name.to_owned();
     }
 
-    /// A frame turned from another.
+    /// Adds a frame that is turned from another one.
     pub fn frame(&mut self, name: &str, parent: &str, rotations: Vec<Value>) {
         let rotations = Value::Array(rotations, self.key.span);
         let frame = self.table(vec![("parent", self.text(parent)), ("rotations", rotations)]);
         self.put("frames", name, frame);
     }
 
-    /// The turns of the joint's coordinates, about their axes one after the other.
+    /// The rotations by the joint's coordinates, about their axes in order.
     fn turns(&self) -> Vec<Value> {
         let turns = self.coordinates.iter().filter(|c| !c.slides);
         turns.flat_map(|c| c.direction.turn(&c.name, self.key.span)).collect()
     }
 
-    /// Frames of the link: after `inner` turns the frame `between`, behind it the link itself.
+    /// Adds the frames of the link: `between` after the first `inner` rotations, and the link itself after the others.
     pub fn split_frame(&mut self, between: &str, inner: usize) {
         let mut turns = self.turns();
         let outer = turns.split_off(inner);
@@ -172,7 +172,7 @@ impl<'a> Parts<'a> {
         self.frame(&child, between, outer);
     }
 
-    /// The frame of the link, turned from the base by `fixed` turns first.
+    /// Adds the frame of the link, turned from the base by the rotations `fixed` and then by the joint's own.
     pub fn link(&mut self, fixed: &[Value]) {
         let (base, child) = (self.base.clone(), self.child.clone());
         match self.attitude {
@@ -181,8 +181,9 @@ impl<'a> Parts<'a> {
         }
     }
 
-    /// A frame by Euler parameters e0 = cos(angle/2), e = axis*sin(angle/2), of unit length; the speeds are
-    /// w = 2 (e0 e' - e0' e - e x e'), along the link's axes, and half of what the constraint keeps 0. Regular at every attitude.
+    /// Adds a frame by Euler parameters e0 = cos(angle/2), e = axis sin(angle/2), of unit length. Speeds: the angular
+    /// velocity w = 2 (e0 e' - e0' e - e x e') along the link's axes, and the rate of the constraint, which stays 0.
+    /// Regular at every attitude.
     fn attitude_frame(&mut self, child: &str) {
         let [a, b, c, d] = ["e0", "e1", "e2", "e3"].map(|word| self.named(word));
         let parameters = [&a, &b, &c, &d].map(|e| self.text(e)).to_vec();
@@ -219,31 +220,32 @@ impl<'a> Parts<'a> {
         self.put("constraints.configuration", &name, unit);
     }
 
-    /// A speed that is a combination of rates.
+    /// Adds a speed that is a combination of rates.
     pub fn combine(&mut self, word: &str, unit: &'static str, independent: bool, value: &str) {
         let name = self.named(word);
         self.combinations.push((name, unit, independent && self.independent, value.to_owned()));
     }
 
-    /// Speeds of these coordinates follow from the motion constraints.
+    /// Declares that the speeds of these coordinates follow from the motion constraints.
     pub fn depend(&mut self, words: &[&str]) {
         self.dependent.extend(words.iter().map(|word| format!("{}_{word}", self.key.name)));
     }
 
-    /// A velocity less that of the inner side at the place of contact.
+    /// The velocity relative to the inner side at the place of contact.
     pub fn slip(&self, velocity: &str) -> String {
         let (hold, foot, base) = (&self.hold, &self.foot, &self.base);
         format!("{velocity} - velocity({hold}) - cross(angular_velocity({base}), {foot} - {hold})")
     }
 
-    /// A motion constraint: no slip along a direction.
+    /// Adds a motion constraint: no slip along a direction.
     pub fn constrain(&mut self, word: &str, slip: &str, along: &str) {
         let (name, expression) = (self.named(word), self.text(&format!("dot({slip}, {along})")));
         self.put("constraints.motion", &name, expression);
     }
 
-    /// A point with this velocity rests on the plane. The plane's own axes give rows in which the speeds of the place of
-    /// contact stand alone: nothing can vanish. Along the normal nothing slips anyway.
+    /// Adds the constraints for a point with this velocity that rests on the plane. Along the plane's own axes each row
+    /// holds one speed of the place of contact with coefficient 1, so that no pivot can vanish. Along the normal
+    /// nothing slips anyway.
     pub fn does_not_slip(&mut self, velocity: &str) {
         let (slip, base) = (self.slip(velocity), self.base.clone());
         self.constrain("roll_x", &slip, &format!("{base}.x"));
@@ -256,7 +258,7 @@ impl<'a> Parts<'a> {
         value.map_or_else(|| "0".to_owned(), |value| written(value, "_m"))
     }
 
-    /// What a field says for each coordinate: its value where there is one coordinate, one of a list else.
+    /// The values of a field, one for each coordinate: a single value, or a list if there are several coordinates.
     fn each(&mut self, field: &'static str) -> Vec<Option<Value>> {
         let count = self.coordinates.len();
         match self.fields.get(field) {
@@ -271,7 +273,7 @@ impl<'a> Parts<'a> {
         }
     }
 
-    /// Coordinates with their speeds, springs and drives.
+    /// Adds the coordinates with their speeds, springs and drives.
     pub fn finish(mut self, driven: bool) {
         let carried = CARRIED.map(|field| self.each(field));
         let (stiffness, rest, damping) = (self.each("stiffness"), self.each("rest"), self.each("damping"));
@@ -302,7 +304,7 @@ impl<'a> Parts<'a> {
             self.put("coordinates", &name, entry);
             self.spring(&name, [&stiffness[i], &rest[i], &damping[i]]);
             if let Some(effort) = &drive[i] {
-                // The axis of the last turn stands still in the link, that of an earlier one in the base.
+                // The axis of the last rotation is fixed in the link, that of an earlier one in the base.
                 let last = !slides && i + 1 == drive.len();
                 let along = direction.of(if last { &self.child } else { &self.base });
                 self.drive(&name, effort, &along, slides);
@@ -319,7 +321,7 @@ impl<'a> Parts<'a> {
         }
     }
 
-    /// A spring and a damper on a coordinate.
+    /// Adds a spring and a damper on a coordinate.
     fn spring(&mut self, coordinate: &str, [stiffness, rest, damping]: [&Option<Value>; 3]) {
         if stiffness.is_none() && rest.is_none() && damping.is_none() {
             return;
@@ -333,7 +335,7 @@ impl<'a> Parts<'a> {
         self.put("springs", coordinate, entry);
     }
 
-    /// A force along a slide or a torque about a turn, with its reaction on the inner side.
+    /// Adds a force along a translation or a torque about a rotation, with its reaction on the inner side.
     fn drive(&mut self, coordinate: &str, effort: &Value, along: &str, slides: bool) {
         let unit = if slides { "_N" } else { "_J" };
         let effort = text(&format!("({})*{along}", written(effort, unit)), effort.span());
