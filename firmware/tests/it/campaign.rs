@@ -3,7 +3,7 @@
 //! 500 runs by default; `SMARTBED_RUNS` sets another number, `SMARTBED_TABLE` a file for the table. Asserted of every run: legs within 1 mm
 //! and 1 degree of their command, pressure below 12 kPa, forces below 150 N.
 //!
-//! `SMARTBED_FAULT` takes one kind alone, by its name, `SMARTBED_CASE` one run alone, by its number.
+//! `SMARTBED_FAULT` selects one kind by its name, `SMARTBED_CASE` one run by its number.
 //!
 //! `SMARTBED_RUNS=10000 SMARTBED_TABLE=docs/campaign.md cargo test -p smartbed-firmware --test it -- campaign`
 
@@ -16,8 +16,9 @@ use smartbed_firmware::tile::mode::Mode;
 use smartbed_firmware::tile::motion::pose;
 use std::fmt::Write;
 
-/// A fault of the campaign: its name, what it does at its moment, and whether it must be found in every run: an obstacle may not
-/// be in the way, silence counts only while something moves, what is no number is refused, a power cut breaks nothing.
+/// A fault of the campaign: its name, what it changes when it strikes, and whether every run must find it. Exempt are: an
+/// obstacle, which may not be in the way; a corrupt bus, because silence counts only during motion; NaN, which is refused; a
+/// power cut, which breaks nothing.
 struct Kind {
     name: &'static str,
     must_be_found: bool,
@@ -34,7 +35,7 @@ const fn harmless(name: &'static str, strike: fn(&mut Wire, u32)) -> Kind {
     Kind { name, must_be_found: false, strike }
 }
 
-/// The number picks leg, side and size.
+/// All kinds; the number of a run selects leg, side and size.
 const KINDS: [Kind; 20] = [
     kind("motor stuck on", |w, n| w.set(Defect::Motor(leg(n), [1.0, -1.0, 0.5, -0.5][pick(n, 4)]))),
     kind("motor dead", |w, n| w.set(Defect::MotorDead(leg(n)))),
@@ -75,12 +76,12 @@ fn obstruct(wire: &mut Wire, n: u32) {
     wire.set(Defect::Block { leg, height: if above { at + 2e-4 } else { at - 2e-4 }, above });
 }
 
-/// A run goes on for so long after its fault (ticks), and for `longest` while nothing is found: in tests, and by the script.
+/// Least duration of a run after its fault (ticks), and the duration if nothing is found: in up to 1,000 runs, and in more.
 const SHORTEST: u32 = 4000;
 const LONGEST: (u32, u32) = (8000, 30_000);
 
-/// What the tile is told after that if nothing was found, one after the other: a fault that hides shows itself when what it
-/// broke is used, or does no harm then either.
+/// Commands sent one after the other if nothing has been found by then: using the broken part shows a hidden fault, or shows
+/// that it does no harm.
 const USES: [Command; 4] = [
     Command::Move(Target { heave: 0.004, slope_x: 0.02, slope_y: -0.015 }),
     Command::Pressure(5200.0),
@@ -89,10 +90,10 @@ const USES: [Command; 4] = [
 ];
 /// Time for each (ticks).
 const USE: u32 = 6000;
-/// Time for a start (ticks): what nothing has shown until then is looked for there.
+/// Time for a restart (ticks), whose tests look for faults that have not been found by then.
 const START: u32 = 400;
 
-/// What the tile does meanwhile.
+/// What the tile does when the fault strikes.
 const ACTIVITIES: [(&str, Option<Command>); 5] = [
     ("rest", None),
     ("tilting", Some(Command::Move(Target { heave: 0.0, slope_x: 0.015, slope_y: 0.01 }))),
@@ -101,10 +102,10 @@ const ACTIVITIES: [(&str, Option<Command>); 5] = [
     ("inflating", Some(Command::Pressure(4600.0))),
 ];
 
-/// What a run came to.
+/// Result of a run.
 #[derive(Clone, Copy, Default)]
 struct Finding {
-    /// Ticks until a fault was latched, in this life or in the next.
+    /// Ticks from the fault until one was latched, before or after the restart.
     detected: Option<u32>,
     /// Was it found by the tests of the next start?
     at_start: bool,
@@ -165,7 +166,7 @@ fn run(mut wire: Wire, kind: &Kind, activity: &Option<Command>, n: u32, longest:
     finding
 }
 
-/// Homed, level in the middle, a patient off its middle, 4 kPa in the bladder.
+/// A tile that is homed and level at middle height, with a patient off its middle and 4 kPa in the bladder.
 fn prepared() -> Wire {
     let tile = Tile::loaded(25.0, [0.02, 0.0], [-0.027; 3], DRIVE).expect("a start");
     let mut wire = Wire::with(tile);
@@ -256,13 +257,13 @@ fn no_single_fault_leaves_the_limits() {
 const HEAD: &str = "\
 # Single faults on the simulated tile
 
-Written by `SMARTBED_RUNS=n SMARTBED_TABLE=docs/campaign.md cargo test -p smartbed-firmware --test it -- campaign`; the tests
-make 500 of these runs. 25 kg, homed, 4 kPa; each fault strikes at rest and while the tile tilts, rises, sinks and inflates, at moments and on legs that
-vary. A run goes on for 4 s, for 30 s while nothing is found. A fault that has not shown by then (a drive that is broken while ENABLE is off, a sensor
-that is stuck while nothing moves) is put to use: the tile is tilted, inflated, tilted back and vented, 24 s more. What is not found then either is
-looked for by the tests of a new start. The test fails where a fault is never found, except these: an obstacle that is not in the way, a bus that is corrupt while
-nothing moves, numbers that are none (refused, answered, logged), a power cut, which breaks nothing; all of them must do no harm. Limits of every run, found or
-not, from the first tick to the last: 1 mm, 1 degree, 12 kPa, 150 N.
+Written by `SMARTBED_RUNS=n SMARTBED_TABLE=docs/campaign.md cargo test -p smartbed-firmware --test it -- campaign`; the test makes
+500 of these runs by default. A patient of 25 kg lies on the tile, which is homed, at 4 kPa. Each fault strikes at rest and while the tile tilts, rises, sinks and inflates, at varying
+moments and on varying legs. A run ends 4 s after the fault, or 1 s after its detection if that is later; without detection it goes on for 30 s. A fault that has not shown by then (a broken drive while ENABLE is off, a sensor
+stuck at the right value while nothing moves) is exposed by use (column "in use"): the tile is tilted, inflated, tilted back and vented, for 24 s more. A fault that this does not find either must be
+found by the tests of a new start (column "at a start"). The test fails if a fault is never found, except for: an obstacle that is not in the way, a corrupt bus while
+nothing moves, commands that contain NaN (refused, answered, logged), and a power cut, which breaks nothing; all of these must do no harm. Limits of every run, with or without
+detection, from the first tick to the last: 1 mm, 1 degree, 12 kPa, 150 N.
 
 | fault | runs | found | in use | at a start | latest, not in use (ms) | farthest (mm) | most turn (deg) | pressure (kPa) | force (N) | found as |
 |---|---|---|---|---|---|---|---|---|---|---|
