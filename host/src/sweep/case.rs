@@ -39,6 +39,14 @@ pub fn cases(name: &str, plan: &PlanFile, settings: &[String], axes: &Axes) -> R
     if count > MOST {
         return Err(Failure::Wrong(format!("{name}: its [sweep] has more than {MOST} cases")));
     }
+    let set = |setting: &&String| {
+        setting.split_once('=').is_some_and(|(key, _)| axes.iter().any(|(axis, _)| axis == key.trim()))
+    };
+    if let Some(setting) = settings.iter().find(set) {
+        return Err(Failure::Wrong(format!(
+            "--set {setting}: the [sweep] gives this key its values in every case; leave the setting out, or change the list in the plan"
+        )));
+    }
     let mut meshes = Meshes::new();
     let one = |number: usize| {
         let (mut rest, mut values) = (number, Vec::new());

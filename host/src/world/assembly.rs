@@ -71,7 +71,20 @@ impl Part {
     }
 }
 
-/// Kinds of parts.
+impl Part {
+    /// Does its text give it a velocity? That of a mechanism is its model's.
+    #[must_use]
+    pub fn starts_in_motion(&self) -> bool {
+        let moves = |v: &[f64; 3]| v.iter().any(|v| *v != 0.0);
+        match &self.kind {
+            Kind::Rigid(rigid) => moves(&rigid.start.velocity) || moves(&rigid.start.angular_momentum),
+            Kind::Flexible(body) => body.lists.velocities.iter().any(moves),
+            Kind::Mechanism(_) => false,
+        }
+    }
+}
+
+/// What a part is.
 #[derive(Clone, Debug)]
 pub enum Kind {
     /// A mechanism, with derived equations.

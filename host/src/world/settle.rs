@@ -14,8 +14,9 @@ const MOST_STEPS: usize = 500_000;
 const REST: f64 = 1e-10;
 /// A frame slower than this (m/s, rad/s) counts as fixed.
 const STILL: f64 = 1e-9;
-/// Factor by which a speed divided by the step counts as an acceleration: as if the speed had built up over a thousand
-/// steps.
+/// What has gone so many times the world's size, or so many metres or radians, comes to rest nowhere.
+const AWAY: f64 = 100.0;
+/// A speed counts as an acceleration over this many steps.
 const SLOW: f64 = 1e-3;
 
 /// A world that can be relaxed. Its state x is coordinates, then speeds.
@@ -28,6 +29,8 @@ pub(super) trait Relaxing {
     fn masses(&self) -> Vec<f64>;
     /// By speed: the index of its part.
     fn owners(&self) -> Vec<usize>;
+    /// Name of such a part.
+    fn name(&self, owner: usize) -> String;
     /// Largest speed of a frame at the start (m/s or rad/s).
     fn fastest_frame(&self) -> f64;
     /// Length of gravity (m/s^2).
@@ -42,7 +45,7 @@ pub(super) trait Relaxing {
 /// Relaxes a world.
 ///
 /// # Errors
-/// A prescribed motion at the start, or no convergence, in words.
+/// What moves as commanded at the start, falls away, or does not come to rest, in words.
 pub(super) fn relax(world: &mut impl Relaxing) -> Result<Settled, String> {
     let words = |fault: Fault| format!("settle: {}", fault.reason());
     let (mut x, n_q, masses, owners) = (world.vector(), world.split(), world.masses(), world.owners());
@@ -63,6 +66,7 @@ pub(super) fn relax(world: &mut impl Relaxing) -> Result<Settled, String> {
     let size = x[..n_q].iter().fold(0.0_f64, |most, x| most.max(x.abs()));
     let gravity = world.gravity();
     let rest = if gravity > 0.0 { REST * gravity } else { (REST * first).max(f64::EPSILON * size / (h * h)) };
+    let (start, far) = (x[..n_q].to_vec(), AWAY * size.max(1.0));
     let mut low = vec![0.0; x.len()];
     let mut left = first;
     for step in 0..MOST_STEPS {
@@ -82,6 +86,16 @@ pub(super) fn relax(world: &mut impl Relaxing) -> Result<Settled, String> {
         for (n, (now, before)) in x[n_q..].iter().zip(&before).enumerate() {
             power[owners[n]] += masses[n] * now * (now - before);
             left = left.max(((now - before) / h).abs()).max((now / h).abs() * SLOW);
+        }
+        if x.iter().zip(&start).any(|(x, start)| (x - start).abs() > far) {
+            let speeds = x[n_q..].iter().zip(&owners);
+            let fastest =
+                speeds.max_by(|a, b| a.0.abs().total_cmp(&b.0.abs())).map_or(0, |(_, owner)| *owner);
+            return Err(format!(
+                "settle: `{}` has gone {far:.0} m (or rad) and rests nowhere: nothing holds it, or it slides or rolls off; hold it, or give what \
+                 it lies on friction",
+                world.name(fastest)
+            ));
         }
         for (speed, owner) in x[n_q..].iter_mut().zip(&owners) {
             *speed = if power[*owner] < 0.0 { 0.0 } else { *speed };

@@ -242,6 +242,12 @@ fn a_sweep_gives_the_same_bytes_in_shards_on_any_cores_and_after_a_break() {
     assert!(table.starts_with("case,\"load.mass\",\"bed.pressure\","), "{table}");
     let bad = smartbed(&["sweep", "ball_on_four", "-o", &one, "--shard", "3/2"]);
     assert!(bad.message().contains("expected I/N with I from 1 to N"));
+    // A setting that every case would override.
+    let vain = smartbed(&["sweep", "ball_on_four", "-o", &one, "--set", "load.mass=5_kg"]);
+    assert!(
+        vain.message().contains("--set load.mass=5_kg: the [sweep] gives this key its values"),
+        "{vain:?}"
+    );
     assert!(smartbed(&["sweep", "alternating", "-o", &one]).message().contains("it has no [sweep]"));
 }
 

@@ -94,8 +94,10 @@ fn every_refusal_of_a_scene_has_its_cause_and_cure() {
         attached("[{ nodes = \"base\", to = \"ball\" }]"),
         attached("[{ nodes = [99], to = \"ball\" }]"),
         attached("[{ to = \"ball\" }]"),
+        attached("[{ nodes = [0, 0], to = \"ball\" }]"),
         pair(""),
         pair("impact = \"newton\"\nfriction = 0.1"),
+        pair("impact = \"plastic\"\n[[contacts]]\nbetween = [\"ball\", \"ground\"]\nimpact = \"stronge\""),
         format!("{BALL}[[contacts]]\nbetween = [\"ball\", \"ball\"]\nimpact = \"plastic\""),
         format!("{BALL}[[contacts]]\nbetween = [\"ball\"]\nimpact = \"plastic\""),
         format!("{GROUND}[run]\nseconds = 1e9\nstep = 1e-9"),
@@ -128,6 +130,10 @@ fn every_refusal_of_a_scene_has_its_cause_and_cure() {
         // Run.
         format!("{BALL}[run]\nstart = \"settled\""),
         format!("{CUBE}[run]\nstart = \"settled\""),
+        format!("{CUBE}[run]\nstart = \"settled\"\nstep = 1e-7"),
+        format!(
+            "[parts.cube]\nshape = \"cube\"\nstart = {{ velocity = [1, 0, 0] }}\n[run]\nstart = \"settled\""
+        ),
         format!("{BALL}[sensors.s]\nof = \"ball.w\""),
         format!("{BALL}[sensors.s]\nof = \"ball.z\"\nperiod = \"1.5_ms\""),
         format!(

@@ -42,6 +42,26 @@ fn what_is_wrong_in_a_world_is_said_with_its_place() {
         ),
         (
             format!(
+                "{GROUND}{BALL}start = {{ height = 1 }}\n[[contacts]]\nbetween = [\"ball\", \"ground\"]\nimpact = \"moreau\"\n\
+                 [[contacts]]\nbetween = [\"ground\", \"ball\"]\nimpact = \"moreau\"\nfriction = 0.3"
+            ),
+            "`ground` and `ball` have a law of contact already",
+            13,
+        ),
+        (
+            format!("{GROUND}{BALL}start = {{ height = 1, spin = [0, 0, 1] }}\n[run]\nstart = \"settled\""),
+            "a run that begins at rest takes no velocity",
+            4,
+        ),
+        (
+            format!(
+                "{GROUND}{SHEET}attach = [{{ nodes = \"rim\", to = \"ground\" }},\n{{ nodes = [0, 0], to = \"ground\" }}]"
+            ),
+            "node 0 of `bladder` is attached twice",
+            10,
+        ),
+        (
+            format!(
                 "{GROUND}{BALL}start = {{ height = 1 }}\n[[contacts]]\nbetween = [\"bal\", \"ground\"]\nimpact = \"newton\""
             ),
             "there is no part `bal`",

@@ -1,7 +1,7 @@
 //! Contacts that last: forces at rest, ten seconds from equilibrium, flat faces that slide.
 
 use super::rigid::G;
-use super::support::{find, json, number, rows, scene, settled};
+use super::support::{fails, find, json, number, rows, scene, settled};
 
 /// The last row of a scene with changes, settled.
 fn at_rest(scene: &str, changes: &[String]) -> serde_json::Value {
@@ -25,6 +25,32 @@ fn forces_of_settled_contacts_are_the_weights() {
             println!("{scene}: {pair} {x:e} {y:e} {z}, off by {:e}", z / load - 1.0);
             assert!((z / load - 1.0).abs() < 1e-9 && x.abs().max(y.abs()) < 1e-9 * load, "{scene}: {rest}");
         }
+    }
+}
+
+#[test]
+fn a_law_that_rebounds_comes_to_the_same_rest() {
+    let law = |law: &str| {
+        vec![format!("contacts=[{{ between = [\"plate\", \"bladder\"], impact = {law}, friction = 0.4 }}]")]
+    };
+    let heights =
+        |rest: &serde_json::Value| ["plate.z", "bladder.z0", "bladder.z24"].map(|name| number(&rest[name]));
+    let expected = heights(&at_rest("plate_on_bladder", &law("\"moreau\"")));
+    for own in ["\"moreau\", restitution = 0.9", "\"compensation\"", "\"stronge\", restitution = 1"] {
+        let rest = at_rest("plate_on_bladder", &law(own));
+        let off = heights(&rest).iter().zip(expected).fold(0.0_f64, |most, (a, b)| most.max((a - b).abs()));
+        println!("{own}: {off:e} m from where e = 0 rests, force {}", rest["plate-bladder.z"]);
+        assert!(off < 1e-12 && (number(&rest["plate-bladder.z"]) / G - 1.0).abs() < 1e-9, "{own}: {off:e}");
+    }
+}
+
+#[test]
+fn what_falls_away_is_named_instead_of_settled() {
+    for (scene, set, part) in
+        [("two_cubes", "gravity=[0, 0, -9.81]", "`"), ("ball_on_tilted_bladder", "run.every=1", "`ball`")]
+    {
+        let said = fails(&["settle", scene, "--set", set]);
+        assert!(said.contains("rests nowhere") && said.contains(part), "{scene}: {said}");
     }
 }
 

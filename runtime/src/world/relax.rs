@@ -1,4 +1,4 @@
-//! A step towards rest: a time step at frozen time, then overlapping parts are moved apart.
+//! A step on the way to rest: what a step does while time stands still and nothing rebounds, then parts leave one another where they overlap.
 //!
 //! In: as for a step. Out: the same, and the speed at which parts were moved apart.
 //! ```text
@@ -9,7 +9,7 @@
 //! Bridson & Fedkiw 2003).
 
 use super::carrier::Carrier;
-use super::step::{StepMemory, StepReport, World, load_contacts};
+use super::step::{Course, StepMemory, StepReport, World, load_contacts};
 use super::sweep::sweep;
 use crate::mechanism::Fault;
 use crate::ode::{Ode, State, state::advance};
@@ -33,7 +33,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         state: &mut State<'_, S>,
         memory: &mut StepMemory<'_, S>,
     ) -> Result<(StepReport<S>, S), Fault> {
-        let report = self.step_at([t; 3], h, state, memory)?;
+        let report = self.step_at(&Course { times: [t; 3], rebounds: false }, h, state, memory)?;
         let scratch = core::mem::take(&mut memory.scratch);
         let leaving = self.leave((t, h), state, scratch, memory);
         memory.scratch = scratch;

@@ -58,7 +58,15 @@ pub struct StepMemory<'a, S> {
     pub counts: [usize; 2],
 }
 
-/// Diagnostics of a step.
+/// How a step goes through time.
+pub(super) struct Course<S> {
+    /// Times of its start, middle and end: all one where time stands still.
+    pub(super) times: [S; 3],
+    /// Does what meets rebound as its law says? On the way to rest it does not.
+    pub(super) rebounds: bool,
+}
+
+/// What a step did.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StepReport<S> {
     /// Worst pivot of the carriers.
@@ -104,30 +112,32 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         state: &mut State<'_, S>,
         memory: &mut StepMemory<'_, S>,
     ) -> Result<StepReport<S>, Fault> {
-        self.step_at([t, t + S::from_f64(0.5) * h, t + h], h, state, memory)
+        let course = Course { times: [t, t + S::from_f64(0.5) * h, t + h], rebounds: true };
+        self.step_at(&course, h, state, memory)
     }
 
-    /// A step with these times of its start, middle and end: all equal where time is frozen.
+    /// A step over a course of time.
     pub(super) fn step_at(
         &mut self,
-        times: [S; 3],
+        course: &Course<S>,
         h: S,
         state: &mut State<'_, S>,
         memory: &mut StepMemory<'_, S>,
     ) -> Result<StepReport<S>, Fault> {
         let scratch = core::mem::take(&mut memory.scratch);
-        let report = self.step_within((times, h), state, scratch, memory);
+        let report = self.step_within((course, h), state, scratch, memory);
         memory.scratch = scratch;
         report
     }
 
     fn step_within(
         &mut self,
-        ([t, t_middle, t_end], h): ([S; 3], S),
+        (course, h): (&Course<S>, S),
         state: &mut State<'_, S>,
         scratch: &mut [S],
         memory: &mut StepMemory<'_, S>,
     ) -> Result<StepReport<S>, Fault> {
+        let [t, t_middle, t_end] = course.times;
         let n = self.island.n_x();
         let mut cuts = scratch.chunks_exact_mut(n.max(1));
         let [Some(middle), Some(dot), Some(rest), Some(new), Some(low)] = [(); 5].map(|()| cuts.next())
@@ -159,7 +169,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
 
         // Contact impulses act as forces at the middle.
         self.fill_twists([t, t_end], h, middle, dot, new, memory)?;
-        let sweeps = self.contacts((t_middle, h), middle, memory)?;
+        let sweeps = self.contacts((t_middle, h), middle, course.rebounds, memory)?;
         let own = &mut self.island.memory;
         let forces = (&mut *own.elastic, &mut *own.wrenches);
         let active = load_contacts(h, memory.contacts().iter().map(|touch| touch.contact), forces);
@@ -260,9 +270,13 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         &mut self,
         times: (S, S),
         middle: &[S],
+        rebounds: bool,
         memory: &mut StepMemory<'_, S>,
     ) -> Result<sweep::Sweeps<S>, Fault> {
         self.find_contacts(times, middle, memory)?;
+        if !rebounds {
+            memory.touches[0].iter_mut().for_each(|touch| touch.contact.restitution = S::ZERO);
+        }
         Ok(press(times.1, memory))
     }
 

@@ -106,6 +106,37 @@ fn a_ball_on_a_commanded_plane_rolls_or_slides_to_the_methods_order() {
     assert!(order[0] > 3.7 && order[1] > 3.7 && order[2] > 3.5 && errors[1][0] < 1e-7, "{errors:?}");
 }
 
+/// A level plane that rises at one speed, as commanded.
+const RISE: f64 = 0.3;
+
+fn rising(t: f64, _: usize) -> Frame<f64> {
+    Frame { origin: [0.0, 0.0, RISE * t], velocity: [0.0, 0.0, RISE], ..Frame::inertial() }
+}
+
+#[test]
+fn an_impact_on_a_frame_that_rises_loses_what_it_does_on_one_that_stands() {
+    // Closed forms in the frame of the plane: approach u, impulse (1 + e) m u, loss (1 - e^2) m u^2/2.
+    let (mass, radius, gap, seconds) = (2.0, 0.1, 0.05_f64, 0.15);
+    let u = (RISE * RISE + 2.0 * G * gap).sqrt();
+    let touch = (u - RISE) / G;
+    for (kind, e) in
+        [(Kind::Stronge, 0.0), (Kind::Stronge, 0.6), (Kind::Newton, 0.6), (Kind::Compensation, 1.0)]
+    {
+        let mut scene = Scene::falling();
+        scene.parts.push(Part::Driven(Commanded { law: rising, ports: 1 }));
+        let plane =
+            scene.thing(Thing::Rigid { shape: Shape::HalfSpace, port: Some(0), place: Place::same() });
+        let ball = scene.ball(mass, radius, [0.0, 0.0, radius + gap], [0.0; 3]);
+        scene.pair(ball, plane, 0.0, e);
+        let (_, imbalance, accounts) = scene.run_located(kind, (5e-3, 30), |_, _, _| ());
+        let pressed = if e > 0.0 { 0.0 } else { mass * G * RISE * (seconds - touch) };
+        let [lost, given] = [0.5 * mass * (1.0 - e * e) * u * u, (1.0 + e) * mass * u * RISE + pressed];
+        println!("{kind:?}, e = {e}: {} J of {lost}, {} J of {given}", accounts.impact, accounts.drive);
+        assert!((accounts.impact - lost).abs() < 1e-9 && (accounts.drive - given).abs() < 1e-9);
+        assert!(imbalance.abs() < 1e-9, "{imbalance:e}");
+    }
+}
+
 /// A ball falls onto a sprung platform without dampers and stays on it: place of the platform at the end.
 fn ridden(h: f64, seconds: f64) -> (f64, f64) {
     let mut scene = Scene::falling();

@@ -64,6 +64,22 @@ fn what_overlaps_leaves_by_a_fifth_a_step_on_the_way_to_rest() {
 }
 
 #[test]
+fn nothing_rebounds_on_the_way_to_rest() {
+    // Dropped by 20 mm with e = 1: a step of relaxation ends its fall as e = 0 does.
+    let h = 1e-3;
+    let mut scene = Scene::falling();
+    let (floor, ball) = (scene.floor(), scene.ball(5.0, 0.1, [0.0, 0.0, 0.12], [0.0; 3]));
+    scene.pair(ball, floor, 0.4, 1.0);
+    let (x, ()) = scene.with(|world, state, mut memory| {
+        for _ in 0..200 {
+            world.relax(0.0, h, state, &mut memory).expect("a step");
+        }
+        assert!((force(memory.contacts(), h)[2] / 49.05 - 1.0).abs() < 1e-9);
+    });
+    assert!(x[7..].iter().all(|speed| speed.abs() < 1e-15) && (x[2] - 0.1).abs() < 1e-12, "{x:?}");
+}
+
+#[test]
 fn a_ball_bounces_with_its_restitution() {
     // Heights of the first bounces against v+ = e v-, to order 1.
     let off = |h: f64| {

@@ -36,6 +36,16 @@ impl Relaxing for CarriedWorld {
         owners
     }
 
+    fn name(&self, owner: usize) -> String {
+        let own = |(part, place): (usize, &Place)| match place {
+            Place::Carrier(carrier, _) => *carrier == owner,
+            Place::Nodes(..) => self.carriers.len() + part == owner,
+            Place::Shape(..) => false,
+        };
+        let part = self.places.iter().enumerate().position(own);
+        part.and_then(|part| self.names.get(part)).cloned().unwrap_or_default()
+    }
+
     fn fastest_frame(&self) -> f64 {
         let speeds =
             self.starts.iter().flat_map(|f| [vec3::norm(f.velocity), vec3::norm(f.angular_velocity)]);

@@ -40,14 +40,19 @@ pub(super) fn attach(
         );
         return Vec::new();
     };
-    let mut joined = Vec::new();
+    // The rim is what the shape holds, not what an earlier entry attached.
+    let held = match &parts[number].kind {
+        Kind::Flexible(body) => body.lists.fixed.clone(),
+        _ => Vec::new(),
+    };
+    let mut joined: Vec<Attachment> = Vec::new();
     for item in items {
         let Value::Table(table) = item else {
             found.push(wrong_kind("attach", "a list of tables", item));
             continue;
         };
         let fields = Fields::of("attach", table.span, table);
-        let nodes = nodes(&fields, table, &parts[number], found);
+        let nodes = nodes(&fields, table, (&parts[number], &held), found);
         let target = fields.need("to", "\"tile.platform\"", found).and_then(|to| match to {
             Value::Text(text) => target(text, number, parts, found),
             other => {
@@ -57,6 +62,14 @@ pub(super) fn attach(
         });
         fields.finish(found);
         let (Some(nodes), Some((to, port))) = (nodes, target) else { continue };
+        if let Some(node) = named_twice(joined.iter().flat_map(|own| &own.nodes).chain(&nodes)) {
+            let error =
+                Diagnostic::error(format!("node {node} of `{}` is attached twice", parts[number].name));
+            found.push(
+                error.label(table.span, "here again").help("one frame holds a node: name each node once"),
+            );
+            continue;
+        }
         if let Kind::Flexible(body) = &mut parts[number].kind {
             for node in &nodes {
                 (body.lists.fixed[*node], body.lists.masses[*node]) = (true, 0.0);
@@ -67,10 +80,21 @@ pub(super) fn attach(
     joined
 }
 
-/// Nodes by number, or those of a group: `rim` (nodes fixed by the shape), `base` (nodes that close a sheet below).
-fn nodes(fields: &Fields<'_>, table: &Table, part: &Part, found: &mut Diagnostics) -> Option<Vec<usize>> {
+/// The first of some nodes that was there before.
+fn named_twice<'n>(nodes: impl Iterator<Item = &'n usize>) -> Option<usize> {
+    let mut seen = std::collections::HashSet::new();
+    nodes.copied().find(|node| !seen.insert(*node))
+}
+
+/// Nodes by number, or those of a group: `rim` (what the shape holds fixed), `base` (what closes a sheet below).
+fn nodes(
+    fields: &Fields<'_>,
+    table: &Table,
+    (part, held): (&Part, &[bool]),
+    found: &mut Diagnostics,
+) -> Option<Vec<usize>> {
     let Kind::Flexible(body) = &part.kind else { return None };
-    let (count, lists) = (body.lists.points.len(), &body.lists);
+    let count = body.lists.points.len();
     let value = match (fields.get("nodes"), fields.get("facets")) {
         (Some(value), None) | (None, Some(value)) => value,
         _ => {
@@ -89,8 +113,8 @@ fn nodes(fields: &Fields<'_>, table: &Table, part: &Part, found: &mut Diagnostic
             let nodes: Vec<usize> =
                 match one_of(&group.text, group.span, ("group of nodes", &["rim", "base"]), found)? {
                     "base" => base,
-                    // Both lists are in ascending order.
-                    _ => (0..count).filter(|n| lists.fixed[*n] && base.binary_search(n).is_err()).collect(),
+                    // Both in rising order.
+                    _ => (0..count).filter(|n| held[*n] && base.binary_search(n).is_err()).collect(),
                 };
             if nodes.is_empty() {
                 let error = Diagnostic::error(format!("`{}` has no nodes `{}`", part.name, group.text));
@@ -211,8 +235,14 @@ pub(super) fn on(text: &Value, number: usize, parts: &mut [Part], found: &mut Di
     }
 }
 
-/// Reads a `[[contacts]]` table into the pairs that it describes.
-pub(super) fn contact(table: &Table, parts: &[Part], found: &mut Diagnostics) -> Vec<Contact> {
+/// A `[[contacts]]` table: the pairs it means, none of which an `earlier` table may have named: two laws would share one
+/// load between them in any way.
+pub(super) fn contact(
+    table: &Table,
+    parts: &[Part],
+    earlier: &[Contact],
+    found: &mut Diagnostics,
+) -> Vec<Contact> {
     let fields = Fields::of("contacts", table.span, table);
     let between = fields.need("between", "[\"load\", \"ground\"]", found);
     let sides = between.and_then(|value| sides(value, parts, found));
@@ -230,6 +260,17 @@ pub(super) fn contact(table: &Table, parts: &[Part], found: &mut Diagnostics) ->
     if pairs.is_empty() {
         let error = Diagnostic::error("a contact is between two parts");
         found.push(error.label(fields_span(between, table), "these are one").help("name two parts"));
+    }
+    let again = |pair: &&Contact| {
+        let [a, b] = pair.between;
+        earlier.iter().any(|contact| contact.between == [a, b] || contact.between == [b, a])
+    };
+    if let Some(pair) = pairs.iter().find(again) {
+        let [a, b] = pair.between.map(|part| &parts[part].name);
+        let error = Diagnostic::error(format!("`{a}` and `{b}` have a law of contact already"));
+        let help =
+            "keep one of the two tables; copies of a grid are named one by one where their laws differ";
+        found.push(error.label(fields_span(between, table), "named by an earlier table").help(help));
     }
     pairs
 }

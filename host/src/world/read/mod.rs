@@ -91,7 +91,7 @@ fn read(path: &str, table: &Table, find: Find<'_>, found: &mut Diagnostics) -> O
     let mut contacts = Vec::new();
     for item in scene.array("contacts", found).map_or(&[][..], |(items, _)| items) {
         match item {
-            Value::Table(table) => contacts.extend(join::contact(table, &parts, found)),
+            Value::Table(table) => contacts.extend(join::contact(table, &parts, &contacts, found)),
             other => found.push(wrong_kind("contacts", "tables, each under [[contacts]]", other)),
         }
     }
@@ -110,6 +110,14 @@ fn read(path: &str, table: &Table, find: Find<'_>, found: &mut Diagnostics) -> O
         named.and_then(|t| t.entries.iter().find(|(key, _)| key.name == own)).map(|(key, _)| key.span)
     };
     overlap::check(&assembly, spans, found);
+    if assembly.run.settled
+        && let Some(part) = assembly.parts.iter().find(|part| part.starts_in_motion())
+    {
+        let error = Diagnostic::error("a run that begins at rest takes no velocity");
+        let place = spans(&part.name).unwrap_or_default();
+        let help = "leave its `velocity` and `spin` out, or begin where the scene says: start = \"given\" under [run]";
+        found.push(error.label(place, "it starts in motion").help(help));
+    }
     Some(assembly)
 }
 

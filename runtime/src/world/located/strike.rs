@@ -9,6 +9,7 @@ use crate::rigid::several::Struck;
 use crate::world::carrier::Carrier;
 use crate::world::detect::Touch;
 use crate::world::impact::{Setting, Spare};
+use crate::world::island::Island;
 use crate::world::step::{StepMemory, World};
 
 impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
@@ -49,6 +50,9 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         let [a, b, c] = &mut way.spare;
         let contacts = struck.iter().map(|s| (&s.contact, s.contact.impulse));
         self.island.load_impulses(contacts);
+        // What moves as commanded gives work in an impact as elsewhere: J . V.
+        let Island { carrier, memory: own, .. } = &mut self.island;
+        let given = carrier.drive_power(own.frames, own.wrenches).unwrap_or(S::ZERO);
         self.island.set_speeds(x, twists)?;
         self.island.push_carrier(t, x, [&mut **a, &mut **b, &mut **c], false)?;
         if self.island.projections() > 0 {
@@ -59,7 +63,8 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         low.iter_mut().skip(n_q).for_each(|low| *low = S::ZERO);
         let after = self.island.energy(t, x)?.total();
         report.impacts += 1;
-        report.accounts.impact = report.accounts.impact + (before - after);
+        report.accounts.drive = report.accounts.drive + given;
+        report.accounts.impact = report.accounts.impact + (before + given - after);
         self.find_touches(t, way)
     }
 }
