@@ -1,4 +1,4 @@
-//! Bladders of neighbours that press on each other.
+//! Bladders of neighbouring tiles that press on each other.
 
 use smartbed_bed::body::{Body, Segment, Shape};
 use smartbed_bed::dynamics::{Matter, Method, Motion};

@@ -1,4 +1,4 @@
-//! The bed without a load: what a step costs, and what error it makes.
+//! The bed without a load: cost and error of a step.
 
 use smartbed_bed::body::{Body, Segment, Shape};
 use smartbed_bed::dynamics::{Matter, Method, Motion};

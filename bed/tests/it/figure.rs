@@ -1,4 +1,4 @@
-//! The figure: its masses, its postures, what its joints refuse, and how it rests on the bed.
+//! The patient's figure: masses, postures, joint angles that are refused, and rest on the bed.
 
 use smartbed_bed::body::anthropometry::{Part, Table};
 use smartbed_bed::body::figure::{Figure, FigureError, Posture};

@@ -1,4 +1,4 @@
-//! Policies: what they see, what they are refused, and that the planner relieves more skin than alternating pressure does.
+//! Policies: their inputs, their refused commands, and that the planner relieves more skin than alternating pressure.
 
 use smartbed_bed::body::anthropometry::Table;
 use smartbed_bed::body::figure::{Figure, Posture};

@@ -1,4 +1,4 @@
-//! Friction between bladders of neighbours.
+//! Friction between bladders of neighbouring tiles.
 
 use crate::beside::{energy, pair};
 use smartbed_bed::body::Body;

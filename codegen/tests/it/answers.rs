@@ -1,4 +1,4 @@
-//! Answers on request against what they follow from by other means: the energy, forward dynamics, differences.
+//! Answers on request against independent computations: energy, forward dynamics, finite differences.
 
 use crate::linearisation::difference;
 use crate::models::shipped;

@@ -1,5 +1,5 @@
 //! A flexible body on a port of a derived mechanism, against the single system in which the same nodes are bodies of
-//! the model itself: what is joined when it runs moves as what is derived in one piece.
+//! the model itself: parts coupled at run time move like one derived model.
 
 use crate::models::shipped;
 use smartbed_codegen::{Asked, Function, Interpreted, ParameterChoice, Program, Request, model, program};

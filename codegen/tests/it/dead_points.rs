@@ -1,6 +1,6 @@
 //! Dead points of the independent speeds: one program covers them, with all speeds as state.
 //!
-//! Oracles: the same mechanisms by the coordinate that has no dead point, in closed form, written out here.
+//! Oracles: the same mechanisms in the coordinate without dead points, in closed form, written here.
 
 use smartbed_codegen::{Interpreted, ParameterChoice, Program, model, program};
 use smartbed_runtime::mechanism::Mechanism;

@@ -1,4 +1,4 @@
-//! Driven mechanisms: velocities with a part that no speed enters, and places that depend on time.
+//! Driven mechanisms: velocities with a term without speeds, and positions that depend on time.
 //!
 //! Oracles: accelerations and powers written out by hand; d/dt (kinetic + potential) against the power of the drive.
 

@@ -1,4 +1,4 @@
-//! Emitted files as an engineer meets them: laid out by rustfmt, without a warning, with names for every place.
+//! Emitted files are formatted as by rustfmt, compile without a warning, and name every slot.
 
 use crate::emitted_bytes::mechanisms;
 use crate::models::shipped;

@@ -1,7 +1,7 @@
-//! Models whose names, descriptions and files are written to break out of where they stand: nothing of them
-//! becomes code, and what is accepted compiles, in every form and scalar.
+//! Models whose names, descriptions and file names try to inject code: none of it becomes code, and accepted
+//! models compile in every form and scalar.
 //!
-//! One compiler run checks all of them as modules of one crate. More of them, as many as the variable says:
+//! One compiler run checks all of them as modules of one crate. An environment variable sets their number:
 //! `SMARTBED_HOSTILE=1000 cargo test -p smartbed-codegen --test it -- hostile`
 
 use smartbed_codegen::model::{self, Model};

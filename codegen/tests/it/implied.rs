@@ -1,4 +1,4 @@
-//! Constraints that follow from the others are watched; configurations are assembled from far guesses, at any size,
+//! Implied constraints remain in the residual; configurations are assembled from far guesses, at any size,
 //! and failures name the constraint that is not met.
 
 use crate::models::shipped;
@@ -158,8 +158,8 @@ fn a_mechanism_that_other_parameters_lock_is_found_out() {
     assert_eq!(assembly.locked(&[1.0, 0.0, 1.0, 1.0]), None);
 }
 
-/// A rod on three equal cranks whose base turns: wherever two of them would let it fold the other way, the third does
-/// not. Oracle: on the right branch all cranks are parallel.
+/// A rod on three equal cranks on a turning base: where two cranks would allow the other branch, the third prevents it.
+/// Oracle: on the right branch all cranks are parallel.
 #[test]
 fn a_rod_on_three_cranks_never_folds_the_other_way() {
     let program = derived(THREE_CRANKS);

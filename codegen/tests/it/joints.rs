@@ -1,4 +1,4 @@
-//! Joints as words: each moves as the same mechanism written by hand, or as a closed form says.
+//! Joint keywords: each gives the motion of the same mechanism written by hand, or of a closed form.
 
 use crate::models::shipped;
 use smartbed_codegen::model::Model;

@@ -1,4 +1,4 @@
-//! Closed loops: what the derivation finds by itself to keep their equations short.
+//! Closed loops: simplifications that the derivation finds automatically.
 
 use smartbed_codegen::expr::{Dag, ExprId, SymbolId};
 use smartbed_codegen::id::{Id, IdVec};

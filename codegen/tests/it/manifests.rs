@@ -1,4 +1,4 @@
-//! What the packages declare: the oldest compiler, and no effect on the packages of who uses the generator.
+//! Manifests of the packages: oldest supported compiler, and no effect on other packages of a user's build.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;

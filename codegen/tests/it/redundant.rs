@@ -1,6 +1,6 @@
 //! Redundant and singular constraints: the decision does not depend on how an equation is written or scaled.
 //!
-//! Redundant ones are dropped with a warning that names them, and what is left is the mechanism without them.
+//! Redundant constraints are dropped with a warning that names them; the result equals the mechanism without them.
 
 use smartbed_codegen::{Interpreted, ParameterChoice, Program, model, program};
 use smartbed_runtime::mechanism::Mechanism;

@@ -1,6 +1,6 @@
-//! A regular configuration is never refused: mechanisms through places where one elimination alone is singular.
+//! A regular configuration is never refused: mechanisms pass configurations where a single elimination is singular.
 //!
-//! Oracles: closed forms of the textbooks, integrated here by Kutta's method; none of them knows of eliminations.
+//! Oracles: textbook closed forms, integrated here by Kutta's method; none of them uses eliminations.
 
 use crate::models::shipped;
 use smartbed_codegen::{Interpreted, ParameterChoice, Program, model, program};

@@ -1,5 +1,5 @@
-//! A mechanism whose lengths and masses all change by factors moves as before, in any scalar: with factors that are powers
-//! of two to the bit, since nothing but exponents changes.
+//! A mechanism whose lengths and masses are all scaled moves as before, in any scalar; with powers of two as factors
+//! results are equal to the bit, since only exponents change.
 //!
 //! Oracle: similarity. Every quantity of the model in kg^a m^b is multiplied by mu^a lambda^b, time stays as it is.
 
@@ -104,7 +104,7 @@ fn mechanisms_of_any_size_move_alike_to_the_bit() {
     }
 }
 
-/// All but for the correction of coordinates, which is the shortest in rad and m together.
+/// Equal only to rounding, because the correction of coordinates minimises a norm that mixes rad and m.
 #[test]
 fn mechanisms_with_dead_points_of_any_size_move_alike() {
     let text = crate::dead_points::slider_crank();

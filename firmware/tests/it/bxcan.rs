@@ -1,5 +1,5 @@
-//! A model of bxCAN's registers, written from the manual (RM0090, 32.7 and 32.9): it panics where the driver may not
-//! write, and does on the bus what the registers say.
+//! A model of bxCAN's registers, written from the manual (RM0090, 32.7 and 32.9): it panics at a write that the manual
+//! forbids, and acts on the bus as its registers are set.
 
 use crate::can_bus::OnBus;
 use embedded_can::Frame;

@@ -1,4 +1,4 @@
-//! What the derived loads are good for in the servo: legs stay nearer to where they should be.
+//! Benefit of the derived loads as feedforward in the servo: legs deviate less from their trajectory.
 
 use crate::bench::{FRICTIONS, drive};
 use smartbed_firmware::link::message::Trim;

@@ -1,4 +1,4 @@
-//! Frames that nobody should send: the node takes none for an order, and loses no good one.
+//! Invalid frames: the node takes none for a command, and loses no valid one.
 //!
 //! 100,000 by default; `SMARTBED_FRAMES` sets another number.
 

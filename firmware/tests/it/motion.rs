@@ -1,4 +1,4 @@
-//! The controller on the plant: what the tile must hold.
+//! The controller on the plant: requirements on the tile.
 
 use crate::bench::{Bench, FRICTIONS, drive, target};
 use smartbed_firmware::command::Pose;

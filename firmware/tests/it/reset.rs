@@ -1,4 +1,4 @@
-//! A reset at every tick of a whole session: drives are off from the first write on, and nothing moves before a fresh permission.
+//! A reset at every tick of a whole session: drives are off from the first write on, and nothing moves before a new permission.
 
 use crate::wire::Wire;
 use smartbed_firmware::link::frame::Body;

@@ -1,4 +1,4 @@
-//! A supervisor, a serial line, a node and its tile, a millisecond at a time.
+//! A supervisor, a serial line, a node and its tile, simulated millisecond by millisecond.
 
 use smartbed_firmware::link::bus::{Arrival, Bus};
 use smartbed_firmware::link::frame::{Body, Decoder, encode};

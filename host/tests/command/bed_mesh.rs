@@ -1,4 +1,4 @@
-//! Meshes as loads of a plan: the same solid in every format, what is refused, broken files without a panic.
+//! Meshes as loads of a plan: the same solid in every format, refused meshes, corrupted files without a panic.
 
 use crate::support::{file, smartbed};
 use smartbed::plan::parse;

@@ -1,4 +1,4 @@
-//! Orders of plans and policies through the controller's and the supervisor's own code.
+//! Commands of plans and policies pass through the code of controller and supervisor.
 
 use smartbed::plan::supervised::Controller;
 use smartbed::plan::{Read, checked, parse};

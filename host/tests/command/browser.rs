@@ -1,7 +1,7 @@
 //! A page in a real browser without a window: its document after its scripts ran, and its picture.
 //!
 //! A page tests itself: asked for with a fragment (`page.html#self-test`) it clicks and zooms and writes
-//! what came of it into an element, which [`open`] returns with the rest. No driver, no network.
+//! the results into an element, which [`open`] returns with the rest. No driver, no network.
 //! The browser is found, or installed by the machine's package manager; where neither is possible, tests
 //! that need it fail.
 

@@ -1,8 +1,8 @@
-//! docs/guide: every command in it is run, in order, in a folder of the page's own; links lead somewhere.
+//! docs/guide: every command in it is run, in order, in a separate folder for each page; links have existing targets.
 //!
 //! A block fenced as `sh` must succeed, one fenced as `sh fails "words"` must fail with these words on standard
 //! error, one fenced as `sh says "words"` must say them; a block with `file=NAME` is written first. `new`,
-//! `completions` and `man` stand here, too.
+//! `completions` and `man` are tested here, too.
 
 use crate::support::{Done, command, file, finish, smartbed, written};
 use smartbed::engine::explain;

@@ -1,6 +1,6 @@
-//! docs/json.schema.json: what the commands print with `--json` is what it says, no key more or less.
+//! docs/json.schema.json: the output of commands with `--json` has exactly the keys that it describes.
 //!
-//! The check knows those words of JSON Schema (2020-12) that the file uses, and stops at any other.
+//! The check implements the keywords of JSON Schema (2020-12) that the file uses, and fails at any other.
 
 use crate::support::{file, smartbed, written};
 use serde_json::Value;

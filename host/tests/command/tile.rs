@@ -1,6 +1,6 @@
 //! `smartbed tile`: the controller in the emulator and on this machine.
 //!
-//! These tests fail, and never skip, where toolchain or emulator are missing; the message names the command that
+//! If toolchain or emulator are missing these tests fail, they are not skipped; the message names the command that
 //! installs them.
 
 use crate::support::smartbed;

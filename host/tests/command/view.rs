@@ -1,4 +1,4 @@
-//! `run --view` and `view`: the page is opened in a browser, played, stopped, wound, looked at; a file is followed.
+//! `run --view` and `view`: the page is opened in a browser, played, stopped, moved to other times; a file is followed.
 
 use crate::browser::{Picture, open, screenshot};
 use crate::support::{command, file, smartbed, written};

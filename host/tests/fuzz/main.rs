@@ -1,5 +1,5 @@
-//! Random models, expressions, states files, scenes and command lines: no panic, no hang, no flood of memory, no answer
-//! that is no number.
+//! Random models, expressions, states files, scenes and command lines: no panic, no hang, no unbounded memory, no NaN
+//! in an answer.
 //!
 //! Every case ends with an answer or with a message that names a place. The cases run in a child process
 //! whose address space is limited to 1 GiB. The seed is fixed, so that case n is always the same:

@@ -1,4 +1,4 @@
-//! Plan texts with values exchanged, keys left out and letters broken: no panic, no hang, and every refusal has its place.
+//! Plan texts with exchanged values, missing keys and corrupted letters: no panic, no hang, and every refusal has its place.
 //!
 //! `SMARTBED_FUZZ_CASES=100000 cargo test -p smartbed --test fuzz -- plans`; the seed is fixed, case n is always the same.
 

@@ -1,4 +1,4 @@
-//! What a step costs: in proportion to the parts that move and what touches.
+//! The cost of a step is proportional to the number of moving parts and contacts.
 
 use super::support::parse;
 use smartbed::world::run::engine;

@@ -1,4 +1,4 @@
-//! Parts that are apart step by themselves; parts that are slow stand still, if the scene says so.
+//! Separate parts are stepped separately; slow parts stand still, if the scene says so.
 
 use super::support::{json, number, parse, rows, scene, settled};
 use smartbed::world::run::engine;

@@ -1,4 +1,4 @@
-//! What is wrong in a scene of format 2 is said with its place.
+//! Errors in a scene of format 2 are reported with their place.
 
 use super::support::{fails, parse, scene};
 

@@ -1,4 +1,4 @@
-//! Contacts that last: forces at rest, ten seconds from equilibrium, flat faces that slide.
+//! Lasting contacts: forces at rest, ten seconds from equilibrium, flat faces that slide.
 
 use super::rigid::G;
 use super::support::{find, json, number, rows, scene, settled};

@@ -1,4 +1,4 @@
-//! Steps whose sums run over blocks of nodes against the same sums node by node, as the method's equations are written.
+//! Steps that sum over blocks of nodes against the same method computed node by node.
 
 use smartbed_runtime::contact::frozen::Frozen;
 use smartbed_runtime::contact::{ContactLaw, ContactState, Ground, System};

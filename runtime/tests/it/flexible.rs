@@ -410,7 +410,7 @@ fn a_point_and_a_facet_rebound_by_their_masses() {
     close(momentum, mass.iter().sum::<f64>() * along - mass[0] * v, 1e-14, "momentum");
 }
 
-/// Moreau's law on a point of 0.7 kg that bounces and slides: what it takes is what the energy loses, step by step.
+/// Moreau's law on a point of 0.7 kg that bounces and slides: in each step its account equals the loss of energy.
 #[test]
 fn moreaus_accounts_of_a_thrown_point_close() {
     let mut trial = Trial::point([0.0, 0.0, 0.3], [1.5, 0.4, 0.0]);

@@ -1,4 +1,4 @@
-//! Methods that choose their steps: error against tolerance, work, rounding; numbers that are none.
+//! Adaptive methods: error against tolerance, work, rounding, NaN.
 
 use crate::flexible::{Trial, spring};
 use smartbed_runtime::contact::compensation::PointImpact;
@@ -32,7 +32,7 @@ fn adaptive_methods_are_worth_their_work() {
     }
 }
 
-/// A tolerance finer than the scalar's rounding is met as well as rounding lets it be, not by ever shorter steps.
+/// A tolerance finer than the scalar's rounding is met as far as rounding allows, without ever shorter steps.
 #[test]
 fn a_tolerance_below_rounding_shortens_no_step() {
     let springs = [Spring { tail: 0, head: 1, stiffness: 100.0_f32, damping: 0.0, rest_length: 1.0 }];

@@ -1,4 +1,4 @@
-//! Accuracy of the own functions, each bound a named constant; exactness of sqrt; NaN; lanes.
+//! Accuracy of the runtime's elementary functions, each bound a named constant; exactness of sqrt; NaN; SIMD lanes.
 
 use crate::double_double::{self, DoubleDouble};
 use proptest::prelude::*;

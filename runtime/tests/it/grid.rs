@@ -1,4 +1,4 @@
-//! A grid's forces against those of its lists, spring by spring and facet by facet: the same numbers, whatever is missing.
+//! Forces of a grid against those of its lists of springs and facets: equal numbers, whichever elements are missing.
 
 use proptest::prelude::*;
 use smartbed_runtime::flexible::block::Pulls;

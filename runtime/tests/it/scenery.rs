@@ -1,4 +1,4 @@
-//! Worlds of tests: parts, nodes and what can be touched, put together piece by piece and run step by step.
+//! Worlds for tests: parts, nodes and touchable surfaces, assembled one by one and run step by step.
 
 use crate::island::Platform;
 use smartbed_runtime::flexible::{Body, Massless, PressureForm, Spring};
