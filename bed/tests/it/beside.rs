@@ -38,7 +38,7 @@ fn alone(bed: &Bed) -> Solution {
     solve(bed, &Body::default(), &bed.start(Vec::new())).expect("an equilibrium")
 }
 
-/// What sheet and air leave over on all free nodes of a tile, in the bed's frame: what presses on it from outside.
+/// Sum of the forces of sheet and air on all free nodes of a tile, in the bed's frame: it balances the external forces.
 fn pressed(bed: &Bed, solution: &Solution, tile: usize) -> Vec3<f64> {
     let sheet = &solution.state.sheets[tile];
     let mut gradient = vec![[0.0; 3]; sheet.len()];

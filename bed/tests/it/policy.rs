@@ -43,7 +43,7 @@ fn reader() -> Reader {
     Reader::new(&Site::default(), Quality::default()).expect("a surface")
 }
 
-/// Changes of pressure that tiles were told in all (Pa).
+/// Sum of all commanded changes of pressure (Pa).
 fn motion(plan: &Plan, history: &History) -> f64 {
     let told = plan.with(&history.moves);
     let times: Vec<f64> = plan.times();

@@ -85,7 +85,7 @@ fn the_fingerprint_is_of_the_whole_text() {
     assert_ne!(fingerprint(base), fingerprint(&base.replace("1.0", "2.0")));
 }
 
-/// Constants say where a number stands, its unit, its range and its line.
+/// Constants give a number's index, its unit, its range and its line.
 #[test]
 fn every_place_has_a_name() {
     let text = emitted(&derived("cart_pole", &[]), ScalarType::F64);

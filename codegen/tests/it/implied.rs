@@ -108,7 +108,7 @@ fn a_loop_that_cannot_close_names_its_constraint() {
     assert!(message.contains("the largest in `"), "{message}");
 }
 
-/// The third crank of the parallelogram is 10 mm too long: what the other two allow, it does not.
+/// The third crank of the parallelogram is 10 mm too long: it prevents the motion that the other two allow.
 #[test]
 fn an_implied_constraint_stays_in_the_residual_and_in_the_assembly() {
     let mut program = program::derive(&shipped("parallelogram"), &ParameterChoice::default())
@@ -222,7 +222,7 @@ two = "Q - Q2"
 bar = { centre = "M", frame = "bar", mass = "m", inertia = { Ixx = "I", Iyy = "I", Izz = "I" } }
 "#;
 
-/// What numbers make implausible is said with its place.
+/// Implausible numbers are reported with their place.
 #[test]
 fn implausible_numbers_are_named() {
     let text = text_of("pendulum");

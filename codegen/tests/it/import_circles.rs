@@ -13,7 +13,7 @@ const CRATES: [&str; 4] = ["codegen", "runtime", "bed", "host"];
 /// A module: its path from the crate's root, without `crate`.
 type Module = Vec<String>;
 
-/// Modules of a crate by the path of their files, with what each names.
+/// Modules of a crate by the path of their files, with the items that each names.
 fn modules(folder: &Path) -> BTreeMap<Module, String> {
     let mut found = BTreeMap::new();
     let mut folders = vec![folder.to_path_buf()];

@@ -37,7 +37,7 @@ fn every_package_declares_the_oldest_compiler_and_the_lints_that_hold_it() {
     assert!(text("host/src/firmware/toolchain.rs").contains(&format!("OLDEST: (u32, u32) = ({numbers})")));
 }
 
-/// What is newer than a declared compiler fails clippy, with the workspace's own lints.
+/// Functions newer than the declared compiler fail clippy with the workspace's lints.
 #[test]
 fn what_is_newer_than_the_declared_compiler_is_found() {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("newer");

@@ -432,7 +432,7 @@ fn an_overconstrained_six_bar_moves_through_right_angles_in_f32() {
     assert!(reached[0] < FRAC_PI_2 && FRAC_PI_2 < reached[1], "{reached:?}");
 }
 
-/// What the warning advises works: without the equations that it calls redundant the same mechanism is derived.
+/// The warning's advice works: without the equations that it calls redundant the same mechanism is derived.
 #[test]
 fn a_dropped_constraint_may_be_removed_as_advised() {
     let mut equations = ALL_AXES.to_owned();

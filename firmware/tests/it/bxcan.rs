@@ -40,7 +40,7 @@ pub struct Model {
     banks: [[u32; 2]; 14],
 }
 
-/// A handle of it.
+/// A handle of the model.
 #[derive(Clone)]
 pub struct Chip(pub Rc<RefCell<Model>>);
 

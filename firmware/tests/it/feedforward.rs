@@ -12,7 +12,7 @@ use smartbed_firmware::tile::profile::Along;
 use smartbed_firmware::tile::sense::Sense;
 use smartbed_firmware::tile::servo::Servo;
 
-/// Load of each leg (N) that the servo is told.
+/// Load of each leg (N) given to the servo.
 type Feed = fn(&[Along; 3]) -> [f32; 3];
 
 /// Ways (m): 5 degrees, 20 mm up, 20 mm down.

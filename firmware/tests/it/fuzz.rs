@@ -7,7 +7,7 @@ use smartbed_firmware::link::frame::{Body, encode};
 use smartbed_firmware::link::message::{Command, Outcome, Report, Target};
 use smartbed_firmware::tile::mode::Mode;
 
-/// A generator of its own: the same frames everywhere.
+/// A separate random generator, so that the frames are the same everywhere.
 struct Dice(u64);
 
 impl Dice {

@@ -138,7 +138,7 @@ fn short_ways_lean_on_an_obstacle_no_harder() {
     assert!(wrong.is_empty(), "{}\n{}", wrong.len(), wrong.join("\n"));
 }
 
-/// Without an obstacle the same ways are taken for none, over 30 mm; back and forth over 10 mm.
+/// Without an obstacle the same motions report none, over 30 mm; back and forth over 10 mm.
 #[test]
 fn short_ways_alone_are_no_obstacle() {
     let mut wrong = Vec::new();

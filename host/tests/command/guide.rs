@@ -32,7 +32,7 @@ fn pages() -> Vec<(String, String)> {
     pages
 }
 
-/// Fenced blocks: what stands behind the fence, and the lines.
+/// Fenced blocks: the text after the fence, and the lines.
 fn blocks(text: &str) -> Vec<(String, String)> {
     let mut blocks: Vec<(String, String)> = Vec::new();
     let mut inside = false;
@@ -130,7 +130,7 @@ pub fn messages(from: &str, to: Option<&str>) -> Vec<String> {
     rows.filter(|row| row != "message").collect()
 }
 
-/// Does a message read like the pattern, where `...` stands for anything?
+/// Whether a message matches the pattern, in which `...` matches any text.
 fn reads_like(message: &str, pattern: &str) -> bool {
     let mut parts = pattern.split("...");
     let first = parts.next().unwrap_or_default();
@@ -169,7 +169,7 @@ fn asked_of_redundant_speeds() -> String {
     error_of(&["derive", &model, "--answers", "mass_matrix", "-o", "-"])
 }
 
-/// What a command that fails says first.
+/// First line of a failing command's message.
 pub fn error_of(arguments: &[&str]) -> String {
     let done = smartbed(arguments);
     let first = done.message().lines().next().and_then(|line| line.strip_prefix("error: "));

@@ -19,7 +19,7 @@ fn schema() -> Value {
     serde_json::from_str(&std::fs::read_to_string(path).expect("the schema")).expect("JSON")
 }
 
-/// Fails where a value is not what the schema's definition of that name says.
+/// Fails if a value does not match the schema's definition of that name.
 pub fn holds(name: &str, value: &Value) {
     let schema = schema();
     let mut faults = Vec::new();

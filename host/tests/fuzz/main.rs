@@ -60,14 +60,14 @@ enum Outcome {
     Answered,
 }
 
-/// What a case was, for messages, and what came of it.
+/// Description of a case, for messages, and its outcome.
 struct Case {
     kind: usize,
     text: String,
     outcome: Result<Outcome, String>,
 }
 
-/// What a case does.
+/// Action of a case.
 type Run = Box<dyn FnOnce() -> Result<Outcome, String>>;
 
 const KINDS: [&str; 5] = ["models", "states", "arguments", "scenes", "scene lines"];

@@ -33,7 +33,7 @@ pub(crate) struct Trial {
     friction: f64,
 }
 
-/// What a step left: time, places, speeds, accounts, their imbalance over the energy at the start.
+/// Results of a step: time, positions, speeds, accounts, and their imbalance relative to the initial energy.
 pub(crate) struct Row {
     pub t: f64,
     pub pos: Vec<[f64; 3]>,
@@ -153,7 +153,7 @@ fn close(found: f64, wanted: f64, within: f64, about: &str) {
     assert!((found - wanted).abs() <= within, "{about}: {found:e} is not {wanted:e}");
 }
 
-/// Random slips and impulses: at most mu J is taken, against the slip, which never turns round; what the speed loses is told.
+/// Random slips and impulses: friction is at most mu J, opposes the slip and never reverses it; it reports the energy lost.
 #[test]
 fn friction_stops_slip_and_never_turns_it() {
     let mut random = Random::new(7);

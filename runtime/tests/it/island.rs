@@ -12,7 +12,7 @@ use smartbed_runtime::world::{
     Attachment, Carrier, Cell, Commanded, Content, Floating, Group, InverseInertia, Island, Memory, Wrench,
 };
 
-/// What a body borrows.
+/// Data that a body borrows.
 struct Lists {
     mass: Vec<f64>,
     fixed: Vec<bool>,
@@ -532,7 +532,7 @@ fn an_attachment_must_be_a_fixed_massless_node_at_a_port_that_exists() {
     assert!(refused(|lists| lists.pos.truncate(2)));
 }
 
-/// A point whose speed is state twice: the second is to be what the first is.
+/// A point whose speed is stored twice in the state; the second must follow the first.
 struct Twice;
 
 impl Carrier<f64> for Twice {
