@@ -48,7 +48,7 @@ fn pressed(bed: &Bed, solution: &Solution, tile: usize) -> Vec3<f64> {
     bed.tiles[tile].pose.attitude.to_inertial(free.fold([0.0; 3], |sum, (_, g)| add(sum, *g)))
 }
 
-/// Energy of sheets and air, and of where they meet.
+/// Energy of sheets and air, and of the contacts between sheets.
 pub fn energy(bed: &Bed, solution: &Solution, sheets: &[Vec<Vec3<f64>>]) -> f64 {
     let own = |(tile, sheet): (usize, &Vec<Vec3<f64>>)| {
         membrane::energy(&bed.lattice, sheet) - solution.gauges[tile] * bed.volume(sheet)

@@ -60,8 +60,8 @@ fn with_positions(text: &str, n: usize) -> String {
     format!("{text}[outputs]\n{lines}")
 }
 
-/// Kinetic energy is sum 1/2 m v^2 with velocities from differences of positions, and no energy is gained: tells
-/// the mass matrix and the accelerations apart from what both have in common.
+/// Kinetic energy is sum 1/2 m v^2 with velocities from differences of positions, and the total energy is constant: detects
+/// errors that mass matrix and accelerations have in common.
 fn check_energy(program: &Program, masses: &[f64]) {
     /// Step of central differences (s), and their tolerance.
     const STEP: f64 = 1e-5;

@@ -66,8 +66,8 @@ fn what_is_newer_than_the_declared_compiler_is_found() {
     assert!(passes, "{message}");
 }
 
-/// Features of a package are united over all that use it: what the generator asked of proc-macro2, every procedural
-/// macro of its user got.
+/// Cargo unites the features of a package over all its users: features of proc-macro2 requested by the generator would
+/// apply to every procedural macro of its user's build.
 #[test]
 fn the_generator_asks_nothing_of_the_packages_of_procedural_macros() {
     let mut cargo = Command::new(env!("CARGO"));

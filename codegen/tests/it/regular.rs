@@ -454,8 +454,8 @@ fn a_dropped_constraint_may_be_removed_as_advised() {
     }
 }
 
-/// Rolling says of the bicycle's pitch what the contact of its front wheel says, but only of its rate: the correction comes
-/// from the contact, and moves nothing else.
+/// Rolling implies the front wheel's contact only at velocity level: the position equation of the contact corrects the
+/// bicycle's pitch, and changes nothing else.
 #[test]
 fn the_bicycles_front_wheel_is_put_back_on_the_ground() {
     let program = derived("bicycle");

@@ -44,8 +44,8 @@ setTimeout(() => {
 }, 500);
 </script></body>"##;
 
-/// What goes wrong on the page is kept; frames follow the clock that the page's timers see. The browser paints in
-/// its own time, and what is tested is what the page does with its frames.
+/// Records errors on the page, and draws frames by the clock of the page's timers: the browser paints at times of its own,
+/// but the test is about the content of frames.
 const FRAMES: &str = r#"<head><script>
 const faults = [];
 window.onerror = (message) => { faults.push(message); };

@@ -28,8 +28,8 @@ fn forces_of_settled_contacts_are_the_weights() {
     }
 }
 
-/// The bed's ball lies on the middles of two stiff rims, or on eight nodes of four: it sticks to all of them. What pushes it
-/// out of one is not held back by the others, and tiles whose laws begin to rise do not lift it.
+/// The bed's ball lies on the middles of two stiff rims, or on eight nodes of four, and sticks to all of them. The others do
+/// not prevent its separation from one of them, and tiles whose laws begin to rise do not lift it.
 #[test]
 fn a_ball_between_stiff_rims_comes_to_rest() {
     let bed = std::fs::read_to_string(find("scenes/bed").expect("the bed")).expect("text");

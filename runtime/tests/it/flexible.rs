@@ -291,7 +291,7 @@ fn block(mu: f64, a: f64, t: f64) -> f64 {
     start
 }
 
-/// It turns round, sticks and stays, on rigid ground and on ground that gives way; friction takes what the spring gave.
+/// The block reverses, sticks and stays, on rigid and on compliant ground; friction takes the energy that the spring gave.
 #[test]
 fn a_block_on_a_spring_turns_and_sticks() {
     let weight = 0.5 * G;
@@ -431,8 +431,8 @@ fn moreaus_accounts_of_a_thrown_point_close() {
     close(impact, 0.7 * G * 0.3, 5e-3 * start, "impacts");
 }
 
-/// Moreau's friction on a point that a spring draws to and fro: never more than mu of the push, never work that is put in,
-/// also in steps in which the slip turns round.
+/// Moreau's friction on a point that a spring pulls to and fro: at most mu times the normal impulse, and it never adds
+/// energy, also in steps in which the slip reverses.
 #[test]
 fn moreaus_friction_takes_energy_alone() {
     let (mu, k, h) = (0.2, 20.0, 0.01);

@@ -333,8 +333,8 @@ fn a_mass_on_a_platform_moves_as_the_single_system_does() {
 const LIFT: f64 = 0.02;
 const TURN: f64 = 11.0;
 
-/// The frame is lifted by a cosine; on it stands a mass on one upright spring. Error against the closed form, and
-/// energy less the drive's work.
+/// The frame is lifted by a cosine and carries a mass on one upright spring. Returns the error against the closed form,
+/// and the energy minus the drive's work.
 fn commanded(steps: u32) -> (f64, f64) {
     let seconds = 1.5;
     let law = |t: f64, _: usize| Frame {
