@@ -1,5 +1,5 @@
-//! Scenes and engines are a library without the command line: what reads, builds and moves a scene or a mechanism knows
-//! neither options nor printing nor any subcommand. Pictures of scenes stand apart and may draw.
+//! Scenes and engines are a library without the command line: code that reads, builds and moves a scene or a mechanism
+//! uses neither options nor printing nor any subcommand. Pictures of scenes are separate and may draw.
 
 use std::fs;
 use std::path::{Path, PathBuf};

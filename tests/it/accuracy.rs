@@ -2,8 +2,8 @@
 //! against 200-bit arithmetic of the same doubles in another formulation (tests/peers/exact.py).
 //!
 //! Errors of the independent accelerations are relative to the largest acceleration of the state.
-//! Dependent speeds count there: at a state where the one independent acceleration of a linkage
-//! happens to vanish, the others say how large its terms are.
+//! Dependent accelerations are included in this largest value, because the only independent acceleration
+//! of a linkage may vanish at a state although its terms are large.
 
 use serde_json::Value;
 use smartbed_codegen::{Effort, Optimise, Settings};
@@ -11,9 +11,9 @@ use smartbed_runtime::mechanism::Mechanism;
 use smartbed_tests::interpreted::{InterpretedSubject, program_with};
 use smartbed_tests::subject::Subject;
 
-/// What a model is meant to reach, and what it may not exceed today.
+/// Goal of a model's error, and its present limit.
 ///
-/// Where the two differ the goal is open below full effort; the second number only keeps what has been reached.
+/// If they differ, the goal is not yet reached below full effort, and the limit only prevents a regression.
 struct Bound {
     goal: f64,
     holds: f64,

@@ -13,7 +13,7 @@ use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-/// Below this (m or rad) an error is rounding, which is not pinned: it changes with the order of the operations.
+/// An error below this (m or rad) is rounding; it is not recorded, because it changes with the order of operations.
 const LEAST: f64 = 1e-10;
 const LEAST_F32: f64 = 1e-4;
 /// Springs times seconds; the first touches of a drop from 1 m are in 0.6 s.

@@ -67,19 +67,19 @@ fn bottom_of_the_bar_follows_the_exact_solution() {
     }
 }
 
-/// Springs drawn this much longer with the same K, masses and motion: the chain is then the linear bar of the
-/// literature, whatever its strain.
+/// Factor on the length of the springs, with the same K, masses and motion: the chain then behaves as the linear bar of
+/// the literature at any strain.
 const LINEAR: f64 = 100.0;
-/// The bar as it is, springs of 0.2 m.
+/// The bar of the scene, with springs of 0.2 m.
 const AS_IT_IS: f64 = 1.0;
 
-/// Of 20 bounces of 16/3 s under g = 10, over E0 = rho A L v0^2/2.
+/// Changes over 20 bounces of 16/3 s under g = 10, relative to E0 = rho A L v0^2/2.
 struct Bounces {
     /// Largest change of the total energy.
     worst: f64,
     /// Mean change over the last bounce.
     mean: f64,
-    /// Shortest that a spring of the bar as it is would get, over its rest length.
+    /// Smallest length that a spring of the bar with 0.2 m springs would reach, relative to its rest length.
     shortest: f64,
 }
 
@@ -131,15 +131,15 @@ fn twenty_bounces_keep_the_energy() {
             "{method} Courant {courant} {law} anchor {anchor}: largest {worst:.3e}, last bounce {mean:.3e} of {allowed:e}; shortest spring {shortest:.3}"
         );
         assert!(worst <= allowed, "{method} {law}: {worst:e}");
-        // Thrown at a third of the speed of sound, the bar presses single springs through length 0 by and by.
-        // In the linear bar nothing happens there. A spring between points in space is turned inside out and its
+        // Thrown at a third of the speed of sound, the bar eventually compresses single springs through length 0,
+        // which is harmless in the linear bar. A spring between points in space turns inside out there and its
         // force jumps by 2 K L: a method for smooth forces loses its order (Verlet changes the energy by 10 % and
-        // more); the energy-momentum method, which has no use for smoothness, keeps it.
+        // more); the energy-momentum method does not need smooth forces and keeps the energy.
         assert!(shortest < 0.0, "no spring passes length 0: the bar as it is should do");
     }
 }
 
-/// The bar of the scene as it is, at Courant number 0.25, by the method that it has without a word about it.
+/// The bar of the scene at Courant number 0.25, with the default method.
 #[test]
 fn the_default_method_keeps_twenty_bounces_of_the_bar() {
     let scene = bar(50, 0.25, &["g=10.0"]);
@@ -149,8 +149,8 @@ fn the_default_method_keeps_twenty_bounces_of_the_bar() {
     assert!(worst <= 1e-11, "{worst:e}");
 }
 
-/// Chains thrown at the floor so fast that springs are pressed to no length between points that lie on it: the implicit
-/// step has several solutions there, and the one before the touch ends. The account closes all the same.
+/// Chains thrown at the floor so fast that springs between points on it are compressed to length 0: the implicit step
+/// has several solutions there, and the branch of the solution before the touch ends. The account still closes.
 #[test]
 fn springs_pressed_flat_on_the_floor_keep_the_energy() {
     let mut random = Random::new(12);
@@ -184,8 +184,8 @@ fn springs_pressed_flat_on_the_floor_keep_the_energy() {
     assert!(touches > 500 && worst <= 1e-12, "{touches} touches; {worst:e}");
 }
 
-/// Chains thrown together so fast that their springs go through length 0 all the time, on a line and in space: the mean
-/// force K ((l + l')/2 - L) (d + d')/(l + l') stays bounded there, and the energy where it was, whatever the rounding.
+/// Chains thrown together so fast that their springs pass length 0 all the time, on a line and in space: the mean
+/// force K ((l + l')/2 - L) (d + d')/(l + l') stays bounded there, and the energy is conserved whatever the rounding.
 #[test]
 fn springs_turned_inside_out_keep_the_energy() {
     let mut random = Random::new(11);

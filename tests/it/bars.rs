@@ -1,4 +1,4 @@
-//! The table of bars cannot promise what nothing enforces: every command in it is a test or script that exists, or limits its own time.
+//! Every command in the table of bars is an existing test or script, or limits its own time, so that it can fail.
 
 use crate::hard_table;
 use std::path::Path;

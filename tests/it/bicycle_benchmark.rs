@@ -1,7 +1,7 @@
 //! The bicycle linearised about upright straight running, against the published benchmark of
 //! Meijaard, Papadopoulos, Ruina and Schwab, 2007: M q'' + v C1 q' + (g K0 + v^2 K2) q = f.
 //!
-//! The derivatives are symbolic, of the very expressions that are emitted. Pitch follows roll and
+//! The derivatives are symbolic, taken from the expressions that are emitted. Pitch follows roll and
 //! steer only to second order at upright, so partial derivatives are enough.
 
 use nalgebra::{Complex, ComplexField, Matrix2, Matrix4};

@@ -1,4 +1,4 @@
-//! Instructions of a step of a large body, counted: what watching the ground adds where nothing is near it.
+//! Counts instructions of a step of a large body: what a ground adds if no node is near it.
 
 use crate::instructions::of_a_fresh_process;
 use smartbed::scene::shape;
@@ -6,9 +6,9 @@ use smartbed::scene::simulation::{Simulation, Surroundings};
 use smartbed_runtime::contact::{ContactLaw, Ground};
 use smartbed_runtime::ode::nodes::Method;
 
-/// Set to what a fresh process steps, and how often.
+/// Environment variable with the body that a new process steps, and the number of steps.
 const CHILD: &str = "SMARTBED_TESTS_BODY";
-/// Instructions a node that a ground out of reach adds to a step at most.
+/// Most instructions per node that a ground out of reach may add to a step.
 const WATCH: f64 = 140.0;
 
 /// Nodes of the sheet.

@@ -1,5 +1,5 @@
-//! Bodies as trials broke them: starts below the ground, standstill, friction and impacts that gave energy, accounts
-//! that did not close, steps that did not end. Each with an outcome that needs no other run to be judged.
+//! Bodies that failed in earlier trials: starts below the ground, standstill, friction and impacts that added energy,
+//! accounts that did not close, steps that did not end. Each has an expected outcome that needs no reference run.
 
 use smartbed::scene::run::{Row, run};
 use smartbed::scene::{Scene, parse};
@@ -26,14 +26,14 @@ fn a_start_below_the_ground_is_refused_by_name() {
             let message = rows(&scene).expect_err("no law of touches can say what happens");
             assert!(message.contains("point 0 starts 1.000000e-1 m below the ground"), "{message}");
         }
-        // A ground that gives way pushes it out.
+        // A compliant ground pushes it out.
         let soft = named("cube", &[settings, &["law=penalty", "T=0.5"]].concat()).expect("it is read");
         let rows = rows(&soft).expect("a run");
         assert!(rows.iter().any(|r| r.pos.iter().all(|x| x[2] > 0.0)));
     }
 }
 
-/// Thrown so fast that the mass above would come out below the ground, its massless foot hanging above it.
+/// A body thrown so fast that the mass would end below the ground while its massless foot is above.
 #[test]
 fn a_mass_does_not_pass_the_ground_of_massless_points() {
     let scene = named("single_spring", &["law=massless_point", "initial_velocity=-60"]).expect("it is read");
@@ -41,8 +41,8 @@ fn a_mass_does_not_pass_the_ground_of_massless_points() {
     assert!(message.contains("point 1 has mass and went through the ground"), "{message}");
 }
 
-/// A drawn chain whose foot has no mass: the foot goes to its balance before the accounts are opened, so that its spring
-/// holds nothing at the start.
+/// A stretched chain whose foot has no mass: the foot moves to its equilibrium before the accounts start, so that its
+/// spring stores no energy at the start.
 #[test]
 fn accounts_open_with_massless_points_at_their_balance() {
     let settings = ["law=massless_point", "stretch=1.2", "drop_height=0.3", "T=0.5", "step=1e-4"];
@@ -65,7 +65,7 @@ fn speeds_whose_squares_are_no_numbers_are_refused() {
     }
 }
 
-/// Places and speeds are numbers, energies are not: no row is given.
+/// Positions and speeds are finite, energies are not: no row is written.
 #[test]
 fn masses_whose_energies_are_no_numbers_are_refused() {
     let cases = [
@@ -88,7 +88,7 @@ fn a_cluster_wider_than_the_body_is_refused() {
     assert!(message.contains("cluster_tolerance") && message.contains("1.000e-3 m"), "{message}");
 }
 
-/// One mass on a ground of stiffness k is stable up to h = 2 sqrt(m/k), and the reader knows it.
+/// One mass on a ground of stiffness k is stable up to h = 2 sqrt(m/k), and the scene's reader applies this limit.
 #[test]
 fn the_stable_step_knows_the_ground() {
     let text = |step: f64| {
@@ -105,8 +105,8 @@ fn the_stable_step_knows_the_ground() {
     assert!(named("cube", &["law=penalty", "stiffness=1e7", "method=verlet"]).is_err());
 }
 
-/// In free fall nothing tells an adaptive method of the springs: beyond their stable step it blew rounding up until
-/// the three feet no longer touched together, and the truss ended 0.25 m elsewhere.
+/// In free fall the error estimate of an adaptive method does not see the springs: beyond their stable step it amplified
+/// rounding until the three feet no longer touched together, and the truss ended 0.25 m away.
 #[test]
 fn a_long_outer_step_does_not_break_a_flat_impact() {
     for method in ["method=dormand_prince", "method=dop853"] {
@@ -143,7 +143,7 @@ fn more_touches_than_a_step_locates_end_it_on_time() {
     }
 }
 
-/// Its cylinder stops and slides again within rounding of an event: stretches of no length.
+/// A cylinder stops and slides again within rounding of an event, so that parts of the step have no length.
 #[test]
 fn a_sliding_cylinder_keeps_an_account_of_numbers() {
     let settings = [
@@ -242,7 +242,7 @@ fn random_bodies_stay_above_the_ground() {
     assert!(runs >= 150);
 }
 
-/// With the method that keeps the energy, all that a body without dampers loses goes to friction, and none comes back.
+/// With the energy-momentum method a body without dampers loses energy only to friction, and friction returns none.
 #[test]
 fn friction_never_gives_energy() {
     let mut random = Random::new(12);
@@ -256,7 +256,7 @@ fn friction_never_gives_energy() {
         for pair in rows.windows(2) {
             let [before, after] = [&pair[0].energy, &pair[1].energy];
             assert!(after.accounts[3] >= before.accounts[3], "the account falls\n{text}");
-            // Rounding of energies whose parts are some hundred times their sum.
+            // Rounding of energies whose terms are some hundred times their sum.
             assert!(after.total - before.total <= 1e-11 * size, "gain at {}\n{text}", pair[1].t);
         }
         runs += 1;
@@ -284,7 +284,7 @@ fn moreaus_accounts_never_fall_and_close() {
         runs += 1;
     }
     println!("{runs} bodies under Moreau: accounts open by {open:.1e} at most");
-    // What is left is the energy that a midpoint step of stiff springs changes by itself, of order h^2.
+    // The remaining imbalance, of order h^2, is the energy error of a midpoint step with stiff springs.
     assert!(runs >= 40 && open <= 0.03, "{runs} {open:e}");
 }
 
@@ -314,7 +314,7 @@ fn a_dissipating_ground_is_in_every_methods_account() {
     }
 }
 
-/// The accounts of damped bodies are integrated to an order that leaves them to the method.
+/// The accounts of damped bodies are integrated accurately enough that only the method's error remains.
 #[test]
 fn damped_accounts_close_to_ten_digits() {
     for name in

@@ -1,4 +1,4 @@
-//! The closed forms that other tests lean on, against published values and against each other.
+//! The closed forms used by other tests, against published values and against each other.
 
 use nalgebra::Vector3;
 use smartbed_tests::closed_form::{fourbar, pendulum, tile};

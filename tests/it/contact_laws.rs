@@ -126,7 +126,7 @@ fn sliding_up_a_slope_ends_where_friction_says() {
 }
 
 /// A block of 0.5 kg on a rough floor and a spring of 200 N/m, let go with the spring drawn by a: place (m) after t.
-/// Each half period the force of the spring swings about mu m g, away from the motion, until it cannot pull any more.
+/// In each half period the spring force oscillates about mu m g against the motion, until it cannot overcome friction.
 fn block(mu: f64, a: f64, t: f64) -> f64 {
     let (rate, dead) = ((200.0_f64 / 0.5).sqrt(), mu * 0.5 * G / 200.0);
     let (mut start, mut left) = (a, t);
@@ -142,7 +142,7 @@ fn block(mu: f64, a: f64, t: f64) -> f64 {
     }
 }
 
-/// The block's largest error over a ground at whose balance it lies that deep.
+/// The block's largest error on a ground into which it sinks to this depth at rest.
 fn block_error(ground: &str, depth: f64, method: &str, step: f64) -> f64 {
     (0..5).fold(0.0_f64, |worst, n| {
         let a = 0.15 + 0.0117 * f64::from(n);
@@ -211,14 +211,14 @@ fn bouncing(t: f64) -> (f64, f64) {
     (speed * s - 0.5 * G * s * s, speed - G * s)
 }
 
-/// It slips while it bounces. Friction gives its slip mu times the normal impulse, m (v_z - v_z0 + g t): the way follows
-/// from height and rate alone, until nothing of the slip is left.
+/// The point slips while it bounces. Friction takes mu times the normal impulse m (v_z - v_z0 + g t) from its slip: the
+/// displacement follows from height and its rate alone, until the slip ends.
 #[test]
 fn a_point_that_bounces_on_a_springy_floor_slips_by_its_normal_impulses() {
     const MU: f64 = 0.3;
     const SLIP: f64 = 1.2;
     let slip = |t: f64| SLIP - MU * (bouncing(t).1 + G * t);
-    // It only falls: the normal force does not pull.
+    // The slip only decreases, because the normal force does not pull.
     let end = bisect(|t| -slip(t), 0.0, 1.0);
     let way = |t: f64| SLIP * t - MU * (bouncing(t).0 - bouncing(0.0).0 + 0.5 * G * t * t);
     for method in
@@ -233,7 +233,7 @@ fn a_point_that_bounces_on_a_springy_floor_slips_by_its_normal_impulses() {
             rows.iter().map(|row| (row.pos[0][0] - way(row.t.min(end))).abs()).fold(0.0, f64::max)
         };
         let errors = [1.0, 0.5, 0.25].map(|part| {
-            // Kinks fall at random within steps: the worst of some steps nearly alike.
+            // Kinks lie at random places within steps: take the worst of several similar step sizes.
             (0..5).map(|n| error(part * (1e-3 + 3.7e-5 * f64::from(n)))).fold(0.0, f64::max)
         });
         let order = 0.5 * (errors[0] / errors[2]).log2();
@@ -242,8 +242,8 @@ fn a_point_that_bounces_on_a_springy_floor_slips_by_its_normal_impulses() {
     }
 }
 
-/// The start of `new scene`: a damped cube falls on a rough floor, tumbles and slides. What dampers, impacts and friction
-/// take is the energy it loses.
+/// The scene that `new scene` writes: a damped cube falls on a rough floor, tumbles and slides. Its loss of energy is the
+/// sum of the accounts of dampers, impacts and friction.
 #[test]
 fn a_damped_cube_on_a_rough_floor_keeps_its_account_to_order_two() {
     let open = |ground: &str, step: f64| {
@@ -268,7 +268,7 @@ fn a_damped_cube_on_a_rough_floor_keeps_its_account_to_order_two() {
     }
 }
 
-/// Forces of the springs on point 0, written out anew.
+/// Forces of the springs on point 0, computed independently.
 fn pull(pos: &[[f64; 3]], springs: &[Spring<f64>]) -> [f64; 3] {
     let mut force = [0.0; 3];
     for s in springs.iter().filter(|s| s.tail == 0 || s.head == 0) {
@@ -340,8 +340,8 @@ fn massless_point_in_space_is_in_balance() {
     assert!(pressed >= 3 && hung >= 3, "{pressed} pressed, {hung} free");
 }
 
-/// A massless foot under a strut and between two springs, carried to and fro over a rough floor by masses so heavy that
-/// they feel nothing: it lags behind by the way s at which T(s) = mu N(s), the operator of play.
+/// A massless foot under a strut and between two springs, moved to and fro over a rough floor by masses so heavy that its
+/// forces do not affect them: it lags behind by the distance s at which T(s) = mu N(s), the play operator.
 #[test]
 fn a_massless_foot_follows_by_the_operator_of_play() {
     const MU: f64 = 0.4;

@@ -1,4 +1,4 @@
-//! What the equations cost: operations of one evaluation, and the time to derive them.
+//! Cost of the equations: operations of one evaluation, and instructions to derive them.
 
 use crate::instructions::of_a_fresh_process;
 use smartbed_codegen::{Effort, Optimise, ScalarType, Settings};
@@ -8,7 +8,7 @@ use smartbed_tests::interpreted::{emitted, emitted_with, program_with};
 use smartbed_tests::subject::Subject;
 use smartbed_tests::{cases, generated, subject};
 
-/// Executed by one evaluation of q_dot, u_dot and the worst pivot of a model.
+/// Operations executed by one evaluation of q_dot, u_dot and the worst pivot of a model.
 fn executed(model: &str) -> Operations {
     executed_of(generated::counting(model), model)
 }
@@ -40,7 +40,7 @@ fn closed_loops_take_few_operations() {
     }
 }
 
-/// Operations of q_dot and u_dot that all effort is to reach, `prepare()` apart, and what holds today.
+/// Operations of q_dot and u_dot, without `prepare()`: the goal with all effort, and the present limit.
 const REACH: [(&str, usize, usize); 6] = [
     ("tile", 640, 479),
     ("tile_minimal", 450, 450),
@@ -66,7 +66,7 @@ fn header_states_the_operations_that_are_executed() {
         let line = text.lines().find(|line| line.starts_with("// Cost of rates:")).expect("a header");
         let stated: usize =
             line["// Cost of rates: ".len()..].split(' ').next().unwrap_or("").parse().expect(line);
-        // Sine and cosine come together: where a program reads one of an angle, the other is executed too.
+        // Sine and cosine are computed together: if a program uses one of an angle, the other is executed too.
         let rates = &text[text.find("pub fn rates").expect("rates")..];
         let rates = &rates[..rates.find("\n}").expect("its end")];
         let idle = rates.matches(", _)").count() + rates.matches("(_, ").count();
@@ -108,7 +108,7 @@ const DERIVATION: [(&str, Effort, f64); 6] = [
     ("fourbar", Effort::All, 77.0),
     ("tile", Effort::All, 770.0),
 ];
-/// Set to model and effort in the fresh process that derives once.
+/// Environment variable with model and effort for the new process that derives once.
 const CHILD: &str = "SMARTBED_TESTS_DERIVE";
 
 /// Millions of instructions of a fresh process that derives a model, or nothing.

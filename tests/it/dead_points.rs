@@ -45,7 +45,7 @@ fn compare(
     }
 }
 
-/// The rocker turns round where crank and coupler lie in one line: its speed says nothing of theirs there.
+/// The rocker reverses where crank and coupler are collinear: its speed does not determine theirs there.
 #[test]
 fn a_four_bar_moves_through_the_dead_points_of_its_rocker() {
     let program = derived(
@@ -82,8 +82,8 @@ fn a_four_bar_moves_through_the_dead_points_of_its_rocker() {
     }
 }
 
-/// Kane and Levinson's disc with the speed of its contact along x independent: nothing of how it rolls shows there while it
-/// rolls along y.
+/// Kane and Levinson's disc with the speed of its contact along x independent: this speed does not determine the motion
+/// while the disc rolls along y.
 #[test]
 fn a_disc_rolls_across_the_axis_of_its_independent_speed() {
     let program = derived(

@@ -1,4 +1,4 @@
-//! DOP853 with dense output on the host: its orders, and the dropped spring computed anew with it.
+//! DOP853 with dense output on the host: its orders, and an independent computation of the dropped spring with it.
 //!
 //! The dropped spring here is four numbers and the law of two unit masses, written down in this file:
 //! an oracle for the references that shares nothing with bodies, contact and scenes.
@@ -53,14 +53,14 @@ impl Spring {
     }
 }
 
-/// Eq. 4.13 for the top's speed: down if it comes down and the ground need not pull, else up.
+/// Eq. 4.13 for the top's speed: downwards if the top approaches and the ground need not pull, otherwise upwards.
 fn touch(y: &[f64]) -> Vec<f64> {
     let speed = y[2].hypot(y[3]);
     let pushed_down = y[3] <= 0.0 && -y[2] - speed - y[3] >= 0.0;
     vec![0.0, y[1], 0.0, if pushed_down { -speed } else { speed }]
 }
 
-/// A released bottom's guard sleeps until it is this high (m).
+/// The event function of a released bottom is inactive until it is this high (m).
 const ASLEEP: f64 = 1e-11;
 
 /// Drops the spring from 1 m for 3 s: event times, end, evaluations.

@@ -1,6 +1,6 @@
-//! The image on the emulated chip: the host's bits, exact counts, and defects that are refused.
+//! The image on the emulated chip: results bitwise equal to the host's, exact counts, and refused defects.
 //!
-//! These tests fail, and never skip, where the toolchain or the emulator is missing; the message
+//! If the toolchain or the emulator is missing these tests fail, they are not skipped; the message
 //! names the command that installs it.
 
 use smartbed::engine::crate_text;
@@ -146,7 +146,7 @@ fn a_world_as_fine_as_ram_carries_runs_on_the_chip_bit_for_bit() {
     let report = report(&arguments);
     let Subject::World(world) = &report.settings.subject else { panic!("a world") };
     let rows = world.rows.expect("its sheet is as fine as RAM carries");
-    // Stack and static data keep to the RAM; a row more would not.
+    // Stack and static data fit the RAM; with one more row they would not.
     let taken = usize::try_from(report.size.ram).expect("bytes") + report.stack.bytes as usize;
     let finer = world.demand.with([2 * rows + 9, 2 * rows + 1]);
     assert!(taken <= RAM, "{taken}");
@@ -238,7 +238,7 @@ fn an_image_of_one_spring_keeps_to_its_flash_and_its_bits() {
     assert_eq!(Some(&chip.digest), chip.host_digest.as_ref());
 }
 
-/// The compiler leaves other checks of bounds in what it optimises for size.
+/// Code optimised for size contains other bounds checks than code optimised for speed.
 #[test]
 fn large_scenes_optimised_for_size_keep_the_rules_and_their_bits() {
     let _image = one_at_a_time();
@@ -249,7 +249,7 @@ fn large_scenes_optimised_for_size_keep_the_rules_and_their_bits() {
     }
 }
 
-/// What a spring adds is counted against the same sheet without springs.
+/// The instructions per spring are the difference from the same sheet without springs.
 #[test]
 fn a_sheet_goes_row_by_row_on_the_chip() {
     let _image = one_at_a_time();
@@ -294,13 +294,13 @@ fn the_equations_keep_to_their_instructions_and_bytes() {
     let equations = chip.equations.expect("a mechanism has equations");
     assert!(equations.sin_cos <= 60, "{equations:?}");
     assert!(equations.by_operation() <= 1.53, "{equations:?}");
-    // Stricter than the bar: what sines and cosines share is left to the operations.
+    // Stricter than the bar: the part that sines and cosines share counts as operations.
     assert!(equations.by_operation_with_constants() <= 1.63, "{equations:?}");
     assert!(equations.bytes <= 16 * 1024, "{equations:?}");
 }
 
-/// `derive --costs` counts instructions where they stand, in a function by itself; here they are executed, called through the
-/// trait, which copies the results.
+/// `derive --costs` counts the instructions in the code of a separate function; here they are executed in a call through
+/// the trait, which copies the results.
 #[test]
 fn the_cost_sheet_counts_what_the_chip_executes() {
     let _image = one_at_a_time();

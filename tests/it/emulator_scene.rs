@@ -1,4 +1,4 @@
-//! A flexible scene on the emulated chip: the host's bits over several impacts, exact counts.
+//! A flexible scene on the emulated chip: bitwise equal to the host over several impacts, exact counts.
 
 use crate::emulator::{one_at_a_time, outcome};
 use smartbed::firmware::{Arguments, measure};
@@ -7,7 +7,7 @@ use smartbed_firmware::digest::Digest;
 use smartbed_runtime::contact::System;
 use smartbed_runtime::scene::{Event, Flow, Observer};
 
-/// Counts touches, to know that the run has some.
+/// Counts touches, to check that the run has some.
 #[derive(Default)]
 struct Touches(usize);
 

@@ -1,4 +1,4 @@
-//! Power balance of every mechanism: what the inputs put in is what the energy gains plus what friction takes.
+//! Power balance of every mechanism: power of the inputs = rate of the energy + power of friction.
 
 use smartbed_tests::cases::{self, Case, MECHANISMS};
 use smartbed_tests::subject::{self, Built, ENGINES, Subject};

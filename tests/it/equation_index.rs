@@ -1,4 +1,4 @@
-//! The index of equations names only what exists: every file, function and test in it.
+//! Every file, function and test named in the index of equations exists.
 
 use std::path::{Path, PathBuf};
 
@@ -16,7 +16,7 @@ struct Row {
     tests: Vec<String>,
 }
 
-/// What stands between backticks.
+/// Texts between backticks.
 fn quoted(cell: &str) -> Vec<String> {
     cell.split('`').skip(1).step_by(2).map(str::to_owned).collect()
 }

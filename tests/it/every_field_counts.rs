@@ -1,7 +1,7 @@
 //! Every field of the language changes an answer that has an oracle.
 //!
 //! In: drawn mechanisms. Each change drops or alters one field of the text only; the oracle keeps the mechanism as it
-//! was. A change that no comparison sees means that nothing checks the field: that the derivation may ignore it.
+//! was. A change that no comparison detects means that no test would notice a derivation that ignores the field.
 
 use crate::hard_table;
 use smartbed_codegen::Settings;
@@ -76,12 +76,12 @@ fn double(e: &mut Scalar) -> bool {
     true
 }
 
-/// A vector of 5 cm, to move what stands anywhere.
+/// A displacement of 5 cm.
 fn step() -> Vector {
     Vector::Axis(0, 0).scaled(Scalar::Literal(0.05, "m"))
 }
 
-/// By field: what is changed.
+/// The change for each field.
 const CHANGES: [(&str, Change); 41] = [
     ("top level.gravity", |d| drop(&mut d.gravity)),
     ("parameters.value", |d| d.parameters.iter_mut().filter(|p| p.fixed).map(|p| p.value *= 1.5).count() > 0),
@@ -252,7 +252,7 @@ fn a_change_of_any_field_is_seen_by_the_oracle() {
     for seed in 0..SEEDS {
         for kind in KINDS {
             let d = draw::mechanism(kind, seed);
-            // A field that is ignored makes its mechanisms disagree as they are: such a one cannot show that it is read.
+            // A mechanism that disagrees without a change cannot show whether the field is read.
             let as_it_is = verdict::of(&d, Settings::default(), 3, &mut Random::new(seed));
             if as_it_is.worst > verdict::AGREEMENT {
                 continue;

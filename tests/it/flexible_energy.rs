@@ -1,4 +1,4 @@
-//! Energy of the drop scenes: constant without damping, never rising with it, accounts that close; observers observe.
+//! Energy of the drop scenes: constant without damping, never rising with it, accounts that close; a ledger that changes nothing.
 
 use smartbed::scene::run::{Row, run};
 use smartbed::scene::{Scene, Simulation, parse};
@@ -10,7 +10,7 @@ fn scene(name: &str, settings: &[&str]) -> Scene {
     parse(name, &text, &settings).expect("scene")
 }
 
-/// What a run did to the total energy, over E0.
+/// Changes of the total energy in a run, relative to E0.
 struct Survey {
     /// Largest change at any row.
     change: f64,
@@ -42,8 +42,8 @@ fn survey(scene: &Scene) -> Survey {
     found
 }
 
-/// The energy looked at is the physical one, m v^2/2 + m g z + K s^2/2 with positions and speeds of the same
-/// whole step: no shadow energy, no mean.
+/// The energy tested is the physical one, m v^2/2 + m g z + K s^2/2 with positions and speeds at the same
+/// time: no modified energy, no mean.
 #[test]
 fn ten_seconds_keep_the_energy() {
     for (name, order_4) in [("single_spring", 1e-4), ("truss", 1e-4), ("cube", 1e-3)] {
@@ -86,7 +86,7 @@ fn rk4_without_anchor_loses_what_its_polynomial_says() {
     }
 }
 
-/// The method whose forces' work is the change of the stored energies, to the last digit.
+/// The energy-momentum method, in which the work of the forces equals the change of the stored energies to rounding.
 const KEEPS: &str = "method=energy_momentum";
 /// Energies are sums of some hundred terms of the size of E0.
 const ROUNDING: f64 = 1e-12;

@@ -166,7 +166,7 @@ fn a_cube_of_gas_keeps_its_energy() {
     }
 }
 
-/// The sheet of 27 x 27 in strong drag: it creeps to its equilibrium if there is one.
+/// The sheet of 27 x 27 with strong drag, which moves slowly to its equilibrium if there is one.
 fn inflate(settings: &[&str]) -> Result<(f64, f64), String> {
     let creep = ["method=verlet", "step=5e-3", "T=10", "air_drag=50", "g=0", "every=100"];
     let mut last = (0.0, 0.0);

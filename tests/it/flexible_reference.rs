@@ -1,7 +1,7 @@
 //! Drop scenes against trajectories computed in 80-bit arithmetic: end errors, orders, event times.
 //!
-//! Norm: largest component of position at the end. The samples carry their own agreement between two
-//! independent integrations; they are used to that digit only.
+//! Norm: largest component of position at the end. Each sample states how far two independent integrations
+//! agree; it is used to that digit only.
 
 use serde_json::Value;
 use smartbed::scene::run::{EventRecord, Row, run};
@@ -97,7 +97,7 @@ fn event_times_agree_to_a_nanosecond() {
         let reference = reference(name);
         let expected = reference["events"].as_array().expect("events");
         assert_eq!(events.len(), expected.len(), "{name}: number of events");
-        // The reference and a second integration of it: between their two times nobody knows better.
+        // The times of the reference and of a second integration of it: an error between them cannot be judged.
         let second = numbers(&reference["events_dop853"]);
         let mut worst = 0.0_f64;
         for ((event, e), second) in events.iter().zip(expected).zip(second) {

@@ -153,7 +153,7 @@ fn resting_stack() {
     check::<f32>("verlet", 2e-5);
 }
 
-/// Outcome: a ball with e = 0.5 bounces ever shorter (all bounces over after 2 v/g (1 + 1 + ...)): it ends at rest, held.
+/// Outcome: a ball with e = 0.5 makes ever shorter bounces (all bounces over after 2 v/g (1 + 1 + ...)): it ends at rest, held.
 #[test]
 fn zeno_ends_at_rest() {
     fn check<S: Scalar>() {
@@ -222,7 +222,7 @@ fn denormals() {
     check::<f32>(1e-40);
 }
 
-/// Outcome: an f32 point at 10 m with 1 mm/s, where a plain sum would stand still (half a unit in the last place of
+/// Outcome: an f32 point at 10 m with 1 mm/s, where a plain sum would not change (half a unit in the last place of
 /// 10 m is 0.5 um, a step is 0.1 um), travels 1e8 steps of 0.1 ms: 10 m, to one part in 1e5.
 #[test]
 fn one_node_a_hundred_million_f32_steps() {

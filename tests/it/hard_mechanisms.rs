@@ -61,7 +61,7 @@ const R: f64 = 0.2;
 const VANISHING: f64 = 1.0 / 3.0;
 
 /// Outcome: at a tilt of 70.5 degrees the rod of leg A has no length, and closed forms that divide by it have no
-/// direction. The equations of both tiles go through that posture and agree there; no step is refused.
+/// direction. The equations of both tile models hold in this configuration and agree; no step is refused.
 #[test]
 fn a_rod_of_the_tile_loses_its_length() {
     // hA = 0, hB = -hC: s_A = R (1 - tan^2/2/(q + 1)) with q = 1/cos(tilt) vanishes at q = 3.
@@ -140,8 +140,8 @@ fn change_point_in_f32() {
     }
 }
 
-/// Outcome: driven towards the change point, f32 stops in front of it by `Fault::Singular`; f64, whose singular zone is
-/// narrower than a step, goes through and stays the parallelogram it was.
+/// Outcome: driven towards the change point, f32 stops before it with `Fault::Singular`; f64, whose singular zone is
+/// narrower than a step, passes it and stays on the branch of the parallelogram.
 #[test]
 fn motion_through_a_change_point() {
     fn drive<S: Built>() -> (Option<Fault>, [f64; 3]) {
@@ -165,8 +165,8 @@ fn motion_through_a_change_point() {
 /// Steps of the wheel below, and what it turns in each (rad): a million radians.
 const WHEEL: (u32, f32) = (400_000, 2.5);
 
-/// Outcome: a million radians cost f64 what their grid costs; f32 keeps its accuracy where whole turns are taken off after
-/// each step, the rest of the sum kept beside the angle.
+/// Outcome: after a million radians the error in f64 is the rounding of such angles; f32 keeps its accuracy if whole turns
+/// are subtracted after each step and the rounding error of the sum is kept beside the angle.
 #[test]
 fn wheels_turned_a_million_radians() {
     let angles = [0.7_f32, 1.9, -2.3];

@@ -1,4 +1,4 @@
-//! The table of hard cases cannot rot: every command in it names one existing test of an existing package.
+//! Every command in the table of hard cases names one existing test of an existing package.
 
 use std::path::{Path, PathBuf};
 
@@ -43,7 +43,7 @@ pub fn tests(folder: &Path) -> Vec<String> {
     files.filter(|f| f.extension().is_some_and(|e| e == "rs")).flat_map(|file| tests_of(&file)).collect()
 }
 
-/// What is wrong with a row, if anything.
+/// The error in a row, if any.
 fn fault(cells: &[&str]) -> Option<String> {
     let [hard, _, outcome, bound, command] = cells else {
         return Some(format!("{} columns, expected 5", cells.len()));

@@ -19,7 +19,7 @@ macro_rules! refuses_a_crank_of_another_length {
         (parameters.a, parameters.a3) = (0.25, 0.25);
         bar.set_parameters(parameters);
         assert!(bar.can_be_assembled());
-        // Set all the same, the residual says so at every step.
+        // If it is set nevertheless, the residual shows it at every step.
         parameters.a3 = 0.26;
         bar.set_parameters(parameters);
         assert!(!bar.can_be_assembled());

@@ -1,7 +1,7 @@
-//! Bodies against trajectories of a program of its own: shapes, forces, gas, contact law and integrator written anew in
-//! Python, 80-bit numbers (`tests/reference/bodies.py`, which makes `bodies.json`).
+//! Bodies against trajectories of an independent program: shapes, forces, gas, contact law and integrator written
+//! separately in Python with 80-bit numbers (`tests/reference/bodies.py`, which makes `bodies.json`).
 //!
-//! A wrong force passes any test whose truth is another method over the same forces. It does not pass this one.
+//! A wrong force passes any test whose reference is another method with the same forces. It does not pass this one.
 
 use serde_json::Value;
 use smartbed::scene::parse;

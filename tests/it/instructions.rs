@@ -1,4 +1,4 @@
-//! Instructions of a fresh process, counted: the same whatever else the machine does.
+//! Counts the instructions of a new process; the count does not depend on the machine's load.
 
 use std::process::Command;
 

@@ -1,14 +1,13 @@
 //! Every entry of the table law x method: an order is observed, a refusal is met when the scene is read.
 //!
-//! The orders are those that `cargo smartbed report` prints. Their truth is the motion of another method under the same
-//! law; that the laws themselves are right, closed forms (`contact_laws.rs`) and another program
-//! (`independent.rs`) say.
+//! The orders are those that `cargo smartbed report` prints, measured against another method with the same law. The laws
+//! themselves are tested against closed forms (`contact_laws.rs`) and an independent program (`independent.rs`).
 
 use smartbed::report::laws::{observe, scene};
 use smartbed::scene::method::{METHODS, TABLE};
 use smartbed::scene::run::run;
 
-/// What an observed order may fall below the stated one: kinks fall at random within their steps.
+/// How far an observed order may lie below the stated one: kinks lie at random places within steps.
 const SLACK: f64 = 0.25;
 
 #[test]
@@ -38,7 +37,7 @@ fn every_entry_keeps_its_order_or_is_refused() {
     assert!(wrong.is_empty(), "{wrong:#?}");
 }
 
-/// Without a name a scene's method is one of its row; the scene says why.
+/// A scene that names no method gets one of its row, and says why.
 #[test]
 fn a_default_method_says_why() {
     for row in &TABLE {

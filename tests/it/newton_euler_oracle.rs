@@ -1,4 +1,4 @@
-//! The Newton-Euler oracle against the stored references: an oracle must earn its trust first.
+//! The Newton-Euler oracle against the stored references, before other tests rely on it.
 
 use nalgebra::{Matrix2, Vector2, Vector3};
 use smartbed_tests::closed_form::{pendulum as pendulum_form, tile as tile_form};

@@ -1,7 +1,7 @@
 //! Every method of the runtime keeps its order, on smooth motion and across touches where steps are split.
 //!
-//! The slopes are those of the report, `cargo smartbed report`, over shorter times: the first touches and
-//! releases of a drop are in 0.6 s; later ones make a body of many contacts chaotic before they teach more.
+//! The slopes are those of the report, `cargo smartbed report`, over shorter times: the first touches and releases of
+//! a drop happen within 0.6 s; after later ones the motion of a body with many contacts is chaotic.
 
 use smartbed::engine::{EngineKind, ScalarKind};
 use smartbed::report::order::{Order, observe};
@@ -9,7 +9,7 @@ use smartbed::report::plan::Plan;
 use smartbed::report::{open, section};
 use std::time::Duration;
 
-/// What an observed order may fall below the nominal one.
+/// How far an observed order may lie below the nominal one.
 const SLACK: f64 = 0.2;
 
 fn plan() -> Plan {
@@ -71,7 +71,7 @@ fn mechanisms_keep_the_order_of_every_method() {
     ];
     // Left out is tile_drive: its friction turns around within microns per second, which no step resolves.
     keep(&names, 2.0, 3);
-    // Euler's errors on these are small only at steps that take too long.
+    // Euler's method needs steps too small for a test to have small errors on these.
     keep(&["arm6", "pendulum10"], 2.0, 2);
 }
 

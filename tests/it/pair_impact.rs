@@ -1,5 +1,5 @@
 //! Impact between two flexible bodies on random pairs: energy, momentum and angular momentum of the whole, J >= 0,
-//! no approach left; and two springs head on, where symmetry makes each the other's ground.
+//! no remaining approach velocity; and two springs head on, where by symmetry each acts as the other's ground.
 
 use smartbed_runtime::contact::pair::{Touch, apply};
 use smartbed_runtime::flexible::{Body, Massless, Spring};
@@ -100,7 +100,7 @@ fn random_pairs_conserve() {
 
 #[test]
 fn two_springs_head_on_are_each_the_others_ground() {
-    // Points 1 - 0 above, 2 - 3 below; each side comes with 3 m/s at the touch and 4 m/s behind it.
+    // Points 1 - 0 above, 2 - 3 below; on each side the touching point moves at 3 m/s and the point behind it at 4 m/s.
     let springs = [[0, 1], [2, 3]].map(|[tail, head]| Spring {
         tail,
         head,

@@ -1,4 +1,4 @@
-//! `Parameters::check` of derived code: the first parameter that is no finite number of its range, in words.
+//! `Parameters::check` of derived code reports the first parameter that is not a finite number within its range.
 
 use smartbed_tests::generated::{pendulum3_f32, pendulum3_f64};
 

@@ -1,4 +1,4 @@
-//! Impact of rigid bodies with friction: works and impulses, closed forms, the planar reversal of slip, the swerve.
+//! Impact of rigid bodies with friction: works and impulses, closed forms, planar slip reversal, change of slip direction.
 
 use smartbed_runtime::rigid::attitude::Attitude;
 use smartbed_runtime::rigid::impact::{Impact, Stage, Touch, resolve, trace};

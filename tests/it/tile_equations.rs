@@ -1,4 +1,4 @@
-//! The tile of twelve coordinates against the minimal tile, and the laws that both must obey.
+//! The tile with twelve coordinates against the minimal tile, and mechanical laws that both must satisfy.
 
 use nalgebra::{Matrix3, Vector3};
 use smartbed_codegen::Effort;
@@ -14,9 +14,9 @@ use smartbed_tests::tolerance::{largest, relative_error};
 const R: f64 = 0.2;
 /// Middle of the stroke (m).
 const NOMINAL: f64 = 0.0;
-/// Random states as demanded of the two tiles.
+/// Number of random states at which the two tiles are compared.
 const STATES: usize = 10_000;
-/// Two derivations of one mechanism at random states.
+/// Tolerance between two derivations of one mechanism at random states.
 const DERIVATIONS: f64 = 1e-11;
 /// The same where only roundings differ, at a thousand of them.
 const ROUNDINGS: f64 = 1e-14;

@@ -103,7 +103,7 @@ fn servo_trajectory_with_dormand_prince() {
 
 /// A thousand seconds.
 const MILLION: usize = 1_000_000;
-/// Newton's correction leaves the rounding of numbers below 1, over and over.
+/// Newton's correction leaves the rounding error of numbers below 1 after each step.
 const RESIDUAL_F64: f64 = 1e-12;
 /// The same in f32.
 const RESIDUAL_F32: f64 = 2e-6;

@@ -1,4 +1,4 @@
-"""Builds every mechanism with every peer, compares outputs, times in turns, writes the table."""
+"""Builds every mechanism with every peer, compares the outputs, measures times in alternating turns, writes the table."""
 import ctypes
 import importlib
 import json
@@ -167,7 +167,7 @@ def versions():
 
 
 def ratio(times, base):
-    """Median over the turns of the ratio within a turn: other load covers neighbours of a turn alike, not all turns."""
+    """Median over the turns of the ratio within a turn: other load on the machine affects one turn equally, but not all turns."""
     return round(statistics.median(a / b for a, b in zip(times, base)), 3) if base else None
 
 

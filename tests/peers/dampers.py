@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Speed against error of a bladder with strong dampers, ours beside CVODES: `python3 tests/peers/dampers.py [C ...]`.
+"""Speed against error of a bladder with strong dampers, ours compared with CVODES: `python3 tests/peers/dampers.py [C ...]`.
 
 The scene models/chip/stiff_bladder.toml (15 x 15 nodes, E t = 5 kN/m) for 20 ms from flat, its dampers C from 0.05 to 50 N s/m. Errors
 are the largest of any coordinate at ten times, against our dop853 at 1e-13, with which CVODES at 1e-11 must agree; ours by

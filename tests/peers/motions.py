@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Motions of mechanisms and scenes in the peers and in ours, one run: speed against error, and who dominates whom.
+"""Motions of mechanisms and scenes in the peers and in ours, in one run: speed against error, and which points dominate.
 
     python3 tests/peers/motions.py [--models pendulum,cube] [--no-report]
 
@@ -23,7 +23,7 @@ import run
 
 ROOT = run.ROOT
 DIRECTORY = ROOT / "target" / "peers"
-# Simulated seconds: the models' own; of the cube shorter, as long as exact methods agree: later a touch hangs on rounding.
+# Simulated seconds: the models' own; for the cube shorter, as long as exact methods agree: later a touch depends on rounding.
 MECHANISMS = {"pendulum": 10, "fourbar": 1, "tile": 1}
 SCENES = {"single_spring": 3, "cube": 2, "bladder": 2}
 SECONDS = MECHANISMS | SCENES

@@ -1,6 +1,6 @@
 """Scenes in MuJoCo: a body on slide joints per point, a tendon with stiffness per spring.
 
-MuJoCo's own contact is soft and knows no impact that takes energy along springs. Its integrators therefore move the
+MuJoCo's own contact is soft and has no impact law that distributes energy along springs. Its integrators therefore move the
 body between the events, and the step is split at them here: root by Brent's method on the length of a step, the law
 from scenes.py, and while the ground holds points a second model without their vertical joints.
 """

@@ -1,7 +1,7 @@
 """Scenes of models/scenes as arrays for the peers: shape, forces, and the law of their touches.
 
-Written apart from our own code, after the shapes and the law that the thesis tells: what both say alike is checked
-where motions.py compares the references. A scene that asks for more than this file knows is refused by name.
+Written independently of our own code, from the shapes and the law of the thesis; motions.py checks that both agree
+when it compares the references. A scene with features that this file lacks is refused by name.
 """
 import tomllib
 
@@ -79,7 +79,7 @@ class Scene:
 
 
 class Ground:
-    """Which points the ground holds, and which have just left it: their guards sleep until they are clear."""
+    """Which points the ground holds, and which have just left it: their event functions are inactive until they are clear."""
 
     def __init__(self, scene, push=None):
         """`push(x)`: what the ground gives each point that it holds (N), where a peer has a faster way to it."""

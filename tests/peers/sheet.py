@@ -3,8 +3,8 @@
 Builds `sheet.c` with `cc -O3 -march=native` four times (f32, f64; the runtime's work, and plain sums with -ffast-math),
 runs it and `cargo bench --bench sheet` in turns, then numba, Warp and MuJoCo (`sheet_peers.py`, in a virtual environment under
 `target/`), and prints the least time of a step with the ratio to C of the same work, and to ours. Under other load the ratios of
-the least times move less than the times. So for 28 bladders, on one core and on two, in C also side by side in lanes, and for
-a step of the energy-momentum method over Verlet's. Fails if a peer that does the same work comes elsewhere than C does.
+the least times vary less than the times. The same is done for 28 bladders, on one core and on two, in C also in SIMD lanes, and for
+a step of the energy-momentum method relative to Verlet's. Fails if the result of a peer that does the same work differs from C's.
 """
 
 import pathlib

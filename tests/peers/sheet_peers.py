@@ -1,9 +1,9 @@
 """Steps of the bladder of `sheet.c` in numba, Warp and MuJoCo: `sheet.py` runs this in its virtual environment.
 
-Prints a line each: scalar, peer, least and median time of a step (ns) over turns, height of the middle (m), after how many
-steps. All do less than the runtime: plain sums, no test of what left the numbers. numba walks rows as the C does, each spring
+Prints a line for each: scalar, peer, least and median time of a step (ns) over turns, height of the middle (m), after how many
+steps. All do less than the runtime: plain sums, no test for NaN and infinity. numba walks rows as the C does, each spring
 once, with `fastmath`. Warp gathers by node, as its threads want it: each spring twice, three launches a step. MuJoCo has a sheet
-of its own, a flex of triangles without gas; its motion is another, only the count of nodes is the same, so it has no height.
+of its own, a flex of triangles without gas; its motion differs and only the number of nodes is the same, so no height is compared.
 """
 
 import statistics

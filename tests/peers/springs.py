@@ -1,9 +1,9 @@
-"""Steps of bodies that are no grids beside plain C, in one run: `python3 tests/peers/springs.py`.
+"""Steps of bodies that are not grids compared with plain C, in one run: `python3 tests/peers/springs.py`.
 
 Builds `springs.c` with `cc -O3 -march=native` in f32 and f64, runs it and `cargo bench --bench springs` in turns on the same
-bodies, and prints the least time of a step a spring, with what comes before the first step. Fails if a step takes longer than
-in C, if a million springs take more than FAR times a few of them, each, or set-up and stable step more than LINEAR times, or
-if C comes elsewhere.
+bodies, and prints the least time of a step per spring, and the time before the first step. Fails if a step takes longer than
+in C, if per spring a million springs take more than FAR times a few of them, or set-up and stable step more than LINEAR times,
+or if C's result differs.
 """
 
 import pathlib

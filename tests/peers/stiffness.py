@@ -1,6 +1,6 @@
 """Does an implicit step pay for a stiff bladder? `python3 tests/peers/stiffness.py` in the environment of run.py.
 
-A sheet of 27 x 27 nodes of 55 mg over 0.2 x 0.2 m, E t = 5 kN/m, bulged by 30 mm. Prints the longest step that Verlet's method bears
+A sheet of 27 x 27 nodes of 55 mg over 0.2 x 0.2 m, E t = 5 kN/m, bulged by 30 mm. Prints the longest stable step of Verlet's method
 and the lowest frequency; for steps h how many products with K conjugate gradients take for (1 + h^2/4 M^-1 K) x = f to 1e-3 and 1e-6,
 beside the explicit steps of the same time; processor time of a banded factorisation and of a solution with it.
 """

@@ -1,4 +1,4 @@
-"""Finishes what a peer leaves open: mass matrix, forces and constraint rows in, straight-line C out.
+"""Completes a peer's derivation: from mass matrix, forces and constraint rows to straight-line C.
 
 A peer that gives M, f, the constraint Jacobian J and its bias (SymPy, SymForce) gets the same sparse
 elimination, written statement by statement: each entry that is not zero is a C name or literal,

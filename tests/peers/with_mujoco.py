@@ -1,7 +1,7 @@
 """MuJoCo's mj_forward on trees, from the C library of its wheel: constraints, contacts and clamping off.
 
 Operations are not countable. The tile's, four-bar's and bicycle's loops and rolling are soft constraints
-solved by iteration there, which is another problem: not built.
+solved by iteration there, which is a different problem, so they are not built.
 """
 import ctypes
 import pathlib

@@ -1,6 +1,6 @@
 """Pinocchio's articulated-body algorithm on trees, from the C++ library of its wheel.
 
-Operations are not countable. Loops need its iterative constraint solver: another problem, not built.
+Operations are not countable. Loops need its iterative constraint solver, which solves a different problem, so they are not built.
 """
 import ctypes
 import pathlib

@@ -143,7 +143,7 @@ fn tile_case(model: &str, random: &mut Random) -> Case {
     tile_motion(model, random, &values, Load::default(), Vec::new())
 }
 
-/// A tile that carries, is held and is pushed: every extra parameter of the two tile models at work.
+/// Cases of a tile with payload, support springs, end stops and external load: every extra parameter of the tile models.
 /// The case's energy is left out, because end stops have no account in it.
 #[must_use]
 pub fn loaded_tile_cases(model: &str, count: usize, seed: u64) -> Vec<Case> {

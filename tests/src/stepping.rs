@@ -9,7 +9,7 @@ use smartbed_runtime::ode::step_size::Tolerance;
 use smartbed_runtime::ode::{rk4, runge_kutta};
 use smartbed_runtime::real::Scalar;
 
-/// What commands the inputs: `law(t, q, u, inputs)` writes all of them.
+/// A control law: `law(t, q, u, inputs)` writes all inputs.
 pub type Law<'a, S> = &'a dyn Fn(S, &[S], &[S], &mut [S]);
 
 /// A subject under its law.
@@ -83,7 +83,7 @@ impl<'a, S: Scalar> Run<'a, S> {
         taken.unwrap_or_else(|fault| panic!("step {}: {fault:?}", self.steps));
     }
 
-    /// The same where a refusal is what is looked for.
+    /// As `rk4`, but returns a refusal instead of panicking.
     ///
     /// # Errors
     /// The fault of the refused step.
@@ -96,7 +96,7 @@ impl<'a, S: Scalar> Run<'a, S> {
         Ok(())
     }
 
-    /// Coordinates, speeds, and what their rounding left out: all that a step may change.
+    /// Coordinates and speeds, and their rounding errors: everything that a step may change.
     #[must_use]
     pub fn state(&self) -> [&[S]; 2] {
         [&self.x, &self.low]

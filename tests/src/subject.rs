@@ -1,6 +1,6 @@
-//! What is under test, behind one face: a model evaluated by the interpreter or by compiled code.
+//! The mechanism under test behind one interface: a model evaluated by the interpreter or by compiled code.
 //!
-//! Tests speak names and f64 and leave scalar, engine and order of slots to this file.
+//! Tests use names and f64; this file converts to the scalar, the engine and the order of slots.
 
 use crate::cases::LOAD_PARAMETERS;
 use crate::generated;
@@ -136,7 +136,7 @@ pub fn outputs<S: Scalar>(subject: &mut dyn Subject<S>, state: &State) -> Named 
 pub trait Built: Scalar {
     /// A model under an engine.
     fn subject(engine: Engine, model: &str) -> Box<dyn Subject<Self>>;
-    /// The same with every fixed parameter kept as one that may be set.
+    /// The same model with every fixed parameter kept adjustable.
     fn loaded(engine: Engine, model: &str) -> Box<dyn Subject<Self>>;
 }
 

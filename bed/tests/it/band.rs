@@ -1,4 +1,4 @@
-//! Bands against the matrices they stand for.
+//! Band matrices against the full matrices they represent.
 
 use smartbed_bed::band::Band;
 

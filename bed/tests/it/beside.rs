@@ -1,4 +1,4 @@
-//! Bladders of neighbours that press on each other.
+//! Bladders of neighbouring tiles that press on each other.
 
 use smartbed_bed::body::{Body, Segment, Shape};
 use smartbed_bed::dynamics::{Matter, Method, Motion};
@@ -38,7 +38,7 @@ fn alone(bed: &Bed) -> Solution {
     solve(bed, &Body::default(), &bed.start(Vec::new())).expect("an equilibrium")
 }
 
-/// What sheet and air leave over on all free nodes of a tile, in the bed's frame: what presses on it from outside.
+/// Sum of the forces of sheet and air on all free nodes of a tile, in the bed's frame: it balances the external forces.
 fn pressed(bed: &Bed, solution: &Solution, tile: usize) -> Vec3<f64> {
     let sheet = &solution.state.sheets[tile];
     let mut gradient = vec![[0.0; 3]; sheet.len()];
@@ -48,7 +48,7 @@ fn pressed(bed: &Bed, solution: &Solution, tile: usize) -> Vec3<f64> {
     bed.tiles[tile].pose.attitude.to_inertial(free.fold([0.0; 3], |sum, (_, g)| add(sum, *g)))
 }
 
-/// Energy of sheets and air, and of where they meet.
+/// Energy of sheets and air, and of the contacts between sheets.
 pub fn energy(bed: &Bed, solution: &Solution, sheets: &[Vec<Vec3<f64>>]) -> f64 {
     let own = |(tile, sheet): (usize, &Vec<Vec3<f64>>)| {
         membrane::energy(&bed.lattice, sheet) - solution.gauges[tile] * bed.volume(sheet)

@@ -1,4 +1,4 @@
-//! Both clocks of a plan: what motion comes to, and what equilibria say of the same scene.
+//! Both clocks of a plan: results of a motion against equilibria of the same scene.
 
 use crate::plan::{change, plan};
 use smartbed_bed::body::anthropometry::Table;

@@ -1,4 +1,4 @@
-//! What is mounted on sheets, against closed forms: it weighs, has inertia, and stands between sheet and tissue.
+//! Sensors mounted on sheets, against closed forms: weight, inertia, and thickness between sheet and tissue.
 
 use crate::mesh::ball;
 use crate::rest::four;

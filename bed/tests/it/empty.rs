@@ -1,4 +1,4 @@
-//! The bed without a load: what a step costs, and what error it makes.
+//! The bed without a load: cost and error of a step.
 
 use smartbed_bed::body::{Body, Segment, Shape};
 use smartbed_bed::dynamics::{Matter, Method, Motion};
@@ -79,7 +79,7 @@ fn run(intervals: [usize; 2], course: Course, step: f64, is_f32: bool) -> (Vec<V
     (seen, processor() - begin)
 }
 
-/// Root of the mean square of what two lists of places are apart.
+/// Root mean square of the distances between two lists of positions.
 fn apart(a: &[[f64; 3]], b: &[[f64; 3]]) -> f64 {
     let square = |(x, y): (&[f64; 3], &[f64; 3])| dot(sub(*x, *y), sub(*x, *y));
     (a.iter().zip(b).map(square).sum::<f64>() / a.len() as f64).sqrt()

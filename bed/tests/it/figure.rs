@@ -1,4 +1,4 @@
-//! The figure: its masses, its postures, what its joints refuse, and how it rests on the bed.
+//! The patient's figure: masses, postures, joint angles that are refused, and rest on the bed.
 
 use smartbed_bed::body::anthropometry::{Part, Table};
 use smartbed_bed::body::figure::{Figure, FigureError, Posture};
@@ -128,7 +128,7 @@ fn a_figure_rests_on_the_bed_in_each_posture() {
     }
 }
 
-/// A figure with its left knee bent by an angle (deg), and what its limits say there.
+/// A figure with its left knee bent by an angle (deg), and the result of its joint limits.
 fn knee(degrees: f64) -> (Figure, [[[f64; 3]; 3]; 2], Limits) {
     let own = [("left knee".to_owned(), [-60.0, 0.0, 0.0])];
     let mut figure =

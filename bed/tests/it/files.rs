@@ -1,4 +1,4 @@
-//! Files of pressure maps: round trips, refusals with their line, and nonsense.
+//! Files of pressure maps: round trips, refusals with their line, and random text.
 
 use proptest::prelude::*;
 use smartbed_bed::files::{Mapped, read, tekscan, xsensor};

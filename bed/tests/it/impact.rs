@@ -166,7 +166,7 @@ fn an_impact_keeps_energy_and_momenta_and_ends_the_approach() {
     assert!(struck > 500 && apart < struck / 4, "{struck} {apart}");
 }
 
-/// What a fall came to: the most that is left over either way, the most that is made, peak of the 10 ms mean, height.
+/// Results of a fall: largest imbalance of energy, largest gain, peak of the 10 ms mean force, height.
 fn fallen(mut motion: Motion, step: f64, seconds: f64) -> (f64, f64, f64, f64) {
     let (mut worst, mut made, mut forces, mut given) = (0.0_f64, 0.0_f64, Vec::new(), 0.0);
     go(&mut motion, seconds, |m| {

@@ -1,4 +1,4 @@
-//! How a load came to lie: what friction keeps of it is why two ways of laying one down press differently, and nothing else is.
+//! How a load is laid down: different histories give different pressures, and the only reason is friction.
 
 use crate::clocks::{indices, patient};
 use smartbed_bed::body::anthropometry::Table;

@@ -1,5 +1,5 @@
-//! Meshes as bodies: moments against closed forms, the field of the distance against exact ones, a ball of triangles on the
-//! bed against the ball, refusals.
+//! Meshes as bodies: moments against closed forms, the distance field against exact distances, a ball of triangles on
+//! the bed against an exact ball, refusals.
 
 use smartbed_bed::body::mesh::{Mesh, MeshFault, Solid};
 use smartbed_bed::body::{Body, Segment, Shape, Surface};

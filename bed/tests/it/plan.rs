@@ -1,4 +1,4 @@
-//! Plans: what tiles are told, what is refused, and runs whose maps carry the weight.
+//! Plans: commands to tiles, refusals, and runs whose maps add up to the weight.
 
 use smartbed_bed::body::anthropometry::Table;
 use smartbed_bed::body::figure::{Figure, Posture};

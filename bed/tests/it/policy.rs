@@ -1,4 +1,4 @@
-//! Policies: what they see, what they are refused, and that the planner relieves more skin than alternating pressure does.
+//! Policies: their inputs, their refused commands, and that the planner relieves more skin than alternating pressure.
 
 use smartbed_bed::body::anthropometry::Table;
 use smartbed_bed::body::figure::{Figure, Posture};
@@ -43,7 +43,7 @@ fn reader() -> Reader {
     Reader::new(&Site::default(), Quality::default()).expect("a surface")
 }
 
-/// Changes of pressure that tiles were told in all (Pa).
+/// Sum of all commanded changes of pressure (Pa).
 fn motion(plan: &Plan, history: &History) -> f64 {
     let told = plan.with(&history.moves);
     let times: Vec<f64> = plan.times();

@@ -1,4 +1,4 @@
-//! A supine patient's map beside published ones: which parts of the body bear, and in what range.
+//! A supine patient's map compared with published ones: which parts of the body carry load, and in what range.
 //!
 //! Garfin, Pye, Hargens and Akeson, Arch Phys Med Rehabil 61(9), 1980, four beds: soft ones bear a supine body on occiput,
 //! shoulders, buttocks, calves and heels, with more than 30 mmHg over bony prominences. Clin Phys Physiol Meas 10(4), 1989:

@@ -1,4 +1,4 @@
-//! Instruments of tiles while a plan runs: late by what they lag, exact to their steps, the same again from the same seed.
+//! Instruments of tiles while a plan runs: their lag, their resolution, and equal readings from equal seeds.
 
 use smartbed_bed::body::Body;
 use smartbed_bed::plan::history::History;

@@ -1,4 +1,4 @@
-//! Bodies at rest on bladders: what carries them, where, and what friction holds. Poses of tiles against golden vectors.
+//! Bodies at rest on bladders: contact forces, their positions, and friction. Poses of tiles against golden vectors.
 
 use crate::sheet::bed;
 use smartbed_bed::body::{Body, Joint, Segment, Shape};

@@ -1,4 +1,4 @@
-//! Friction between bladders of neighbours.
+//! Friction between bladders of neighbouring tiles.
 
 use crate::beside::{energy, pair};
 use smartbed_bed::body::Body;
@@ -7,9 +7,9 @@ use smartbed_bed::equilibrium::{Bed, Meeting, Rub, Solution, State, solve};
 use smartbed_bed::sheet::air::Air;
 use smartbed_runtime::vec3::{axpy, dot, norm, sub};
 
-/// What sticks.
+/// Friction coefficient at which sheets stick.
 const MU: f64 = 0.3;
-/// What slides: soft sheets roll on each other rather than slide where friction holds more.
+/// Friction coefficient at which sheets slide; at larger ones soft sheets roll on each other.
 const LITTLE: f64 = 0.08;
 
 /// Two soft bladders that lean towards each other, the second raised (m).

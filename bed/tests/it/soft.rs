@@ -1,4 +1,4 @@
-//! Soft manipulation: the four states of the thesis' Fig. 2.1, and what its words are worth.
+//! Soft manipulation: the four states of the thesis' Fig. 2.1, and a check of its statements about them.
 
 use smartbed_bed::body::{Body, Segment, Shape};
 use smartbed_bed::plan::{Clock, Laying, Layout, Load, Plan};

@@ -1,4 +1,4 @@
-//! Moments of a run: the last is an end, one alone has no history; what tiles did; forces in a maker's file.
+//! Moments of a run: the last has no duration, a single one has no history; rows of tiles; forces in a maker's file.
 
 use crate::plan::{change, plan};
 use smartbed_bed::equilibrium::GRAVITY;

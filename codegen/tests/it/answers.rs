@@ -1,4 +1,4 @@
-//! Answers on request against what they follow from by other means: the energy, forward dynamics, differences.
+//! Answers on request against independent computations: energy, forward dynamics, finite differences.
 
 use crate::linearisation::difference;
 use crate::models::shipped;
@@ -7,7 +7,7 @@ use smartbed_codegen::program::answer::Shape;
 use smartbed_codegen::{Asked, Function, Interpreted, ParameterChoice, Program, Request, program};
 use smartbed_runtime::mechanism::Mechanism;
 
-/// A program and one function of everything that is asked of it.
+/// A program and one function with all requested answers.
 pub(crate) struct Asking {
     pub program: Program,
     pub engine: Interpreted<f64>,

@@ -1,5 +1,5 @@
 //! A flexible body on a port of a derived mechanism, against the single system in which the same nodes are bodies of
-//! the model itself: what is joined when it runs moves as what is derived in one piece.
+//! the model itself: parts coupled at run time move like one derived model.
 
 use crate::models::shipped;
 use smartbed_codegen::{Asked, Function, Interpreted, ParameterChoice, Program, Request, model, program};
@@ -16,7 +16,7 @@ const THRUST: [f64; 3] = [30.0, 29.0, 31.0];
 /// A spring: ends (attachments, then nodes), stiffness (N/m), damping (N s/m), rest length (m).
 type Link = (usize, usize, f64, f64, f64);
 
-/// What stands on the platform.
+/// The body on the platform.
 struct Fabric {
     /// Where it is attached, along the platform's axes from G (m).
     places: Vec<[f64; 3]>,
@@ -160,7 +160,7 @@ impl Carrier<f64> for Ported {
     }
 }
 
-/// The mechanism with the nodes as bodies of its own.
+/// The mechanism with the nodes as its own bodies.
 fn in_one_piece(name: &str, fabric: &Fabric) -> Program {
     let Fabric { places, nodes, springs } = fabric;
     let dof = 3 + 3 * nodes.len();
@@ -322,7 +322,7 @@ fn joined(carrier: &Program, fabric: &Fabric, run: impl Fn(&mut OnTile<'_>, &mut
     (x, after - before)
 }
 
-/// Largest difference to the model that has the nodes as bodies of its own, by the same method in the same steps.
+/// Largest difference from the model that contains the nodes as bodies, with the same method and steps.
 fn difference(fabric: &Fabric) -> f64 {
     let carrier = carrier();
     let (joined, _) = joined(&carrier, fabric, |island, x| run(island, 1e-3, STEPS, x));

@@ -60,10 +60,10 @@ fn with_positions(text: &str, n: usize) -> String {
     format!("{text}[outputs]\n{lines}")
 }
 
-/// Kinetic energy is sum 1/2 m v^2 with velocities from differences of positions, and no energy is gained: tells
-/// the mass matrix and the accelerations apart from what both have in common.
+/// Kinetic energy is sum 1/2 m v^2 with velocities from differences of positions, and the total energy is constant: detects
+/// errors that mass matrix and accelerations have in common.
 fn check_energy(program: &Program, masses: &[f64]) {
-    /// Step of central differences (s), and what is left of them.
+    /// Step of central differences (s), and their tolerance.
     const STEP: f64 = 1e-5;
     const ROUNDING: f64 = 1e-7;
     let mut mechanism = Interpreted::<f64>::new(program);
@@ -254,7 +254,7 @@ fn hinges(n: usize) -> String {
 /// D'Alembert's principle by differences of the masses' places alone: sum m (a - g) . dP/dq = 0 for every coordinate.
 #[test]
 fn forty_hinges_in_space() {
-    /// Step of the differences, and what is left of them, relative to the sum's terms.
+    /// Step of the differences, and their tolerance relative to the terms of the sum.
     const STEP: f64 = 1e-4;
     const DIFFERENCES: f64 = 1e-5;
     /// Nodes that the derivation makes: it had made 416,000 for half as many links, and many millions for all.

@@ -1,6 +1,6 @@
 //! Dead points of the independent speeds: one program covers them, with all speeds as state.
 //!
-//! Oracles: the same mechanisms by the coordinate that has no dead point, in closed form, written out here.
+//! Oracles: the same mechanisms in the coordinate without dead points, in closed form, written here.
 
 use smartbed_codegen::{Interpreted, ParameterChoice, Program, model, program};
 use smartbed_runtime::mechanism::Mechanism;
@@ -212,8 +212,8 @@ fn runs_through_dead_points_keep_their_energy() {
     assert!(single < 1e-5, "{single:e}");
 }
 
-/// The slider-crank by its piston, without torque, its crank's pin moved to and fro by time: at first no dead point
-/// lies within the ranges.
+/// The slider-crank with its piston as independent coordinate, without torque, its crank's pin moved to and fro as a
+/// function of time: at the start no dead point lies within the ranges.
 fn carried_slider_crank() -> String {
     let mut text = slider_crank();
     for (from, to) in [("[inputs]", "[coordinates]"), ("[torques]", "[springs]"), ("[start]", "[run]")] {

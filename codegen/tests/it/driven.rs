@@ -1,4 +1,4 @@
-//! Driven mechanisms: velocities with a part that no speed enters, and places that depend on time.
+//! Driven mechanisms: velocities with a term without speeds, and positions that depend on time.
 //!
 //! Oracles: accelerations and powers written out by hand; d/dt (kinetic + potential) against the power of the drive.
 
@@ -120,8 +120,8 @@ fn a_coordinate_is_a_function_of_time() {
     }
 }
 
-/// The drive's power against the rate of the energy along the motion, by central differences of order 4, plus what
-/// `lost` says that dampers take.
+/// The drive's power against the rate of the energy along the motion, by central differences of order 4, plus the power
+/// `lost` in dampers.
 pub fn check_power(program: &Program, t: f64, q: &[f64], u: &[f64], lost: f64) {
     let mut engine = Interpreted::<f64>::new(program);
     let (q_dot, u_dot) = rates(&mut engine, t, q, u);

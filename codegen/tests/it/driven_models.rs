@@ -1,8 +1,8 @@
 //! Every shipped mechanism with one of its coordinates prescribed, in three ways: as a function of time, by a
 //! configuration constraint, by a motion constraint.
 //!
-//! Oracle: the augmented form of the mechanism as it is shipped, which knows of no drive, with one row more that says
-//! what the coordinate's acceleration is; its multiplier is the drive's force. Solved by dense elimination.
+//! Oracle: the augmented form of the shipped mechanism without the drive, with one more row that prescribes the
+//! coordinate's acceleration; its multiplier is the drive's force. Solved by dense elimination.
 
 use crate::augmented;
 use crate::models::shipped;

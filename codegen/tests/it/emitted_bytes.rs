@@ -1,5 +1,5 @@
-//! Fingerprints of all emitted text in `tests/emitted_bytes.txt`: a change of the generator that is meant to keep
-//! its output is proven by them, one that is not shows which models, forms and scalars it reaches.
+//! Fingerprints of all emitted text in `tests/emitted_bytes.txt`: they prove that a change of the generator keeps
+//! its output, or show which models, forms and scalars it affects.
 //!
 //! `UPDATE_EMITTED=1 cargo test -p smartbed-codegen --test it -- emitted_bytes` renews the file.
 

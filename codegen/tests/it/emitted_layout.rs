@@ -1,4 +1,4 @@
-//! Emitted files as an engineer meets them: laid out by rustfmt, without a warning, with names for every place.
+//! Emitted files are formatted as by rustfmt, compile without a warning, and name every slot.
 
 use crate::emitted_bytes::mechanisms;
 use crate::models::shipped;
@@ -85,7 +85,7 @@ fn the_fingerprint_is_of_the_whole_text() {
     assert_ne!(fingerprint(base), fingerprint(&base.replace("1.0", "2.0")));
 }
 
-/// Constants say where a number stands, its unit, its range and its line.
+/// Constants give a number's index, its unit, its range and its line.
 #[test]
 fn every_place_has_a_name() {
     let text = emitted(&derived("cart_pole", &[]), ScalarType::F64);
@@ -153,8 +153,8 @@ fn function<'t>(text: &'t str, name: &str) -> &'t str {
     &rest[..rest.find("\n}\n").expect("an end")]
 }
 
-/// `rates_near` turns on every sine and cosine that `begin_step` hands on, and takes none of an angle anew; without the option
-/// neither is there.
+/// `rates_near` updates by rotation every sine and cosine that `begin_step` passes to it, and evaluates none from an angle;
+/// without the option neither function exists.
 #[test]
 fn functions_of_a_step_share_their_sines() {
     for name in ["tile", "arm6", "fourbar", "rolling_disc", "satellite", "free_body"] {

@@ -1,4 +1,4 @@
-//! What a program is optimised for changes its operations, never its answers.
+//! The goal of optimisation changes a program's operations, never its answers.
 
 use crate::models::shipped;
 use smartbed_codegen::{

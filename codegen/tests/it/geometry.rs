@@ -1,6 +1,6 @@
 //! Positions of the shipped tiles, computed from the model's own trees, against the reference values.
 //!
-//! The evaluator here knows vectors of f64 and nothing of the generator's expression graph.
+//! The evaluator here uses f64 vectors and does not depend on the generator's expression graph.
 
 use smartbed_codegen::id::{Id, IdVec};
 use smartbed_codegen::model::expression::{ExprKind, Function};

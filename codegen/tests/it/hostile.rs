@@ -1,7 +1,7 @@
-//! Models whose names, descriptions and files are written to break out of where they stand: nothing of them
-//! becomes code, and what is accepted compiles, in every form and scalar.
+//! Models whose names, descriptions and file names try to inject code: none of it becomes code, and accepted
+//! models compile in every form and scalar.
 //!
-//! One compiler run checks all of them as modules of one crate. More of them, as many as the variable says:
+//! One compiler run checks all of them as modules of one crate. An environment variable sets their number:
 //! `SMARTBED_HOSTILE=1000 cargo test -p smartbed-codegen --test it -- hostile`
 
 use smartbed_codegen::model::{self, Model};
@@ -28,7 +28,7 @@ const NAMES: &str = "\
     try_from iterator Iterator main print x y z xyz N_ O_ ok some err option result fault Fault model test \
     libm wide dyn_ type_ r_type u_q u_a I l";
 
-/// Pieces of descriptions and of names of files: whatever becomes code stops the compiler.
+/// Pieces of descriptions and file names that stop the compiler if they become code.
 const TEXTS: &[&str] = &[
     "\n",
     "\r",
@@ -221,7 +221,7 @@ fn items(text: &str) -> Vec<String> {
     file.items.iter().map(name).collect()
 }
 
-/// What no text of a model may hold: characters that cannot be seen, documentation that is compiled as a test.
+/// Text that must not reach the output: invisible characters, documentation that is compiled as a test.
 fn faults(text: &str) -> Vec<String> {
     let unseen = |c: &char| {
         c.is_control() && *c != '\n'
@@ -238,7 +238,7 @@ fn faults(text: &str) -> Vec<String> {
     found
 }
 
-/// The crate of all modules, compiled at the versions of this workspace; what the compiler says.
+/// Compiles the crate of all modules with the versions of this workspace; returns the compiler's output.
 fn compile(modules: &[String]) -> String {
     let here = Path::new(env!("CARGO_MANIFEST_DIR"));
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("hostile");

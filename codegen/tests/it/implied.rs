@@ -1,4 +1,4 @@
-//! Constraints that follow from the others are watched; configurations are assembled from far guesses, at any size,
+//! Implied constraints remain in the residual; configurations are assembled from far guesses, at any size,
 //! and failures name the constraint that is not met.
 
 use crate::models::shipped;
@@ -108,7 +108,7 @@ fn a_loop_that_cannot_close_names_its_constraint() {
     assert!(message.contains("the largest in `"), "{message}");
 }
 
-/// The third crank of the parallelogram is 10 mm too long: what the other two allow, it does not.
+/// The third crank of the parallelogram is 10 mm too long: it prevents the motion that the other two allow.
 #[test]
 fn an_implied_constraint_stays_in_the_residual_and_in_the_assembly() {
     let mut program = program::derive(&shipped("parallelogram"), &ParameterChoice::default())
@@ -158,8 +158,8 @@ fn a_mechanism_that_other_parameters_lock_is_found_out() {
     assert_eq!(assembly.locked(&[1.0, 0.0, 1.0, 1.0]), None);
 }
 
-/// A rod on three equal cranks whose base turns: wherever two of them would let it fold the other way, the third does
-/// not. Oracle: on the right branch all cranks are parallel.
+/// A rod on three equal cranks on a turning base: where two cranks would allow the other branch, the third prevents it.
+/// Oracle: on the right branch all cranks are parallel.
 #[test]
 fn a_rod_on_three_cranks_never_folds_the_other_way() {
     let program = derived(THREE_CRANKS);
@@ -222,7 +222,7 @@ two = "Q - Q2"
 bar = { centre = "M", frame = "bar", mass = "m", inertia = { Ixx = "I", Iyy = "I", Izz = "I" } }
 "#;
 
-/// What numbers make implausible is said with its place.
+/// Implausible numbers are reported with their place.
 #[test]
 fn implausible_numbers_are_named() {
     let text = text_of("pendulum");

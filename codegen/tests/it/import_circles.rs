@@ -1,7 +1,7 @@
-//! The files of every crate import one another without a circle.
+//! The imports between the files of every crate contain no cycle.
 //!
-//! A file may name what stands in another by `crate::`, `super::`, `self::` or the name of a module inside it; this
-//! draws the graph of those names and looks for ways back.
+//! A file may name items of another by `crate::`, `super::`, `self::` or the name of a submodule; this test builds the
+//! graph of these references and looks for cycles.
 
 use proc_macro2::{TokenStream, TokenTree};
 use std::collections::{BTreeMap, BTreeSet};
@@ -13,7 +13,7 @@ const CRATES: [&str; 4] = ["codegen", "runtime", "bed", "host"];
 /// A module: its path from the crate's root, without `crate`.
 type Module = Vec<String>;
 
-/// Modules of a crate by the path of their files, with what each names.
+/// Modules of a crate by the path of their files, with the items that each names.
 fn modules(folder: &Path) -> BTreeMap<Module, String> {
     let mut found = BTreeMap::new();
     let mut folders = vec![folder.to_path_buf()];

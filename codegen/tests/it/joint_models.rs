@@ -27,7 +27,7 @@ fn axes([a, b, c, d]: [f64; 4]) -> [V; 3] {
     [x, y, cross(x, y)]
 }
 
-/// A state by names; what is not named is 0, the first Euler parameter 1.
+/// A state by names; missing names are 0, the first Euler parameter 1.
 fn state(program: &Program, named: &[(&str, f64)]) -> (Vec<f64>, Vec<f64>) {
     let known = |name: &str| program.q.iter().chain(&program.u).any(|s| s.name == name);
     assert!(named.iter().all(|(name, _)| known(name)), "{named:?}");

@@ -1,4 +1,4 @@
-//! Joints as words: each moves as the same mechanism written by hand, or as a closed form says.
+//! Joint keywords: each gives the motion of the same mechanism written by hand, or of a closed form.
 
 use crate::models::shipped;
 use smartbed_codegen::model::Model;
@@ -24,7 +24,7 @@ fn derived(model: &Model) -> Program {
     program::derive(model, &ParameterChoice::default()).unwrap_or_else(|found| panic!("{found}"))
 }
 
-/// What the equations give by name: q' under the coordinate, u' under the speed.
+/// Results of the equations by name: q' under the coordinate, u' under the speed.
 fn rates(program: &Program, value: &dyn Fn(&str) -> f64) -> Vec<(String, f64)> {
     let mut mechanism = Interpreted::<f64>::new(program);
     let q: Vec<f64> = program.q.iter().map(|q| value(&q.name)).collect();
@@ -36,7 +36,7 @@ fn rates(program: &Program, value: &dyn Fn(&str) -> f64) -> Vec<(String, f64)> {
     names.zip(q_dot.into_iter().chain(u_dot)).collect()
 }
 
-/// Two models agree at random states; `named` gives the hand-written name of what a joint has called otherwise.
+/// Compares two models at random states; `named` translates a joint's name into that of the hand-written model.
 /// Quaternions of such a state are of length 1.
 fn agree(words: &Model, hand: &Model, named: &dyn Fn(&str) -> String, quaternions: &[[&str; 4]]) {
     let (words, hand) = (derived(words), derived(hand));
@@ -388,7 +388,7 @@ slip = { coordinate = "p_z", stiffness = 0, damping = "1_N*1_s/1_m" }
     agree(&read(&format!("{both}{words}")), &read(&format!("{both}{hand}")), &str::to_owned, &quaternion);
 }
 
-/// What joints bring is not reported as unused, and names are those the manual promises.
+/// Entries that joints create are not reported as unused, and have the names stated in the manual.
 #[test]
 fn names_follow_the_joint() {
     let model = read(
@@ -409,7 +409,7 @@ m = { centre = "arm", mass = 1 }
     assert!(model.warnings().items.is_empty(), "{}", model.warnings());
 }
 
-/// Mass and moments along x, y, z of a body in free space, by what a force and torques do to it.
+/// Mass and moments of inertia about x, y, z of a free body, from its response to a force and torques.
 fn mass_and_moments(shape: &str) -> [f64; 4] {
     let text = format!(
         r#"

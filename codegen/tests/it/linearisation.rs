@@ -44,7 +44,7 @@ impl Exact {
     }
 
     /// Corrects the dependent coordinates alone. A correction may move independent ones too, as it does with Euler parameters,
-    /// along their own direction: these are put back, and what is left shrinks by a factor each time.
+    /// along their own direction: these are restored, and the residual shrinks by a factor each time.
     fn assemble(&mut self, q: &mut [Twofold]) {
         let mut change = f64::INFINITY;
         for _ in 0..CORRECTIONS.0 {

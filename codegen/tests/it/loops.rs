@@ -1,4 +1,4 @@
-//! Closed loops: what the derivation finds by itself to keep their equations short.
+//! Closed loops: simplifications that the derivation finds automatically.
 
 use smartbed_codegen::expr::{Dag, ExprId, SymbolId};
 use smartbed_codegen::id::{Id, IdVec};
@@ -135,7 +135,7 @@ fn products_along_axes_share_one_cosine() {
     assert!((found[0] - 6.0 * cosine).abs() < 1e-14 && (found[1] - 10.0 * cosine).abs() < 1e-14);
 }
 
-/// A sine or cosine whose square is a pivot too takes no part in the smallest: that must not be seen.
+/// A sine or cosine whose square is also a pivot is left out of the minimum; the result must not change.
 #[test]
 fn the_worst_pivot_is_the_smallest_of_all() {
     let program =

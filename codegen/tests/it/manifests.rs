@@ -1,4 +1,4 @@
-//! What the packages declare: the oldest compiler, and no effect on the packages of who uses the generator.
+//! Manifests of the packages: oldest supported compiler, and no effect on other packages of a user's build.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -37,7 +37,7 @@ fn every_package_declares_the_oldest_compiler_and_the_lints_that_hold_it() {
     assert!(text("host/src/firmware/toolchain.rs").contains(&format!("OLDEST: (u32, u32) = ({numbers})")));
 }
 
-/// What is newer than a declared compiler fails clippy, with the workspace's own lints.
+/// Functions newer than the declared compiler fail clippy with the workspace's lints.
 #[test]
 fn what_is_newer_than_the_declared_compiler_is_found() {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("newer");
@@ -66,8 +66,8 @@ fn what_is_newer_than_the_declared_compiler_is_found() {
     assert!(passes, "{message}");
 }
 
-/// Features of a package are united over all that use it: what the generator asked of proc-macro2, every procedural
-/// macro of its user got.
+/// Cargo unites the features of a package over all its users: features of proc-macro2 requested by the generator would
+/// apply to every procedural macro of its user's build.
 #[test]
 fn the_generator_asks_nothing_of_the_packages_of_procedural_macros() {
     let mut cargo = Command::new(env!("CARGO"));

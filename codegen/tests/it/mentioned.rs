@@ -1,4 +1,4 @@
-//! Whatever an expression anywhere in a model mentions is used: no place is overlooked.
+//! Every name in an expression counts as used, wherever in the model the expression is.
 
 use smartbed_codegen::model;
 

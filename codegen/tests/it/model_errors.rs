@@ -1,4 +1,4 @@
-//! Messages of faulty models, as people see them.
+//! Messages of faulty models in their final layout.
 
 use smartbed_codegen::model;
 

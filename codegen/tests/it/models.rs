@@ -1,4 +1,4 @@
-//! The models of this repository are read without a finding.
+//! The models of this repository are read without errors or warnings.
 
 use smartbed_codegen::model::{self, Model};
 

@@ -1,4 +1,4 @@
-//! Momentum of mechanisms: its rate is the force from outside, its moment's rate the moment, by the joint reactions.
+//! Momentum of mechanisms: rates of linear and angular momentum equal external force and moment, from joint reactions.
 
 use crate::answers::{Asking, State, close};
 

@@ -1,4 +1,4 @@
-//! A newcomer's count: how many source files an answer, a joint, an orientation kind touches; docs/extending.md.
+//! Counts the source files that a new answer, joint or kind of orientation touches (docs/extending.md).
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};

@@ -317,7 +317,7 @@ const LEGS_AT_REST: [Vector; 3] = [
     [2.150077139625586, 0.0, 9.432629464834347],
 ];
 
-/// A model of the tile at its start, asked for what its screws push and its guides carry.
+/// A model of the tile at its start, with the thrusts of its screws and the loads of its guides as answers.
 fn at_start(name: &str) -> (Asking, State) {
     let requests = ["inverse_dynamics", "law", "rates", "reaction:PA", "reaction:PB", "reaction:PC"];
     let requests: Vec<Request> = requests.iter().map(|text| text.parse().expect("a request")).collect();
@@ -339,7 +339,7 @@ fn thrusts_of_the_moving_tile_are_those_of_its_geometry() {
     close(&tile.part(&resting, "inverse_dynamics", "inputs"), &AT_REST, 1e-12, "at rest");
 }
 
-/// Its law gives the thrusts with which nothing is accelerated; what the guides give is all but the thrusts.
+/// Its law gives the thrusts for zero acceleration; the guides carry all other components of the reactions.
 #[test]
 fn reactions_of_the_resting_tile_are_those_of_its_geometry() {
     let (mut tile, mut start) = at_start("tile_reactions");

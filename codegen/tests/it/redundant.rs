@@ -1,6 +1,6 @@
 //! Redundant and singular constraints: the decision does not depend on how an equation is written or scaled.
 //!
-//! Redundant ones are dropped with a warning that names them, and what is left is the mechanism without them.
+//! Redundant constraints are dropped with a warning that names them; the result equals the mechanism without them.
 
 use smartbed_codegen::{Interpreted, ParameterChoice, Program, model, program};
 use smartbed_runtime::mechanism::Mechanism;
@@ -92,7 +92,7 @@ fn a_constraint_stated_twice_is_dropped_whatever_its_scale_and_place() {
     }
 }
 
-/// What is nothing but rounding errors at every configuration is no equation, at any scale.
+/// A row that consists of rounding errors at every configuration does not count as an equation, at any scale.
 #[test]
 fn a_row_of_rounding_errors_is_no_row() {
     let plain = derived(&text_of("fourbar"));
@@ -136,7 +136,7 @@ fn the_third_crank_of_a_parallelogram_is_redundant() {
     }
 }
 
-/// Joined elsewhere to the bar, the third crank locks what the other two move: singular, not redundant.
+/// Joined to the bar at another point, the third crank locks the motion of the other two: singular, not redundant.
 #[test]
 fn a_third_crank_out_of_place_is_refused() {
     let message = derive(&parallelogram("1", "0.6")).expect_err("it cannot move");

@@ -1,6 +1,6 @@
-//! A regular configuration is never refused: mechanisms through places where one elimination alone is singular.
+//! A regular configuration is never refused: mechanisms pass configurations where a single elimination is singular.
 //!
-//! Oracles: closed forms of the textbooks, integrated here by Kutta's method; none of them knows of eliminations.
+//! Oracles: textbook closed forms, integrated here by Kutta's method; none of them uses eliminations.
 
 use crate::models::shipped;
 use smartbed_codegen::{Interpreted, ParameterChoice, Program, model, program};
@@ -432,7 +432,7 @@ fn an_overconstrained_six_bar_moves_through_right_angles_in_f32() {
     assert!(reached[0] < FRAC_PI_2 && FRAC_PI_2 < reached[1], "{reached:?}");
 }
 
-/// What the warning advises works: without the equations that it calls redundant the same mechanism is derived.
+/// The warning's advice works: without the equations that it calls redundant the same mechanism is derived.
 #[test]
 fn a_dropped_constraint_may_be_removed_as_advised() {
     let mut equations = ALL_AXES.to_owned();
@@ -454,8 +454,8 @@ fn a_dropped_constraint_may_be_removed_as_advised() {
     }
 }
 
-/// Rolling says of the bicycle's pitch what the contact of its front wheel says, but only of its rate: the correction comes
-/// from the contact, and moves nothing else.
+/// Rolling implies the front wheel's contact only at velocity level: the position equation of the contact corrects the
+/// bicycle's pitch, and changes nothing else.
 #[test]
 fn the_bicycles_front_wheel_is_put_back_on_the_ground() {
     let program = derived("bicycle");

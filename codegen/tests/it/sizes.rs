@@ -1,5 +1,5 @@
-//! A mechanism whose lengths and masses all change by factors moves as before, in any scalar: with factors that are powers
-//! of two to the bit, since nothing but exponents changes.
+//! A mechanism whose lengths and masses are all scaled moves as before, in any scalar; with powers of two as factors
+//! results are equal to the bit, since only exponents change.
 //!
 //! Oracle: similarity. Every quantity of the model in kg^a m^b is multiplied by mu^a lambda^b, time stays as it is.
 
@@ -35,7 +35,7 @@ const SHIPPED: [&str; 17] = [
 const FACTORS: [[i32; 2]; 5] = [[-20, -10], [20, 10], [-20, 10], [13, 0], [0, -10]];
 const STEPS: usize = 20;
 
-/// What a quantity is multiplied by.
+/// Factor of a quantity.
 fn factor(quantity: &Quantity, [mass, length]: [i32; 2]) -> f64 {
     let unit = unit::parse(quantity.unit.trim()).expect("a unit").unit;
     let powers = (-4..=4).flat_map(|a| (-4..=4).flat_map(move |b| (-4..=4).map(move |c| [a, b, c])));
@@ -50,7 +50,7 @@ fn scaled(quantities: &[Quantity], values: &[f64], by: [i32; 2]) -> Vec<f64> {
     quantities.iter().zip(values).map(|(quantity, x)| x * factor(quantity, by)).collect()
 }
 
-/// Twenty steps of Kutta's method from the nominal configuration, and what each of them reports.
+/// Twenty steps of Kutta's method from the nominal configuration, and the report of each.
 fn moved<S: Scalar>(program: &Program, by: [i32; 2]) -> (Vec<f64>, Vec<Report<S>>) {
     let defaults: Vec<f64> = program.parameters.iter().map(|p| p.value).collect();
     let speeds: Vec<f64> = (0..program.u.len()).map(|i| 0.3 - 0.07 * i as f64).collect();
@@ -104,7 +104,7 @@ fn mechanisms_of_any_size_move_alike_to_the_bit() {
     }
 }
 
-/// All but for the correction of coordinates, which is the shortest in rad and m together.
+/// Equal only to rounding, because the correction of coordinates minimises a norm that mixes rad and m.
 #[test]
 fn mechanisms_with_dead_points_of_any_size_move_alike() {
     let text = crate::dead_points::slider_crank();

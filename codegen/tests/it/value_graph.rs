@@ -9,7 +9,7 @@ use smartbed_codegen::value::{States, shorten};
 /// Symbols of a random program.
 const SYMBOLS: usize = 4;
 
-/// What a random program does with two earlier values.
+/// Operation of a random program on two earlier values.
 #[derive(Clone, Copy, Debug)]
 enum Step {
     Add,

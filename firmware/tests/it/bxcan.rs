@@ -1,5 +1,5 @@
-//! A model of bxCAN's registers, written from the manual (RM0090, 32.7 and 32.9): it panics where the driver may not
-//! write, and does on the bus what the registers say.
+//! A model of bxCAN's registers, written from the manual (RM0090, 32.7 and 32.9): it panics at a write that the manual
+//! forbids, and acts on the bus as its registers are set.
 
 use crate::can_bus::OnBus;
 use embedded_can::Frame;
@@ -40,7 +40,7 @@ pub struct Model {
     banks: [[u32; 2]; 14],
 }
 
-/// A handle of it.
+/// A handle of the model.
 #[derive(Clone)]
 pub struct Chip(pub Rc<RefCell<Model>>);
 

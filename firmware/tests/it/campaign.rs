@@ -260,8 +260,8 @@ const HEAD: &str = "\
 Written by `SMARTBED_RUNS=n SMARTBED_TABLE=docs/campaign.md cargo test -p smartbed-firmware --test it -- campaign`; the test makes
 500 of these runs by default. A patient of 25 kg lies on the tile, which is homed, at 4 kPa. Each fault strikes at rest and while the tile tilts, rises, sinks and inflates, at varying
 moments and on varying legs. A run ends 4 s after the fault, or 1 s after its detection if that is later; without detection it goes on for 30 s. A fault that has not shown by then (a broken drive while ENABLE is off, a sensor
-stuck at the right value while nothing moves) is exposed by use (column "in use"): the tile is tilted, inflated, tilted back and vented, for 24 s more. A fault that this does not find either must be
-found by the tests of a new start (column "at a start"). The test fails if a fault is never found, except for: an obstacle that is not in the way, a corrupt bus while
+stuck at the right value while nothing moves) is exposed by use (column *in use*): the tile is tilted, inflated, tilted back and vented, for 24 s more. A fault that this does not find either must be
+found by the tests of a new start (column *at a start*). The test fails if a fault is never found, except for: an obstacle that is not in the way, a corrupt bus while
 nothing moves, commands that contain NaN (refused, answered, logged), and a power cut, which breaks nothing; all of these must do no harm. Limits of every run, with or without
 detection, from the first tick to the last: 1 mm, 1 degree, 12 kPa, 150 N.
 

@@ -52,7 +52,7 @@ struct Bed<'a> {
     hub: Hub<'a, Pin>,
     /// The hub's controller.
     pin: Pin,
-    /// Bodies that wait for each tile, and what each has said.
+    /// Bodies waiting for each tile, and the reports of each.
     out: Vec<VecDeque<Body>>,
     reports: Vec<Vec<Report>>,
     carrier: Carrier,
@@ -104,7 +104,7 @@ impl<'a> Bed<'a> {
         (0..ticks).for_each(|_| self.tick());
     }
 
-    /// Sends a command and waits for what becomes of it.
+    /// Sends a command and waits for its outcome.
     fn order(&mut self, place: usize, command: &Command) -> Option<Outcome> {
         let body = self.peers[place].command(command, self.now, 0)?;
         let sequence = match read(&body) {
@@ -246,7 +246,7 @@ fn a_tile_off_the_bus_leaves_the_others_alone_and_comes_back() {
     assert_eq!(bed.order(0, &Command::Enable), Some(Outcome::Done));
 }
 
-/// The supervisor's own controller off the bus: what moves holds, and all is well again when it is back.
+/// The supervisor's own controller is off the bus: moving tiles hold, and operation continues when it is back.
 #[test]
 fn a_supervisor_off_the_bus_is_silence() {
     let mut talks = talks(2);
@@ -263,7 +263,7 @@ fn a_supervisor_off_the_bus_is_silence() {
     assert_eq!(bed.order(1, &Command::Enable), Some(Outcome::Done));
 }
 
-/// Frames that nobody should send: no tile moves, and a good message gets through.
+/// Invalid frames: no tile moves, and a valid message arrives.
 #[test]
 fn noise_on_the_bus_moves_nothing() {
     let mut talks = talks(2);

@@ -13,7 +13,7 @@ const DEPTH: usize = 3;
 /// Frames that 500 kbit/s carry in a millisecond.
 pub const RATE: usize = 4;
 
-/// What a controller holds.
+/// Frames in a controller.
 #[derive(Default)]
 pub struct Chip {
     pub waiting: VecDeque<Classic>,
@@ -99,7 +99,7 @@ impl OnBus for Pin {
     }
 }
 
-/// What the bus carries.
+/// Frames on the bus.
 #[derive(Default)]
 pub struct Carrier {
     /// Every so many frames one is lost; 0: none.

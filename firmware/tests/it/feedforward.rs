@@ -1,4 +1,4 @@
-//! What the derived loads are good for in the servo: legs stay nearer to where they should be.
+//! Benefit of the derived loads as feedforward in the servo: legs deviate less from their trajectory.
 
 use crate::bench::{FRICTIONS, drive};
 use smartbed_firmware::link::message::Trim;
@@ -12,7 +12,7 @@ use smartbed_firmware::tile::profile::Along;
 use smartbed_firmware::tile::sense::Sense;
 use smartbed_firmware::tile::servo::Servo;
 
-/// Load of each leg (N) that the servo is told.
+/// Load of each leg (N) given to the servo.
 type Feed = fn(&[Along; 3]) -> [f32; 3];
 
 /// Ways (m): 5 degrees, 20 mm up, 20 mm down.
@@ -41,8 +41,8 @@ fn farthest(drive: Drive<f32>, way: [f32; 3], feed: Feed) -> f32 {
     farthest
 }
 
-/// The servo's integral takes most; the derived loads take two fifths of what is left, as would a third of the weight
-/// on each leg: legs are so slow that positions alone count, and the drives are so stiff that these hardly do.
+/// The servo's integral removes most of the deviation; the derived loads remove two fifths of the rest, as would a third of
+/// the weight on each leg: legs are so slow that loads depend on positions alone, and drives so stiff that they matter little.
 #[test]
 fn the_derived_loads_keep_the_legs_nearer_to_their_way() {
     let worst = |feed: Feed| {

@@ -1,4 +1,4 @@
-//! Frames that nobody should send: the node takes none for an order, and loses no good one.
+//! Invalid frames: the node takes none for a command, and loses no valid one.
 //!
 //! 100,000 by default; `SMARTBED_FRAMES` sets another number.
 
@@ -7,7 +7,7 @@ use smartbed_firmware::link::frame::{Body, encode};
 use smartbed_firmware::link::message::{Command, Outcome, Report, Target};
 use smartbed_firmware::tile::mode::Mode;
 
-/// A generator of its own: the same frames everywhere.
+/// A separate random generator, so that the frames are the same everywhere.
 struct Dice(u64);
 
 impl Dice {

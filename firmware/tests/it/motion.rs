@@ -1,4 +1,4 @@
-//! The controller on the plant: what the tile must hold.
+//! The controller on the plant: requirements on the tile.
 
 use crate::bench::{Bench, FRICTIONS, drive, target};
 use smartbed_firmware::command::Pose;
@@ -105,7 +105,7 @@ fn a_bladder_that_cannot_be_shut_is_vented() {
     assert!(highest < 12e3 && bench.tile.air.pressure() < PRESSURE + 1500.0);
 }
 
-/// Whatever is read, each tick: outputs are finite, and a tile that knows nothing moves nothing.
+/// For any readings in each tick the outputs are finite, and a tile without valid readings does not move.
 #[test]
 fn any_readings_give_finite_outputs() {
     let mut state = 1_u64;

@@ -1,4 +1,4 @@
-//! What is in a leg's way is found and left; what only shifts the load is taken for none.
+//! An obstacle in a leg's way is detected and released; a mere shift of the load is not taken for one.
 
 use crate::bench::{Bench, FRICTIONS, drive, target};
 use smartbed_firmware::plant::Defect;
@@ -62,7 +62,7 @@ fn a_steep_tilt_under_load_is_no_obstruction() {
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
-/// Steps of heave (mm), done again and again. They go up; the other way round they go down.
+/// Steps of heave (mm), repeated. Positive is up; with the opposite sign the pattern goes down.
 const PATTERNS: [&[f32]; 14] = [
     &[0.1],
     &[0.2],
@@ -81,7 +81,7 @@ const PATTERNS: [&[f32]; 14] = [
     &[1.5, -1.2],
 ];
 
-/// Who lies on it (kg), and how far off its middle (m).
+/// Patients: mass (kg), and offset from the tile's middle (m).
 const PATIENTS: [(f32, [f32; 2]); 3] = [(0.0, [0.0; 2]), (25.0, [0.02, -0.01]), (25.0, [0.04, 0.0])];
 
 /// Follows a pattern of steps (mm) from this heave (m) for so far in all (m), or until the tile no longer waits for
@@ -103,7 +103,7 @@ fn follow(bench: &mut Bench, from: f32, pattern: &[f32], sign: f32, way: f32) ->
     hardest
 }
 
-/// What is tried: friction, patient, pattern, up or down.
+/// One trial: friction, patient, pattern, up or down.
 type Trial = (Option<bool>, (f32, [f32; 2]), &'static [f32], f32);
 
 /// All of them.
@@ -113,8 +113,8 @@ fn trials() -> impl Iterator<Item = Trial> {
     kinds.flat_map(move |(f, p)| patterns.clone().map(move |(pattern, sign)| (f, p, pattern, sign)))
 }
 
-/// Many short ways, back and forth too, lean on an obstacle no harder than a long one, wherever it is; the leg then
-/// leaves it.
+/// Many short motions, also back and forth, press on an obstacle no harder than a long one, wherever it is; the leg then
+/// retreats.
 #[test]
 fn short_ways_lean_on_an_obstacle_no_harder() {
     let places = [(0, -0.012), (1, 0.0), (2, 0.012)];
@@ -138,7 +138,7 @@ fn short_ways_lean_on_an_obstacle_no_harder() {
     assert!(wrong.is_empty(), "{}\n{}", wrong.len(), wrong.join("\n"));
 }
 
-/// Without an obstacle the same ways are taken for none, over 30 mm; back and forth over 10 mm.
+/// Without an obstacle the same motions report none, over 30 mm; back and forth over 10 mm.
 #[test]
 fn short_ways_alone_are_no_obstacle() {
     let mut wrong = Vec::new();

@@ -1,4 +1,4 @@
-//! A reset at every tick of a whole session: drives are off from the first write on, and nothing moves before a fresh permission.
+//! A reset at every tick of a whole session: drives are off from the first write on, and nothing moves before a new permission.
 
 use crate::wire::Wire;
 use smartbed_firmware::link::frame::Body;
@@ -9,14 +9,14 @@ use smartbed_firmware::tile::board::Sensors;
 use smartbed_firmware::tile::drive::DRIVE;
 use smartbed_firmware::tile::mode::Mode;
 
-/// A life after a reset goes on for so long (ticks): boot, self-test, and some of rest.
+/// Duration of a run after a reset (ticks): boot, self-test, and some time at rest.
 const LIFE: u32 = 180;
-/// Drives that are let go stop within this time (ticks) and way (m), speeds being what they are.
+/// Drives that are switched off stop within this time (ticks) and distance (m) at the speeds that occur.
 const STOPPED: (u32, f32) = (20, 2e-5);
 /// Lives that are tried with a fresh permission too: each of so many.
 const FRESH: u32 = 997;
 
-/// Orders of the session, and how long each goes on (ticks): a calibration, homing, a motion, the bladder, a fault, resuscitation.
+/// Commands of the session, and the time for each (ticks): a calibration, homing, a motion, the bladder, a fault, resuscitation.
 const SESSION: [(Command, u32); 9] = [
     (Command::Calibrate(Trim { height: [1e-4, -1e-4, 0.0], pressure: 20.0 }), 300),
     (Command::Enable, 50),
@@ -54,7 +54,7 @@ fn live(before: &Wire, old: &[Body], tick: u32) {
     }
 }
 
-/// The same life with a supervisor, who allows motion anew: then, and then only, it moves.
+/// The same run with a supervisor that allows motion again: only then the tile moves.
 fn live_on(before: &Wire, tick: u32) {
     let mut wire = before.clone();
     let store = wire.node.store_mut().clone();

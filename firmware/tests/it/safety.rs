@@ -1,12 +1,12 @@
-//! `docs/safety.md` names what is there: files, functions, tests, and the crates of `Cargo.lock`.
+//! `docs/safety.md` names only existing files, functions, tests, and the crates of `Cargo.lock`.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// Behaviours of the bed, rules of the firmware, and its check of itself.
+/// Behaviours of the bed, rules of the firmware, and the check of its own program.
 const ROWS: usize = 20 + 16 + 1;
-/// What tests and generator need and no image links.
+/// Crates that only tests and the generator need; no image links them.
 const NOT_LINKED: [&str; 5] = ["cobs 0.5.1", "crc", "proptest", "smartbed-codegen", "smartbed-runtime"];
 
 fn root() -> PathBuf {
@@ -25,7 +25,7 @@ fn rows(document: &str, heading: &str) -> Vec<Vec<String>> {
     lines.map(|line| line.trim_matches('|').split('|').map(|cell| cell.trim().to_owned()).collect()).collect()
 }
 
-/// What is wrong with a cell "`file` `name`"; `before` stands before the name where it is written.
+/// The error in a cell "`file` `name`"; `before` lists the texts that may precede the name in its file.
 fn fault(cell: &str, before: &[&str]) -> Option<String> {
     let quoted: Vec<&str> = cell.split('`').skip(1).step_by(2).collect();
     let [file, name] = quoted[..] else { return Some(format!("`{cell}`: expected a file and a name")) };
@@ -54,7 +54,7 @@ fn every_row_names_what_is_there() {
         if hazard.is_empty() || owner.is_empty() || !["HOLD", "RETREAT", "OFF"].contains(&state.as_str()) {
             wrong.push(format!("{id}: hazard, owner and a safe state are expected"));
         }
-        // What is not ours has a reason in place of code.
+        // Behaviours out of scope have a reason in place of code.
         if owner.starts_with("out of scope: ") && code.is_empty() && test.is_empty() {
             continue;
         }
@@ -65,7 +65,7 @@ fn every_row_names_what_is_there() {
     assert!(wrong.is_empty(), "docs/safety.md:\n{}", wrong.join("\n"));
 }
 
-/// As [`rows`], by how the heading begins.
+/// As [`rows`], for a heading given by its beginning.
 fn rows_of(document: &str, beginning: &str) -> Vec<Vec<String>> {
     let heading = document.lines().find_map(|l| l.strip_prefix("| ").filter(|l| l.starts_with(beginning)));
     rows(document, heading.expect("a table").trim_end_matches(" |"))

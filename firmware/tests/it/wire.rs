@@ -1,4 +1,4 @@
-//! A supervisor, a serial line, a node and its tile, a millisecond at a time.
+//! A supervisor, a serial line, a node and its tile, simulated millisecond by millisecond.
 
 use smartbed_firmware::link::bus::{Arrival, Bus};
 use smartbed_firmware::link::frame::{Body, Decoder, encode};
@@ -110,7 +110,7 @@ impl Wire {
         self.send(&body);
     }
 
-    /// The power is cut and comes back: what was stored is there, no more.
+    /// The power is cut and comes back: only stored data remain.
     pub fn restart(&mut self) {
         self.node = Node::new(5, provided(KEY), 1);
     }
@@ -144,7 +144,7 @@ impl Wire {
         (0..ticks).for_each(|_| self.tick());
     }
 
-    /// Sends a command and waits for what becomes of it.
+    /// Sends a command and waits for its outcome.
     pub fn order(&mut self, command: &Command) -> Option<Outcome> {
         self.order_later(command, 0)
     }

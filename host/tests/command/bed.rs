@@ -1,4 +1,4 @@
-//! `bed` and `sweep`: plans run and refused, pages from which no text can run, sweeps whose bytes depend on nothing.
+//! `bed` and `sweep`: plans run and refused, pages in which no text runs as script, sweeps with reproducible bytes.
 
 use crate::schema::holds;
 use crate::support::{command, file, smartbed, timed, written};

@@ -76,7 +76,7 @@ fn every_key_of_a_plan_is_in_the_manual() {
     assert_eq!(told(), all);
 }
 
-/// What is said of a plan of one tile with these lines.
+/// Output for a plan of one tile with these lines.
 fn refusal(text: &str) -> String {
     let text = format!("format = 1\n{text}");
     match parse("plan.toml", &text, &[]) {

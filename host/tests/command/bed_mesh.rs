@@ -1,4 +1,4 @@
-//! Meshes as loads of a plan: the same solid in every format, what is refused, broken files without a panic.
+//! Meshes as loads of a plan: the same solid in every format, refused meshes, corrupted files without a panic.
 
 use crate::support::{file, smartbed};
 use smartbed::plan::parse;
@@ -100,7 +100,7 @@ fn plan(name: &str) -> String {
     )
 }
 
-/// What is said of such a file.
+/// Output for such a file.
 fn said(name: &str, bytes: &[u8]) -> String {
     let path = written(name, bytes);
     let said = parse("plan.toml", &plan(&path), &[]).expect_err(name).to_string();

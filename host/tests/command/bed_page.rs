@@ -1,5 +1,5 @@
-//! Pages of the bed in a browser: frames arrive, maps are framed by their tiles, words say what happened; their size; the page
-//! that compares a sweep.
+//! Pages of the bed in a browser: frames are drawn, maps are framed by their tiles, a text describes the run; size of
+//! pages; the page that compares a sweep.
 
 use crate::browser::open;
 use crate::support::{file, smartbed, written};

@@ -1,4 +1,4 @@
-//! Orders of plans and policies through the controller's and the supervisor's own code.
+//! Commands of plans and policies pass through the code of controller and supervisor.
 
 use smartbed::plan::supervised::Controller;
 use smartbed::plan::{Read, checked, parse};
@@ -22,7 +22,7 @@ fn told(tiles: &[usize], over: f64) -> Move {
     Move { at: 10.0, over, tiles: tiles.to_vec(), pressure: None, heave: None, slope: None }
 }
 
-/// What the controller says of moves in a whole bed.
+/// The controller's answer to moves in a whole bed.
 fn say(moves: &[Move]) -> Result<(), String> {
     let read = plan(7, 4, "[run]\nseconds = 600\n").expect("a plan");
     Controller.check(&read.plan.with(moves), 0.0).map_err(|refusal| refusal.to_string())
@@ -110,7 +110,7 @@ impl Policy for Once {
     }
 }
 
-/// A run under a policy that tells one move.
+/// A run under a policy that commands one move.
 fn under(plan: &Plan, told: Move) -> Result<History, RunError> {
     let bounds = Bounds { most_low: 28, support: 0.0, ..Bounds::default() };
     run(plan, &mut Once(Some(told)), &bounds, Some(&Controller), None, |_| true)

@@ -1,7 +1,7 @@
 //! A page in a real browser without a window: its document after its scripts ran, and its picture.
 //!
 //! A page tests itself: asked for with a fragment (`page.html#self-test`) it clicks and zooms and writes
-//! what came of it into an element, which [`open`] returns with the rest. No driver, no network.
+//! the results into an element, which [`open`] returns with the rest. No driver, no network.
 //! The browser is found, or installed by the machine's package manager; where neither is possible, tests
 //! that need it fail.
 
@@ -15,7 +15,7 @@ use std::time::{Duration, Instant};
 
 /// Names under which distributions install the browser.
 const NAMES: [&str; 3] = ["chromium", "chromium-browser", "google-chrome"];
-/// No page of ours takes a tenth of it, but a machine may be busy.
+/// Time limit; our pages take less than a tenth of it, but a machine may be busy.
 const TIME_LIMIT: Duration = Duration::from_secs(600);
 /// Time that the page's scripts and timers see pass before the document is read (ms).
 const VIRTUAL_TIME: &str = "--virtual-time-budget=8000";
@@ -30,7 +30,7 @@ pub struct Dom {
 }
 
 impl Dom {
-    /// What stands in the element of this id, which must hold text alone.
+    /// Content of the element with this id, which must contain only text.
     pub fn text(&self, id: &str) -> &str {
         let at = self.html.find(&format!("id=\"{id}\"")).unwrap_or_else(|| panic!("no element `{id}`"));
         let rest = &self.html[at..];

@@ -268,7 +268,7 @@ fn a_derived_crate_compiles_on_its_own() {
     }
 }
 
-/// Its own equations give the energy; what it steps is a closed loop under projection.
+/// A program that steps a closed loop with projection; the energy comes from the derived equations.
 const STEPPED: &str = "
 use fourbar::mechanism::Mechanism;
 use fourbar::ode::{Driven, Ode, State, rk4, runge_kutta};

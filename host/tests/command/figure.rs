@@ -1,5 +1,4 @@
-//! `smartbed figure`: every figure of the thesis is listed, in the documentation as in the command; those that can be
-//! made are.
+//! `smartbed figure`: documentation and command list the same figures of the thesis, and the command makes them.
 
 use crate::support::{file, smartbed};
 

@@ -1,4 +1,4 @@
-//! Files and streams: nothing of anybody else's is overwritten, nothing is lost without a word, nothing is endless.
+//! Files and streams: foreign files are not overwritten, no output is lost without a message, no input is read endlessly.
 
 use crate::support::{command, file, finish, smartbed, written};
 use std::fs;

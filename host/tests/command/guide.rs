@@ -1,8 +1,8 @@
-//! docs/guide: every command in it is run, in order, in a folder of the page's own; links lead somewhere.
+//! docs/guide: every command in it is run, in order, in a separate folder for each page; links have existing targets.
 //!
 //! A block fenced as `sh` must succeed, one fenced as `sh fails "words"` must fail with these words on standard
 //! error, one fenced as `sh says "words"` must say them; a block with `file=NAME` is written first. `new`,
-//! `completions` and `man` stand here, too.
+//! `completions` and `man` are tested here, too.
 
 use crate::support::{Done, command, file, finish, smartbed, written};
 use smartbed::engine::explain;
@@ -32,7 +32,7 @@ fn pages() -> Vec<(String, String)> {
     pages
 }
 
-/// Fenced blocks: what stands behind the fence, and the lines.
+/// Fenced blocks: the text after the fence, and the lines.
 fn blocks(text: &str) -> Vec<(String, String)> {
     let mut blocks: Vec<(String, String)> = Vec::new();
     let mut inside = false;
@@ -130,7 +130,7 @@ pub fn messages(from: &str, to: Option<&str>) -> Vec<String> {
     rows.filter(|row| row != "message").collect()
 }
 
-/// Does a message read like the pattern, where `...` stands for anything?
+/// Whether a message matches the pattern, in which `...` matches any text.
 fn reads_like(message: &str, pattern: &str) -> bool {
     let mut parts = pattern.split("...");
     let first = parts.next().unwrap_or_default();
@@ -158,8 +158,8 @@ pub fn same(messages: &[String], rows: &[String]) {
     }
 }
 
-/// What a model says that passes dead points and is asked about independent speeds: the rejected one, with a mass that
-/// turns there.
+/// Message of a model that passes dead points, for an answer that needs independent speeds: the rejected model with a mass
+/// that can turn at the dead point.
 fn asked_of_redundant_speeds() -> String {
     let rejected = guide().join("../../models/rejected/dead_point.toml");
     let turned =
@@ -169,7 +169,7 @@ fn asked_of_redundant_speeds() -> String {
     error_of(&["derive", &model, "--answers", "mass_matrix", "-o", "-"])
 }
 
-/// What a command that fails says first.
+/// First line of a failing command's message.
 pub fn error_of(arguments: &[&str]) -> String {
     let done = smartbed(arguments);
     let first = done.message().lines().next().and_then(|line| line.strip_prefix("error: "));

@@ -1,4 +1,4 @@
-//! Runs that went wrong end with a word about it; `--strict` makes it a failure. Calibrations end in time.
+//! Runs that went wrong end with a warning, which `--strict` turns into a failure. Calibrations end in time.
 
 use crate::support::{command, smartbed, timed, written};
 

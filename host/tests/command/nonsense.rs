@@ -1,4 +1,4 @@
-//! Arguments and states files that nobody meant: always status 0, 1 or 2 and a message, never a panic.
+//! Random arguments and states files: always status 0, 1 or 2 and a message, never a panic.
 
 use crate::support::{Done, command, timed, written};
 

@@ -22,7 +22,7 @@ fn find(name: &str) -> Result<PathBuf, String> {
     if path.is_file() { Ok(path) } else { Err(format!("no model `{name}`")) }
 }
 
-/// What is said of a scene with these lines: when it is read, assembled or run.
+/// Message for a scene with these lines, when it is read, assembled or run.
 fn refusal(lines: &str) -> String {
     let text = format!("format = 2\n{lines}");
     let assembly = match parse("scene.toml", &text, &[], &find) {
@@ -41,7 +41,7 @@ fn refusal(lines: &str) -> String {
     }
 }
 
-/// A ball above the ground, and what is between them.
+/// A ball above the ground, with the contact between them.
 fn pair(contact: &str) -> String {
     format!("{GROUND}{BALL}{HIGH}[[contacts]]\nbetween = [\"ball\", \"ground\"]\n{contact}")
 }

@@ -1,4 +1,4 @@
-//! docs/scenes.md against the program: every key with those who read it, every default, the table law x method, the
+//! docs/scenes.md against the program: every key with its readers, every default, the table law x method, the
 //! examples.
 
 use crate::guide::run_page;

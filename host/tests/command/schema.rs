@@ -1,6 +1,6 @@
-//! docs/json.schema.json: what the commands print with `--json` is what it says, no key more or less.
+//! docs/json.schema.json: the output of commands with `--json` has exactly the keys that it describes.
 //!
-//! The check knows those words of JSON Schema (2020-12) that the file uses, and stops at any other.
+//! The check implements the keywords of JSON Schema (2020-12) that the file uses, and fails at any other.
 
 use crate::support::{file, smartbed, written};
 use serde_json::Value;
@@ -19,7 +19,7 @@ fn schema() -> Value {
     serde_json::from_str(&std::fs::read_to_string(path).expect("the schema")).expect("JSON")
 }
 
-/// Fails where a value is not what the schema's definition of that name says.
+/// Fails if a value does not match the schema's definition of that name.
 pub fn holds(name: &str, value: &Value) {
     let schema = schema();
     let mut faults = Vec::new();

@@ -95,7 +95,7 @@ fn settings_with_what_nothing_reads() {
     assert!(huge.contains("a body has 100000 at most"), "{huge}");
 }
 
-/// The other side of the same rule: what is set is what is read.
+/// A setting replaces a choice of the text, and the keys that belonged only to the replaced choice are dropped.
 #[test]
 fn a_setting_replaces_the_choice_and_what_belonged_to_it() {
     let text = "shape = \"chain\"\nlaw = \"newton\"\ne = 0.5\nmethod = \"verlet\"\nseconds = 2\n";

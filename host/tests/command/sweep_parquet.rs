@@ -1,4 +1,4 @@
-//! The Parquet file of a sweep, read back: columns and values of the CSV, and what they were made from.
+//! The Parquet file of a sweep, read back: columns and values of the CSV, and their provenance.
 
 use crate::support::{file, smartbed};
 use parquet::file::reader::{FileReader, SerializedFileReader};

@@ -1,6 +1,6 @@
 //! `smartbed tile`: the controller in the emulator and on this machine.
 //!
-//! These tests fail, and never skip, where toolchain or emulator are missing; the message names the command that
+//! If toolchain or emulator are missing these tests fail, they are not skipped; the message names the command that
 //! installs them.
 
 use crate::support::smartbed;
@@ -86,9 +86,8 @@ fn a_hard_fault_turns_the_drives_off_first() {
     let _ = fs::remove_file(&log);
 }
 
-/// A byte of the image that has changed while there was no power is found before the first tick, and told: here in the
-/// handler of hard faults, which nothing but a fault executes, and in the vector of the last interrupt, which nobody
-/// asks for.
+/// A byte of the image that changed while the power was off is found before the first tick and reported: here in the
+/// handler of hard faults, which only a fault executes, and in the vector of the last interrupt, which is unused.
 #[test]
 fn an_image_with_a_changed_byte_moves_nothing_and_says_why() {
     let program = build(Kind::Emulated(STM32F405)).unwrap_or_else(|e| panic!("{e}"));

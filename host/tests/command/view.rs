@@ -1,4 +1,4 @@
-//! `run --view` and `view`: the page is opened in a browser, played, stopped, wound, looked at; a file is followed.
+//! `run --view` and `view`: the page is opened in a browser, played, stopped, moved to other times; a file is followed.
 
 use crate::browser::{Picture, open, screenshot};
 use crate::support::{command, file, smartbed, written};
@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Child, Stdio};
 use std::time::{Duration, Instant};
 
-/// What a user does, in turn; what came of it goes into an element of its own.
+/// A user's actions, one after the other; the results go into a separate element.
 const VISIT: &str = r##"<p id="visit"></p><script>
 const said = [], say = (word, ok) => said.push(word + "=" + ok);
 const canvas = stage.renderer.domElement, picture = () => { draw(); return canvas.toDataURL(); };
@@ -44,8 +44,8 @@ setTimeout(() => {
 }, 500);
 </script></body>"##;
 
-/// What goes wrong on the page is kept; frames follow the clock that the page's timers see. The browser paints in
-/// its own time, and what is tested is what the page does with its frames.
+/// Records errors on the page, and draws frames by the clock of the page's timers: the browser paints at times of its own,
+/// but the test is about the content of frames.
 const FRAMES: &str = r#"<head><script>
 const faults = [];
 window.onerror = (message) => { faults.push(message); };
@@ -228,7 +228,7 @@ if (buttons.length > 1) buttons[1].click();
 element("look").textContent = [sum, arrows, buttons.length, buttons.length > 1 ? time - film.events[1][0] : 0].join(" ");
 </script></body>"#;
 
-/// What [`LOOK`] saw on a page.
+/// Values that [`LOOK`] reads from a page.
 fn looked(path: &Path, name: &str) -> Vec<f64> {
     let text = std::fs::read_to_string(path).expect("a page").replace("</body>", LOOK);
     let dom = open(Path::new(&written(name, &text)), "");
@@ -266,7 +266,7 @@ impl Drop for Server {
     }
 }
 
-/// The body of what a server answers.
+/// Body of a server's answer.
 fn get(address: &str, path: &str) -> String {
     let mut stream = TcpStream::connect(address).expect("the server listens");
     write!(stream, "GET {path} HTTP/1.1\r\nHost: {address}\r\n\r\n").expect("asked");

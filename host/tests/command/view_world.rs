@@ -5,7 +5,7 @@ use crate::support::{command, file, smartbed, timed, written};
 use serde_json::Value;
 use std::path::Path;
 
-/// Goes to a time and writes what the page draws there, as JSON.
+/// Goes to a time and writes as JSON what the page draws there.
 const LOOK: &str = r#"<p id="look"></p><script>
 play(false); wind(TIME);
 const list = film.touching(time).map(({ point, normal, friction, both }) => [...point, ...normal, ...friction, both ? 1 : 0]);
@@ -16,7 +16,7 @@ element("look").textContent = JSON.stringify({ list, normals: stage.normals.coun
   range: skin ? skin.range() : [], full: film.full });
 </script></body>"#;
 
-/// The page of a scene, and what [`LOOK`] saw on it.
+/// The page of a scene, and the values that [`LOOK`] reads from it.
 fn looked(scene: &str, more: &[&str], time: &str) -> (u64, Value) {
     let name = Path::new(scene).file_stem().expect("a name").to_string_lossy().into_owned();
     let path = file(&format!("world_{name}.html"));

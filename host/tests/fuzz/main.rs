@@ -1,5 +1,5 @@
-//! Random models, expressions, states files, scenes and command lines: no panic, no hang, no flood of memory, no answer
-//! that is no number.
+//! Random models, expressions, states files, scenes and command lines: no panic, no hang, no unbounded memory, no NaN
+//! in an answer.
 //!
 //! Every case ends with an answer or with a message that names a place. The cases run in a child process
 //! whose address space is limited to 1 GiB. The seed is fixed, so that case n is always the same:
@@ -60,14 +60,14 @@ enum Outcome {
     Answered,
 }
 
-/// What a case was, for messages, and what came of it.
+/// Description of a case, for messages, and its outcome.
 struct Case {
     kind: usize,
     text: String,
     outcome: Result<Outcome, String>,
 }
 
-/// What a case does.
+/// Action of a case.
 type Run = Box<dyn FnOnce() -> Result<Outcome, String>>;
 
 const KINDS: [&str; 5] = ["models", "states", "arguments", "scenes", "scene lines"];

@@ -1,4 +1,4 @@
-//! Plan texts with values exchanged, keys left out and letters broken: no panic, no hang, and every refusal has its place.
+//! Plan texts with exchanged values, missing keys and corrupted letters: no panic, no hang, and every refusal has its place.
 //!
 //! `SMARTBED_FUZZ_CASES=100000 cargo test -p smartbed --test fuzz -- plans`; the seed is fixed, case n is always the same.
 
@@ -10,7 +10,7 @@ use std::path::Path;
 
 /// Cases if the environment does not say.
 const CASES: u64 = 3000;
-/// What is put in the place of values.
+/// Replacements for values.
 const VALUES: [&str; 24] = [
     "0",
     "1",
@@ -37,7 +37,7 @@ const VALUES: [&str; 24] = [
     "{}",
     "1979-05-27",
 ];
-/// What is added.
+/// Lines that are added.
 const KEYS: [&str; 24] = [
     "rows",
     "columns",

@@ -1,4 +1,4 @@
-//! Scene texts of format 2 with values exchanged, keys left out and letters broken: no panic, and every refusal has its
+//! Scene texts of format 2 with exchanged values, missing keys and corrupted letters: no panic, and every refusal has its
 //! place.
 //!
 //! `SMARTBED_FUZZ_CASES=100000 cargo test -p smartbed --test fuzz -- worlds`; the seed is fixed, case n is always the

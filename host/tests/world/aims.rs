@@ -1,4 +1,4 @@
-//! `--error`, `--budget` and `report` of worlds: what is picked keeps what was asked for.
+//! `--error`, `--budget` and `report` of worlds: the chosen method and step meet the request.
 
 use super::support::{fails, json, number, run, smartbed};
 use std::path::Path;

@@ -1,4 +1,4 @@
-//! Flexible parts on what carries them, without contacts.
+//! Flexible parts on their carriers, without contacts.
 
 use super::rigid::G;
 use super::support::{fails, json, number, rows, settled};

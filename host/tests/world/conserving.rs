@@ -1,4 +1,4 @@
-//! `energy_momentum` in worlds: what no account explains is rounding.
+//! `energy_momentum` in worlds: the imbalance of the ledger is rounding.
 
 use super::support::{self, fails, json, number};
 

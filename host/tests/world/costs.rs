@@ -1,4 +1,4 @@
-//! What a step costs: in proportion to the parts that move and what touches.
+//! The cost of a step is proportional to the number of moving parts and contacts.
 
 use super::support::parse;
 use smartbed::world::run::engine;
@@ -33,7 +33,7 @@ fn sheet(side: usize) -> String {
     )
 }
 
-/// Time that this thread has had of a processor, where the system tells; else time that has passed.
+/// Processor time of this thread, if the system reports it; otherwise elapsed time.
 fn spent(since: Instant) -> Duration {
     let told = std::fs::read_to_string("/proc/thread-self/schedstat").ok();
     let nanoseconds = told.and_then(|text| text.split_whitespace().next()?.parse().ok());

@@ -1,4 +1,4 @@
-//! Parts that are apart step by themselves; parts that are slow stand still, if the scene says so.
+//! Separate parts are stepped separately; slow parts stand still, if the scene says so.
 
 use super::support::{json, number, parse, rows, scene, settled};
 use smartbed::world::run::engine;
@@ -73,7 +73,7 @@ fn step(text: &str) -> f64 {
     times.fold(f64::INFINITY, f64::min)
 }
 
-/// Steps cost what moves: of 28 tiles one rises, then four, then all; the others have come to rest.
+/// Steps cost in proportion to moving parts: of 28 tiles one rises, then four, then all; the others are at rest.
 #[test]
 fn a_step_costs_what_moves_of_28_tiles() {
     let run = |sleep: &str| format!("[run]\nseconds = 1\nstep = 1e-3\n{sleep}\n");
@@ -122,7 +122,7 @@ fn what_sleeps_wakes_when_something_comes_near() {
     }
 }
 
-/// A run that is cut where one part sleeps goes on as the run that was not.
+/// A run stopped while one part sleeps and then resumed equals the uninterrupted run.
 #[test]
 fn what_sleeps_goes_on_sleeping_when_a_run_is_resumed() {
     let text = format!(

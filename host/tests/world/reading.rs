@@ -1,4 +1,4 @@
-//! What is wrong in a scene of format 2 is said with its place.
+//! Errors in a scene of format 2 are reported with their place.
 
 use super::support::{fails, parse, scene};
 
@@ -7,7 +7,7 @@ const TILE: &str = "format = 2\n[parts.tile]\nmechanism = \"tile\"\n";
 const SHEET: &str = "[parts.bladder]\nshape = \"sheet\"\nrows = 3\ncolumns = 3\nbase = \"40_mm\"\n";
 const BALL: &str = "[parts.ball]\nrigid = \"sphere\"\nradius = 0.1\nmass = 1\n";
 
-/// A text with what is said of it, and the line.
+/// A text with its message and the line.
 fn refused(text: &str, words: &str, line: usize) {
     let found = parse(text).map(|_| ()).expect_err(text);
     assert!(found.contains(words), "{words}\n{found}");

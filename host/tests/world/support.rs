@@ -17,7 +17,7 @@ pub fn run(arguments: &[&str]) -> String {
     String::from_utf8(output.stdout).expect("text")
 }
 
-/// What a run says that is refused.
+/// Message of a refused run.
 pub fn fails(arguments: &[&str]) -> String {
     let output = smartbed(arguments);
     assert_eq!(output.status.code(), Some(1), "{arguments:?}");
@@ -42,24 +42,24 @@ pub fn scene(name: &str, text: &str) -> String {
     file.display().to_string()
 }
 
-/// What `run --json` says of a scene.
+/// Output of `run --json` for a scene.
 pub fn json(arguments: &[&str]) -> serde_json::Value {
     let output = run(&[&["run"], arguments, &["--json"]].concat());
     serde_json::from_str(&output).expect("JSON")
 }
 
-/// What `settle --json` says of a scene.
+/// Output of `settle --json` for a scene.
 pub fn settled(arguments: &[&str]) -> serde_json::Value {
     let output = run(&[&["settle"], arguments, &["--json"]].concat());
     serde_json::from_str(&output).expect("JSON")
 }
 
-/// A number of it.
+/// A number in this output.
 pub fn number(value: &serde_json::Value) -> f64 {
     value.as_f64().expect("a number")
 }
 
-/// Times of its events.
+/// Times of the events in this output.
 pub fn times(json: &serde_json::Value) -> Vec<f64> {
     json["events"].as_array().expect("events").iter().map(|event| number(&event["time"])).collect()
 }

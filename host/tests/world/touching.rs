@@ -1,4 +1,4 @@
-//! Flexible parts and mechanisms in touch.
+//! Flexible parts and mechanisms in contact.
 
 use super::rigid::G;
 use super::support::{json, number, rows, run, scene, settled, smartbed};
@@ -173,7 +173,7 @@ fn the_bed_carries_a_ball() {
     assert!(given > 1.0 && missed.abs() < 1e-3 * given, "{missed} of {given}");
 }
 
-/// What falls into a valley of two facets at a right angle.
+/// Scene of a part that falls into a valley of two facets at a right angle.
 const IN_VALLEY: [&str; 2] = [
     "points = [[0, 0, 0], [0, 0.4, 0]]\nsprings = [[0, 1]]\nK = 1000\nC = 1\nmass = 1\n",
     "rigid = \"box\"\nsize = [0.2, 0.4, 0.2]\nmass = 2\n",

@@ -1,4 +1,4 @@
-//! Bladders of a world, whose forces are computed row by row, against the same as lists of springs and facets.
+//! Bladders of a world with forces computed row by row, against the same bladders as lists of springs and facets.
 
 use crate::support::parse;
 use smartbed::scene::grid::Woven;

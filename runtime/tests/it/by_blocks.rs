@@ -1,4 +1,4 @@
-//! Steps whose sums run over blocks of nodes against the same sums node by node, as the method's equations are written.
+//! Steps that sum over blocks of nodes against the same method computed node by node.
 
 use smartbed_runtime::contact::frozen::Frozen;
 use smartbed_runtime::contact::{ContactLaw, ContactState, Ground, System};
@@ -50,7 +50,7 @@ fn a_runge_kutta_step_by_blocks_has_the_bits_of_its_equations() {
     NODES.into_iter().for_each(check);
 }
 
-/// A chain with dampers, two fixed nodes and a stretch held on the ground, its masses listed or divided anew.
+/// A chain with dampers, two fixed nodes and a part held on the ground; inverse masses given or computed by division.
 fn check(n: usize) {
     let place = |i: usize| [0.1 * i as f64, (0.3 * i as f64).sin(), (0.2 * i as f64).cos()];
     let mass: Vec<f64> = (0..n).map(|i| 0.5 + 0.01 * (i % 7) as f64).collect();

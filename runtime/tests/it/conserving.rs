@@ -1,4 +1,4 @@
-//! Worlds stepped with mean forces: energy, momentum and angular momentum stay to rounding, whatever is in them; order 2.
+//! Worlds stepped with mean forces: energy and both momenta are conserved to rounding for every kind of part; order 2.
 
 use crate::scenery::{Law, Part, Scene};
 use smartbed_runtime::gas::{Chamber, Gas, GasState};

@@ -27,7 +27,7 @@ fn a_damper_between_two_masses_follows_its_closed_form() {
     assert!(coarse < 2e-5 && (coarse / fine - 4.0).abs() < 0.1, "{coarse:e}, {fine:e}");
 }
 
-/// K = 100 N/m against C = 1e5 N s/m: x creeps as e^(-K t/C), at steps 1000 times beyond what explicit methods bear.
+/// K = 100 N/m against C = 1e5 N s/m: x decays as e^(-K t/C), at steps 1000 times the limit of explicit methods.
 #[test]
 fn a_stiff_damper_creeps_at_steps_beyond_explicit_ones() {
     let (k, c, h) = (100.0, 1e5, 0.02);
@@ -42,7 +42,7 @@ fn a_stiff_damper_creeps_at_steps_beyond_explicit_ones() {
     assert!(trial.try_run(Method::Rk4, h, 1.0).is_err());
 }
 
-/// Five masses in space, each joined to each by a spring and a damper of its own strength.
+/// Five masses in space, every pair joined by a spring and a damper of different strength.
 fn floating(random: &mut Random, stiffness: f64, damping: f64) -> Trial {
     let mut trial = Trial::point([0.0; 3], [0.0; 3]);
     trial.pos = (0..5).map(|_| random.vector(1.0)).collect();
@@ -58,7 +58,7 @@ fn floating(random: &mut Random, stiffness: f64, damping: f64) -> Trial {
     trial
 }
 
-/// Linear and angular momentum, each with the sum of the sizes of its terms.
+/// Linear and angular momentum, each with the sum of the magnitudes of its terms.
 fn momenta(mass: &[f64], row: &Row) -> ([f64; 6], [f64; 2]) {
     let (mut sums, mut sizes) = ([0.0; 6], [0.0; 2]);
     for ((mass, [x, y, z]), [u, v, w]) in mass.iter().zip(&row.pos).zip(&row.vel) {
@@ -91,7 +91,7 @@ fn momenta_are_kept_wherever_the_iteration_stops() {
     }
 }
 
-/// Dampers alone, from hardly any to a thousand times what an explicit step bears.
+/// Dampers alone, from very weak ones to a thousand times the limit of an explicit step.
 #[test]
 fn dampers_alone_never_give_energy() {
     let mut random = Random::new(6);

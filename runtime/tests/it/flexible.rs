@@ -33,7 +33,7 @@ pub(crate) struct Trial {
     friction: f64,
 }
 
-/// What a step left: time, places, speeds, accounts, their imbalance over the energy at the start.
+/// Results of a step: time, positions, speeds, accounts, and their imbalance relative to the initial energy.
 pub(crate) struct Row {
     pub t: f64,
     pub pos: Vec<[f64; 3]>,
@@ -153,7 +153,7 @@ fn close(found: f64, wanted: f64, within: f64, about: &str) {
     assert!((found - wanted).abs() <= within, "{about}: {found:e} is not {wanted:e}");
 }
 
-/// Random slips and impulses: at most mu J is taken, against the slip, which never turns round; what the speed loses is told.
+/// Random slips and impulses: friction is at most mu J, opposes the slip and never reverses it; it reports the energy lost.
 #[test]
 fn friction_stops_slip_and_never_turns_it() {
     let mut random = Random::new(7);
@@ -291,7 +291,7 @@ fn block(mu: f64, a: f64, t: f64) -> f64 {
     start
 }
 
-/// It turns round, sticks and stays, on rigid ground and on ground that gives way; friction takes what the spring gave.
+/// The block reverses, sticks and stays, on rigid and on compliant ground; friction takes the energy that the spring gave.
 #[test]
 fn a_block_on_a_spring_turns_and_sticks() {
     let weight = 0.5 * G;
@@ -410,7 +410,7 @@ fn a_point_and_a_facet_rebound_by_their_masses() {
     close(momentum, mass.iter().sum::<f64>() * along - mass[0] * v, 1e-14, "momentum");
 }
 
-/// Moreau's law on a point of 0.7 kg that bounces and slides: what it takes is what the energy loses, step by step.
+/// Moreau's law on a point of 0.7 kg that bounces and slides: in each step its account equals the loss of energy.
 #[test]
 fn moreaus_accounts_of_a_thrown_point_close() {
     let mut trial = Trial::point([0.0, 0.0, 0.3], [1.5, 0.4, 0.0]);
@@ -431,8 +431,8 @@ fn moreaus_accounts_of_a_thrown_point_close() {
     close(impact, 0.7 * G * 0.3, 5e-3 * start, "impacts");
 }
 
-/// Moreau's friction on a point that a spring draws to and fro: never more than mu of the push, never work that is put in,
-/// also in steps in which the slip turns round.
+/// Moreau's friction on a point that a spring pulls to and fro: at most mu times the normal impulse, and it never adds
+/// energy, also in steps in which the slip reverses.
 #[test]
 fn moreaus_friction_takes_energy_alone() {
     let (mu, k, h) = (0.2, 20.0, 0.01);

@@ -1,4 +1,4 @@
-//! Impacts of flexible bodies at several points at once: laws of conservation at random, the thesis' formula, one touch.
+//! Impacts of flexible bodies at several points at once: conservation laws on random bodies, the thesis' formula for one point.
 
 use crate::random::Random;
 use smartbed_runtime::contact::pair;

@@ -1,4 +1,4 @@
-//! Methods that choose their steps: error against tolerance, work, rounding; numbers that are none.
+//! Adaptive methods: error against tolerance, work, rounding, NaN.
 
 use crate::flexible::{Trial, spring};
 use smartbed_runtime::contact::compensation::PointImpact;
@@ -8,7 +8,7 @@ use smartbed_runtime::ode::nodes::method::{Dop853, DormandPrince};
 use smartbed_runtime::ode::nodes::{MOTION_ROWS, Method, Motion, NodeFault, Step, Workspace, workspace_len};
 use smartbed_runtime::scene::{State, step};
 
-/// Methods that choose their steps, on a spring: the error keeps to the tolerance, the work to what their orders need.
+/// Adaptive methods on a spring: the error stays within the tolerance, the work within that of their order.
 #[test]
 fn adaptive_methods_are_worth_their_work() {
     let mut trial = Trial::point([1.3, 0.0, 0.0], [0.0; 3]).anchored([0.0; 3]);
@@ -32,7 +32,7 @@ fn adaptive_methods_are_worth_their_work() {
     }
 }
 
-/// A tolerance finer than the scalar's rounding is met as well as rounding lets it be, not by ever shorter steps.
+/// A tolerance finer than the scalar's rounding is met as far as rounding allows, without ever shorter steps.
 #[test]
 fn a_tolerance_below_rounding_shortens_no_step() {
     let springs = [Spring { tail: 0, head: 1, stiffness: 100.0_f32, damping: 0.0, rest_length: 1.0 }];
@@ -75,7 +75,7 @@ fn a_tolerance_below_rounding_shortens_no_step() {
     assert!(fine <= 3 * coarse, "{fine} evaluations for nothing, {coarse} before");
 }
 
-/// Whatever stands behind it: the size check looks at many numbers at once and must not forget the one that is none.
+/// NaN, infinity or a huge number at any node: the check examines many numbers at once and must detect a single one.
 #[test]
 fn a_node_that_left_the_numbers_is_found_anywhere() {
     for n in [1, 7, 40, 300] {

@@ -1,4 +1,4 @@
-//! Accuracy of the own functions, each bound a named constant; exactness of sqrt; NaN; lanes.
+//! Accuracy of the runtime's elementary functions, each bound a named constant; exactness of sqrt; NaN; SIMD lanes.
 
 use crate::double_double::{self, DoubleDouble};
 use proptest::prelude::*;
@@ -17,7 +17,7 @@ const SMALL: f64 = 1e-3;
 const SIN_COS_F32_ABSOLUTE: f64 = 1e-10;
 /// f64 sine and cosine, |x| <= 1e5, next to their zeros too [ulp].
 const SIN_COS_F64_ULP: f64 = 0.8;
-/// Sine and cosine of a difference, whatever it cancels [ulp]: one rounding more.
+/// Error of sine and cosine of a difference at any cancellation [ulp]: one more rounding.
 const DIFFERENCE_ULP: f64 = 1.4;
 /// Bounds of the other f32 functions [ulp], everywhere in their domain.
 const TAN_ULP: f64 = 2.6;

@@ -1,4 +1,4 @@
-//! A grid's forces against those of its lists, spring by spring and facet by facet: the same numbers, whatever is missing.
+//! Forces of a grid against those of its lists of springs and facets: equal numbers, whichever elements are missing.
 
 use proptest::prelude::*;
 use smartbed_runtime::flexible::block::Pulls;
@@ -196,7 +196,7 @@ proptest! {
         Net::check(vec![Net::<f32>::new(rows, columns, seed), Net::new(columns.min(7), rows, seed + 1)]);
     }
 
-    /// What is compiled for wider registers gives the bits of the plain loop.
+    /// Code compiled for wider registers gives results bitwise equal to the plain loop.
     #[test]
     fn wider_registers_give_the_same_bits(rows in 1_usize..6, columns in 1_usize..100, seed in 0..u64::MAX) {
         let mut net = Net::<f32>::new(rows, columns, seed);
@@ -245,7 +245,7 @@ fn a_runaway_is_found_in_a_grid() {
     assert_eq!(found, Net::forces(&mut nets, PressureForm::Exact, false));
 }
 
-/// The last block is seldom full: what the one before left in its lanes is not looked at.
+/// The last block is seldom full: values left in its lanes by the previous block are not examined.
 #[test]
 fn no_runaway_is_seen_where_there_is_none() {
     let mut net = Net::<f64>::new(5, 40, 7);

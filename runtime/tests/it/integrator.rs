@@ -272,7 +272,7 @@ fn the_error_follows_the_tolerance() {
     }
 }
 
-/// An orbit in f32: what is asked for beyond its rounding costs no steps, and what it can give is had.
+/// An orbit in f32: a tolerance below rounding costs no additional steps, and the accuracy of f32 is reached.
 #[test]
 fn a_tolerance_finer_than_rounding_costs_no_steps() {
     let steps = |tolerance: f32| {

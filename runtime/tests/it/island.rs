@@ -12,7 +12,7 @@ use smartbed_runtime::world::{
     Attachment, Carrier, Cell, Commanded, Content, Floating, Group, InverseInertia, Island, Memory, Wrench,
 };
 
-/// What a body borrows.
+/// Data that a body borrows.
 struct Lists {
     mass: Vec<f64>,
     fixed: Vec<bool>,
@@ -333,8 +333,8 @@ fn a_mass_on_a_platform_moves_as_the_single_system_does() {
 const LIFT: f64 = 0.02;
 const TURN: f64 = 11.0;
 
-/// The frame is lifted by a cosine; on it stands a mass on one upright spring. Error against the closed form, and
-/// energy less the drive's work.
+/// The frame is lifted by a cosine and carries a mass on one upright spring. Returns the error against the closed form,
+/// and the energy minus the drive's work.
 fn commanded(steps: u32) -> (f64, f64) {
     let seconds = 1.5;
     let law = |t: f64, _: usize| Frame {
@@ -532,7 +532,7 @@ fn an_attachment_must_be_a_fixed_massless_node_at_a_port_that_exists() {
     assert!(refused(|lists| lists.pos.truncate(2)));
 }
 
-/// A point whose speed is state twice: the second is to be what the first is.
+/// A point whose speed is stored twice in the state; the second must follow the first.
 struct Twice;
 
 impl Carrier<f64> for Twice {

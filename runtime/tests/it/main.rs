@@ -1,4 +1,4 @@
-//! Everything of the runtime that can be judged from outside.
+//! Tests of the runtime through its public interface.
 
 mod by_blocks;
 mod conserving;

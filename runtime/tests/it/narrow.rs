@@ -1,4 +1,4 @@
-//! Features of pairs of rigid shapes: distances against other ways to find them, rates against finite differences.
+//! Contact geometry of pairs of rigid shapes: distances against independent computations, rates against finite differences.
 
 use crate::random::Random;
 use crate::vector::{Vector, along, dot, sub, turned, unit};

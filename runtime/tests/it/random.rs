@@ -4,7 +4,7 @@
 pub struct Random(u64);
 
 impl Random {
-    /// A stream of its own for every seed.
+    /// A separate stream for every seed.
     pub fn new(seed: u64) -> Random {
         Random(seed)
     }

@@ -1,4 +1,4 @@
-//! Worlds of tests: parts, nodes and what can be touched, put together piece by piece and run step by step.
+//! Worlds for tests: parts, nodes and touchable surfaces, assembled one by one and run step by step.
 
 use crate::island::Platform;
 use smartbed_runtime::flexible::{Body, Massless, PressureForm, Spring};
@@ -22,7 +22,7 @@ pub const GRAVITY: Vec3<f64> = [0.0, 0.0, -9.81];
 
 pub type Law = fn(f64, usize) -> Frame<f64>;
 
-/// What the tests' worlds are carried by.
+/// Carriers of the tests' worlds.
 pub enum Part {
     Free(Floating<f64>),
     Driven(Commanded<Law>),
@@ -94,7 +94,7 @@ impl Carrier<f64> for Part {
     }
 }
 
-/// What a world is made of.
+/// Parts of a world.
 #[derive(Default)]
 pub struct Scene {
     pub parts: Vec<Part>,
@@ -448,7 +448,7 @@ impl Scene {
     }
 }
 
-/// Momentum and angular momentum of what floats, watched.
+/// Observes linear and angular momentum of the floating parts.
 pub struct Drift {
     rigid: Vec<f64>,
     free: Vec<f64>,

@@ -1,4 +1,4 @@
-//! Impacts at several points at once: energy, cone and momentum at random, springs in small steps, a box that gains no spin.
+//! Impacts at several points at once: energy, friction cone and momentum on random cases, springs in small steps, a flat box.
 
 use crate::random::Random;
 use crate::vector::{Vector, cross, dot};

@@ -1,4 +1,4 @@
-//! Kutta's method whose first evaluation corrects the state and hands on what the others begin with.
+//! Kutta's method whose first evaluation corrects the state and passes intermediate results to the other evaluations.
 
 use crate::systems::pendulum_period;
 use smartbed_runtime::mechanism::Fault;

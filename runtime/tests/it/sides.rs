@@ -160,7 +160,7 @@ impl Scene {
         }
     }
 
-    /// Kinetic energy of all by masses, not by what the carriers answer.
+    /// Kinetic energy of all parts from their masses, independent of the carriers' functions.
     fn energy(&self) -> f64 {
         let mut sum = 0.0;
         for port in [0, 2, 3] {
@@ -179,7 +179,7 @@ impl Scene {
         sum + nodes.map(|(m, t)| 0.5 * m * vec3::dot(t.velocity, t.velocity)).sum::<f64>()
     }
 
-    /// Linear momentum and the sum of sizes; what commanded and fixed sides took is `given`.
+    /// Linear momentum and the sum of magnitudes; `given` is the momentum that commanded and fixed sides received.
     fn momentum(&self) -> (Vec3<f64>, f64) {
         let (mut sum, mut size) = ([0.0; 3], 0.0);
         let mut count = |m: f64, v: Vec3<f64>| {

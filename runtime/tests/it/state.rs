@@ -52,7 +52,7 @@ fn roots_are_bracketed_tightly() {
     assert_eq!(locate(hole, 0.0, 1.0, 1e-9), Err(RootFault::NonFinite));
 }
 
-/// Work is what the search is for: smooth guards take few evaluations, steep and kinked ones too, a wide bracket none more.
+/// The root search needs few evaluations: for smooth, steep and kinked event functions, also from a wide bracket.
 #[test]
 fn roots_of_smooth_guards_take_few_evaluations() {
     let mean = |guard: fn(f64, f64) -> f64, width: f64| {

@@ -1,4 +1,4 @@
-//! Surfaces: nearest points against what nearest means, normals and rates against finite differences.
+//! Surfaces: nearest points against the definition of nearest, normals and rates against finite differences.
 
 use crate::random::Random;
 use crate::vector::{Vector, along, cross, dot, sub, unit};

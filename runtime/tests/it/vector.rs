@@ -1,4 +1,4 @@
-//! Vectors in space as the tests write them, apart from the runtime's own.
+//! Spatial vectors for tests, independent of the runtime's.
 
 pub type Vector = [f64; 3];
 

@@ -1,4 +1,4 @@
-//! A sheet stepped by one walk through its nodes, against the forces of its lists and against itself with short steps.
+//! A sheet stepped in one pass over its nodes, against the forces of its lists and against itself with short steps.
 
 use smartbed_runtime::flexible::walk::{Lost, Node, Sheet, Tie};
 use smartbed_runtime::flexible::{Body, Gas, Inflation, Massless, PressureForm, Spring, force};

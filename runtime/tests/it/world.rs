@@ -1,4 +1,4 @@
-//! Worlds stepped without splitting: contacts of rigid and flexible parts, at rest, sliding, rolling, in collision; accounts.
+//! Worlds without split steps: contacts of rigid and flexible parts at rest, sliding, rolling, colliding; energy accounts.
 
 use crate::island::Platform;
 use crate::scenery::{Part, Scene};

@@ -65,7 +65,7 @@ impl Parameters {
         }
     }
 
-    /// All that the three thrusts carry at rest without load (N).
+    /// Weight that the three thrusts carry at rest without load (N).
     #[must_use]
     pub fn weight(&self) -> f64 {
         (3.0 * (self.ms + self.mc) + self.m) * self.g

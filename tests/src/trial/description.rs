@@ -1,4 +1,4 @@
-//! What a drawn mechanism is: lists of everything that a model's sections hold, names being places in them.
+//! Description of a random mechanism: one list for each section of a model; an index into a list stands for a name.
 
 use super::expression::{Scalar, Value, Vector};
 
@@ -9,26 +9,26 @@ pub struct Parameter {
     pub value: f64,
     /// SI unit.
     pub unit: &'static str,
-    /// Folded by the derivation.
+    /// Whether the derivation replaces it by its value.
     pub fixed: bool,
-    /// May be changed without moving the nominal configuration off its constraints.
+    /// Whether the nominal configuration still satisfies the constraints after a change of it.
     pub shape: bool,
 }
 
 /// A coordinate.
 #[derive(Clone, Debug)]
 pub struct Coordinate {
-    /// Turns (or slides)?
+    /// Whether it is an angle (otherwise a length).
     pub angle: bool,
     /// Unit in which the text gives its numbers.
     pub unit: &'static str,
     /// Nominal value (SI).
     pub nominal: f64,
-    /// The range is this far to both sides (SI).
+    /// Half width of its range (SI).
     pub reach: f64,
     /// Independent in the constraints of configuration.
     pub independent: bool,
-    /// Given as a function of others; then no state.
+    /// Closed form in other coordinates, if any; it is then not part of the state.
     pub closed_form: Option<Scalar>,
 }
 
@@ -39,7 +39,7 @@ pub struct Speed {
     pub of: Option<usize>,
     /// The same as an expression of rates.
     pub value: Scalar,
-    /// Of an angle (or of a length)?
+    /// Whether it is the rate of an angle (otherwise of a length).
     pub angle: bool,
     /// Independent, or given by constraints.
     pub independent: bool,
@@ -93,7 +93,7 @@ pub enum Load {
     CoordinateSpring(usize, Scalar, Scalar, Option<Scalar>),
 }
 
-/// What one step of the evaluation defines.
+/// Quantity defined by one step of the evaluation.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Entity {
     /// A coordinate in closed form.
@@ -125,13 +125,13 @@ pub struct Description {
     pub scalars: Vec<Scalar>,
     /// Definitions of vectors.
     pub vectors: Vec<Vector>,
-    /// Vectors that a frame states to be fixed in it, with their components there: they follow from the rest.
+    /// Vectors declared as fixed in a frame, with their components there; these statements are redundant.
     pub fixed: Vec<(usize, Vector, [Scalar; 3])>,
     /// Frames; the first is N.
     pub frames: Vec<Frame>,
     /// Points; the first is O.
     pub points: Vec<Point>,
-    /// An order in which each reads only what stands before it.
+    /// An order of evaluation in which each entry uses only earlier ones.
     pub order: Vec<Entity>,
     /// Bodies.
     pub bodies: Vec<Body>,

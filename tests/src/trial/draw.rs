@@ -1,4 +1,4 @@
-//! Draws a mechanism of a kind: links joined into a tree, then loops, rows, speeds, loads, outputs.
+//! Generates a random mechanism of a given kind: links joined into a tree, then loops, constraints, speeds, loads, outputs.
 
 use super::description::{Body, Coordinate, Description, Frame, Parameter};
 use super::expression::{Scalar, Vector};
@@ -7,7 +7,7 @@ use super::oracle;
 use crate::random::Random;
 use nalgebra::{Matrix3, Vector3};
 
-/// What a mechanism is to be.
+/// Kind of a mechanism.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Kind {
     /// Open chains in a plane.
@@ -32,7 +32,7 @@ pub enum Kind {
     Mixed,
     /// Loops and constraints of motion, discs that carry loops.
     LoopMotion,
-    /// Prescribed by time, in closed forms and in constraints of both kinds.
+    /// Driven by time, in closed forms and in constraints of configuration and motion.
     Driven,
 }
 
@@ -52,7 +52,7 @@ pub const KINDS: [Kind; 12] = [
     Kind::Driven,
 ];
 
-/// A mechanism whose nominal configuration is farther from a singular one than this is kept.
+/// Least distance of the nominal configuration from a singular one for a mechanism to be kept.
 const HEALTHY: f64 = 0.03;
 /// Draws before a seed is given up; about half of the loops are healthy.
 const DRAWS: u64 = 60;
@@ -71,11 +71,11 @@ pub(super) struct Draw {
     pub d: Description,
     pub links: Vec<Link>,
     pub planar: bool,
-    /// Its plane is none of N's.
+    /// Whether its plane is not a coordinate plane of N.
     pub tilted: bool,
     /// Coordinates that closed forms read.
     pub read_by_forms: Vec<usize>,
-    /// Do frames state vectors that are fixed in them?
+    /// Whether frames declare vectors as fixed in them.
     pub states_fixed: bool,
 }
 
@@ -163,7 +163,7 @@ impl Draw {
         (self.random.between(0.0, n as f64) as usize).min(n - 1)
     }
 
-    /// A parameter, or a literal where one unit says it.
+    /// A parameter, or a literal if one unit suffices for it.
     pub(super) fn number(&mut self, value: f64, unit: &'static str, shape: bool) -> Scalar {
         if self.chance(0.5) && matches!(unit, "m" | "kg" | "N" | "") {
             return Scalar::Literal(value, unit);
@@ -331,7 +331,7 @@ impl Draw {
         frame
     }
 
-    /// States that vectors are axes of a frame, which they are.
+    /// Declares vectors as axes of a frame; the statement is true.
     fn state_fixed(&mut self, frame: usize, vectors: [(Vector, usize); 2]) {
         if self.states_fixed && self.chance(0.5) {
             for (vector, axis) in vectors {

@@ -1,4 +1,4 @@
-//! What time prescribes: joints in closed form, gears and couplings with a part that no coordinate moves.
+//! Motions prescribed by time: joints in closed form, and gears and couplings with a term that depends on time alone.
 
 use super::draw::Draw;
 use super::expression::{Function, Scalar, Value};
@@ -22,7 +22,7 @@ impl Draw {
         }
     }
 
-    /// A gear whose teeth are moved to and fro.
+    /// A gear with an additional prescribed oscillation.
     fn driven_gear(&mut self) {
         let place = self.d.configuration.len();
         self.gear();
@@ -53,7 +53,7 @@ impl Draw {
         size * (self.frequency() * Scalar::Time).call(Function::Cos)
     }
 
-    /// A link whose joint moves as time says, or as time and an angle say.
+    /// A link whose joint is a function of time, or of time and an angle.
     fn driven_link(&mut self) {
         let angle = self.chance(0.6);
         let swing = if angle { self.swing("", 0.8) } else { self.swing("m", 0.2) };

@@ -1,4 +1,4 @@
-//! Loops: two links are joined where their points happen to be, so that the nominal configuration closes.
+//! Loops: two links are joined at the nominal positions of their points, so that the nominal configuration closes.
 
 use super::description::Frame;
 use super::draw::{Draw, Link};
@@ -39,7 +39,7 @@ impl Draw {
         }
     }
 
-    /// Links, one on the other, until there are so many coordinates.
+    /// Adds links, each on the previous one, until the mechanism has this many coordinates.
     pub(super) fn links_up_to(&mut self, coordinates: usize) {
         while self.d.coordinates.len() < coordinates {
             let last = self.links.len() - 1;
@@ -53,7 +53,7 @@ impl Draw {
         (self.links[last], if other == last { GROUND } else { self.links[other] })
     }
 
-    /// The vector from a link's origin to a place, fixed in it as the place is fixed at the nominal configuration.
+    /// The vector, fixed in a link, from its origin to a position given at the nominal configuration.
     fn arm_to(&mut self, link: Link, place: Vector3<f64>) -> Vector {
         let parts: Vec<f64> = at_nominal(&self.d, |p| {
             let from = place - p.points[link.origin].value;
@@ -111,7 +111,7 @@ impl Draw {
         }
     }
 
-    /// The rod in N's plane has a frame, in which it is fixed, and a body: its length is no unit vector's off the constraint.
+    /// A rod in N's plane, with a frame in which it is fixed, and a body. Off the constraint its direction is no unit vector.
     fn massive_rod(&mut self, gap: Vector, length: Scalar, end: usize) {
         let one = Box::new(Scalar::number(1.0));
         let x = gap.clone().scaled(Scalar::Quotient(one, Box::new(length.clone())));
@@ -150,7 +150,7 @@ impl Draw {
             .push(Value::Scalar(Scalar::Coordinate(i) - Scalar::number(at_a) - ratio * follower));
     }
 
-    /// More equations than needed: a parallelogram with three cranks, a plane that is none of N's, or equations said twice.
+    /// Redundant equations: a parallelogram with three cranks, a plane that is not a coordinate plane of N, or repeated equations.
     pub(super) fn redundant(&mut self) {
         if self.chance(0.5) {
             self.tilted = true;

@@ -14,7 +14,7 @@ impl Draw {
         }
     }
 
-    /// A link whose joint moves as a formula says.
+    /// A link whose joint is a function of coordinates.
     pub(super) fn joint_in_closed_form(&mut self, angle: bool, form: Scalar) {
         let unit = if angle { "rad" } else { "m" };
         let coordinate =
@@ -35,7 +35,7 @@ impl Draw {
         self.finish(frame, origin);
     }
 
-    /// Are all coordinates that closed forms read independent?
+    /// Whether all coordinates in closed forms are independent.
     pub(super) fn forms_are_free(&self) -> bool {
         self.read_by_forms.iter().all(|&i| self.d.coordinates[i].independent)
     }
@@ -80,7 +80,7 @@ impl Draw {
         Vector::Velocity(point).dot(axis)
     }
 
-    /// A rate follows others, with a ratio that depends on where the mechanism is.
+    /// A rate depends on others, with a ratio that depends on the configuration.
     pub(super) fn coupling(&mut self) -> Scalar {
         let angles: Vec<usize> =
             self.d.state().into_iter().filter(|&i| self.d.coordinates[i].angle).collect();
@@ -98,7 +98,7 @@ impl Draw {
         Scalar::Rate(a) - changing * Scalar::Rate(b)
     }
 
-    /// A disc or a ball on the plane z = 0, and what hangs on it.
+    /// A disc or a ball on the plane z = 0, and further links on it.
     pub(super) fn rolling(&mut self) {
         if self.chance(0.5) {
             self.ball()
@@ -111,7 +111,7 @@ impl Draw {
         }
     }
 
-    /// No coordinates tell where the ball is: its centre's velocity is stated.
+    /// No coordinates describe the ball's position; the velocity of its centre is given instead.
     fn ball(&mut self) {
         let radius = self.length(0.1, 0.3);
         let axes = [2, 0, 1].map(|axis| (axis, Scalar::Coordinate(self.coordinate(true))));

@@ -1,4 +1,4 @@
-//! Speeds: which are independent, and combinations of rates in their place.
+//! Speeds: which rates are independent, and combinations of rates that replace them.
 
 use super::description::Speed;
 use super::draw::Draw;
@@ -6,7 +6,7 @@ use super::expression::{Function, Scalar};
 use super::nominal;
 
 impl Draw {
-    /// Every coordinate has its rate as speed; what rows determine best is dependent.
+    /// Every coordinate has its rate as speed; the speeds that the constraints determine best are dependent.
     pub(super) fn choose_independent(&mut self) {
         for i in 0..self.d.coordinates.len() {
             let closed = self.d.coordinates[i].closed_form.is_some();
@@ -21,7 +21,7 @@ impl Draw {
         of_motion.into_iter().for_each(|i| self.d.speeds[i].independent = false);
     }
 
-    /// Some independent rates give way to sums with other rates: a triangle of ones and functions, so they stay independent.
+    /// Replaces some independent rates by sums with other rates; the matrix is triangular with ones, so they stay independent.
     pub(super) fn combine_speeds(&mut self) {
         let free: Vec<usize> = self.d.independent_speeds();
         let mut combined = Vec::new();
