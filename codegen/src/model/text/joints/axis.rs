@@ -13,8 +13,8 @@ pub enum Along {
     Given(usize),
     /// Always this axis.
     Letter(char),
-    /// The first, second axis behind the one given, in the order x, y, z, x, y.
-    Behind(usize),
+    /// The first, second of the other axes than the one given, in the order x, y, z.
+    Across(usize),
 }
 
 /// What one or more coordinates of a joint do to the link it carries.
@@ -72,10 +72,10 @@ impl Direction {
         }
     }
 
-    /// The n-th axis behind this one, in the order x, y, z, x, y.
-    pub fn behind(&self, n: usize) -> Self {
+    /// The n-th of the other axes, in the order x, y, z.
+    pub fn across(&self, n: usize) -> Self {
         match self {
-            Letter(letter, _) => Letter((letter + n) % 3, false),
+            Letter(letter, _) => Letter(n + usize::from(n >= *letter), false),
             other => other.clone(),
         }
     }
