@@ -3,9 +3,10 @@
 //! In: the tokens between the parentheses. Out: the path and the options of a build script, or an error at the word
 //! that was not expected.
 
+use smartbed_codegen::rust::Core;
 use smartbed_codegen::{Effort, Options, ScalarType};
 use syn::parse::{Parse, ParseStream};
-use syn::{Ident, LitFloat, LitInt, LitStr, Token, braced, bracketed};
+use syn::{Ident, LitBool, LitFloat, LitInt, LitStr, Token, braced, bracketed};
 
 /// The arguments of the macro.
 pub struct Choices {
@@ -30,6 +31,8 @@ impl Parse for Choices {
             match choice.to_string().as_str() {
                 "scalar" => options.emit.scalar = scalar(input)?,
                 "effort" => options.settings.effort = effort(input)?,
+                "core" => options.emit.core = Some(core(input)?),
+                "shared_work" => options.emit.shared_work = input.parse::<LitBool>()?.value,
                 "answers" => options.answers = list(input)?,
                 "keep" => options.parameters.keep = list(input)?,
                 "set" => options.parameters.values = values(input)?.into_iter().collect(),
@@ -41,7 +44,7 @@ impl Parse for Choices {
 }
 
 fn expected(choice: &Ident) -> String {
-    format!("unknown choice `{choice}`; expected scalar, answers, keep, set or effort")
+    format!("unknown choice `{choice}`; expected scalar, answers, keep, set, effort, core or shared_work")
 }
 
 /// `f32`, `f64` or a type's path in quotes.
@@ -64,6 +67,15 @@ fn effort(input: ParseStream) -> syn::Result<Effort> {
         "default" => Ok(Effort::Default),
         "all" => Ok(Effort::All),
         _ => Err(syn::Error::new(word.span(), "effort: expected none, default or all")),
+    }
+}
+
+fn core(input: ParseStream) -> syn::Result<Core> {
+    let word: Ident = input.parse()?;
+    match word.to_string().as_str() {
+        "cortex_m4" => Ok(Core::CortexM4),
+        "host" => Ok(Core::Host),
+        _ => Err(syn::Error::new(word.span(), "core: expected cortex_m4 or host")),
     }
 }
 
@@ -101,7 +113,7 @@ mod tests {
     #[test]
     fn every_choice_is_read() {
         let text = r#""models/press.toml", scalar = f32, answers = ["law", "rates,bias"], keep = ["m"],
-            set = { M = 8, z = -0.5 }, effort = all,"#;
+            set = { M = 8, z = -0.5 }, effort = all, core = cortex_m4, shared_work = true,"#;
         let Choices { path, options } = syn::parse_str(text).expect("it reads");
         assert_eq!(path, "models/press.toml");
         assert_eq!(options.emit.scalar, ScalarType::F32);
@@ -110,6 +122,8 @@ mod tests {
         let values: Vec<(String, f64)> = options.parameters.values.into_iter().collect();
         assert_eq!(values, [("M".to_owned(), 8.0), ("z".to_owned(), -0.5)]);
         assert_eq!(options.settings.effort, Effort::All);
+        assert_eq!(options.emit.core, Some(Core::CortexM4));
+        assert!(options.emit.shared_work);
     }
 
     #[test]
@@ -119,6 +133,8 @@ mod tests {
             ("\"p.toml\", speed = 3", "unknown choice `speed`"),
             ("\"p.toml\", scalar = i32", "scalar: expected f32"),
             ("\"p.toml\", effort = most", "effort: expected none"),
+            ("\"p.toml\", core = z80", "core: expected cortex_m4"),
+            ("\"p.toml\", shared_work = 1", "expected boolean literal"),
             ("\"p.toml\" scalar = f32", "expected `,`"),
         ] {
             let said = syn::parse_str::<Choices>(text).err().map(|e| e.to_string()).unwrap_or_default();

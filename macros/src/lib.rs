@@ -22,7 +22,8 @@ use proc_macro::{Group, Span, TokenStream, TokenTree};
 ///
 /// Behind the path may stand, in any order: `scalar = f32` or `f64` (default), or a type's path in quotes; `answers = [..]`,
 /// functions besides those that every mechanism has; `keep = [..]`, fixed parameters that stay fields;
-/// `set = { M = 8.0 }`, other values of parameters; `effort = none`, `default` or `all`.
+/// `set = { M = 8.0 }`, other values of parameters; `effort = none`, `default` or `all`;
+/// `core = cortex_m4` or `host`, what runs the code; `shared_work = true`, two functions more for `ode::rk4_shared`.
 ///
 /// What is wrong with the model is an error at the path, with file, line and column of the model in its text.
 #[proc_macro]

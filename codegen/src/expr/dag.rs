@@ -4,11 +4,11 @@
 
 use super::intern::{Facts, Index, Results};
 use super::label::Label;
-use super::node::{Binary, Dependence, ExprId, NO_OPERATION, Node, SymbolId, symbol_bit};
+use super::node::{Binary, Dependence, ExprId, NO_OPERATION, Node, SymbolId, Unary, symbol_bit};
 use super::number::Number;
 use super::set::NodeSet;
 use crate::id::{Id, IdVec};
-use rustc_hash::FxHashMap as HashMap;
+use rustc_hash::{FxHashMap as HashMap, FxHashSet as HashSet};
 
 /// The arena of nodes.
 #[derive(Clone, Debug, Default)]
@@ -22,7 +22,9 @@ pub struct Dag {
     pub(super) symbols: IdVec<SymbolId, (String, Dependence)>,
     pub(super) labels: HashMap<ExprId, Label>,
     pub(super) derivatives: HashMap<(ExprId, SymbolId), ExprId>,
-    /// Take sines and cosines of differences of angles without rounding the difference; see [`Dag::as_difference`].
+    /// Roots that are the length of a vector which may vanish; see [`Dag::norm`].
+    norms: HashSet<ExprId>,
+    /// Sines and cosines of differences take them unrounded; see [`Dag::as_difference`].
     pub(crate) unrounded_differences: bool,
 }
 
@@ -37,6 +39,26 @@ impl Dag {
     pub fn parameter(&mut self, name: &str) -> ExprId {
         let symbol = self.symbols.push((name.to_owned(), Dependence::Parameters));
         self.intern(Node::Symbol(symbol))
+    }
+
+    /// The length of a vector from its square. Its slope where it vanishes is 0, the mean over all directions: a drag
+    /// |v| v has slopes at rest.
+    pub fn norm(&mut self, square: ExprId) -> ExprId {
+        let root = self.sqrt(square);
+        self.mark_norm(root);
+        root
+    }
+
+    /// Says that a root is the length of a vector; anything else is left as it is.
+    pub(crate) fn mark_norm(&mut self, id: ExprId) {
+        if matches!(self.node(id), Node::Unary(Unary::Sqrt, _)) {
+            self.norms.insert(id);
+        }
+    }
+
+    /// Is it the length of a vector which may vanish?
+    pub(crate) fn is_norm(&self, id: ExprId) -> bool {
+        self.norms.contains(&id)
     }
 
     /// Number of nodes ever made.

@@ -6,6 +6,9 @@ use super::{Binary, Dag, ExprId, Node, SymbolId, Unary};
 use crate::id::Id;
 use rustc_hash::FxHashMap as HashMap;
 
+/// Lengths below this one count as it where they divide a slope. Its square is the least normal number in f32.
+const LEAST_NORM: f64 = 1e-19;
+
 impl Dag {
     /// Partial derivative of `expr` with respect to `symbol`.
     pub fn derivative(&mut self, expr: ExprId, symbol: SymbolId) -> ExprId {
@@ -90,7 +93,13 @@ impl Dag {
             }
             Unary::Sqrt => {
                 let half = self.number(Number::rational(1, 2));
-                self.div(half, f)
+                if !self.is_norm(f) {
+                    return self.div(half, f);
+                }
+                // |v|' = (v . v')/|v|: 0 where v is, and not 0/0.
+                let least = self.number(Number::from_f64(LEAST_NORM));
+                let length = self.binary(Binary::Max, f, least);
+                self.div(half, length)
             }
             Unary::Asin | Unary::Acos => {
                 let square = self.mul(a, a);

@@ -36,6 +36,9 @@ impl Dag {
             {
                 self.label(new, label);
             }
+            if new != id && self.is_norm(id) {
+                self.mark_norm(new);
+            }
             image.0[id.index()] = new;
         }
         image
@@ -77,6 +80,9 @@ impl Dag {
                 Node::Unary(function, a) => self.unary(function, image[&a]),
                 Node::Binary(operator, a, b) => self.binary(operator, image[&a], image[&b]),
             };
+            if other.is_norm(id) {
+                self.mark_norm(new);
+            }
             image.insert(id, new);
         }
         Some(roots.iter().map(|root| image[root]).collect())

@@ -2,6 +2,7 @@
 
 use super::expression::{Axis, Expr};
 use super::ids::*;
+use super::unit::Unit;
 use crate::id::IdVec;
 use crate::source::{Source, Span};
 
@@ -313,6 +314,8 @@ pub struct Constraint {
     pub name: String,
     /// Scalar, or vector (then three equations).
     pub expression: Expr,
+    /// What it is measured in, once units have been checked.
+    pub unit: Unit,
     /// Where it is declared.
     pub span: Span,
 }

@@ -94,10 +94,9 @@ impl Model {
                 None => term,
             });
         }
-        if let Some(Orientation::Rotations { rotations: own, .. }) =
-            cut.frame.map(|frame| &mut model.frames[frame].orientation)
-        {
-            own.extend(rotations);
+        if let Some(frame) = cut.frame {
+            sides.keep_rolling(&mut model, frame);
+            model.turn_further(frame, rotations);
         }
         if let Some(displaced) = displaced {
             sides.displace(&mut model, &displaced);
@@ -105,8 +104,28 @@ impl Model {
         Ok(model)
     }
 
-    /// Adds an independent coordinate that stays 0, and its speed. Its name has a space, so that it equals no name of a
-    /// model.
+    /// A frame like this one that stays where it stood, right before it in the order.
+    fn standing(&mut self, frame: FrameId) -> FrameId {
+        let own = &self.frames[frame];
+        let standing =
+            Frame { name: format!("{} standing", own.name), fixed_vectors: Vec::new(), ..own.clone() };
+        let standing = self.frames.push(standing);
+        let place = self.order.iter().position(|entity| *entity == Entity::Frame(frame)).unwrap_or(0);
+        self.order.insert(place, Entity::Frame(standing));
+        standing
+    }
+
+    /// Turns a frame further from where it stood.
+    fn turn_further(&mut self, frame: FrameId, further: Vec<(Axis, Expr)>) {
+        if let Orientation::Rotations { rotations, .. } = &mut self.frames[frame].orientation {
+            rotations.extend(further);
+        } else if !further.is_empty() {
+            let parent = self.standing(frame);
+            self.frames[frame].orientation = Orientation::Rotations { parent, rotations: further };
+        }
+    }
+
+    /// An independent coordinate that never leaves 0, and its speed. No name of a model has a space.
     fn add_locked(&mut self, component: usize, span: Span) -> CoordinateId {
         let unit = if component < 3 { "m" } else { "rad" };
         let name = format!("released {component}");
@@ -147,11 +166,11 @@ impl<'m> Sides<'m> {
                 .help("cut where one way ends: at a point that is the end of one leg"));
         }
         if let Some(frame) = cut.frame.map(|frame| &model.frames[frame])
-            && !matches!(frame.orientation, Orientation::Rotations { .. })
+            && frame.orientation.parent().is_none()
         {
             return Err(Diagnostic::error(format!("`{}` is no outer side of a joint", frame.name))
                 .label(frame.span, "it is not turned from another frame")
-                .help("cut at a frame with `rotations`; of what is given by directions cut the points that carry it"));
+                .help("cut at a frame with `rotations` or `euler`; of what is given by directions cut the points that carry it"));
         }
         let mut sides = Self {
             model,
@@ -181,6 +200,7 @@ impl<'m> Sides<'m> {
             return Err(sides.elsewhere(&format!("the point `{}`", stray.name), stray.span));
         }
         sides.bodies()?;
+        sides.constraints()?;
         Ok(sides)
     }
 
@@ -190,7 +210,7 @@ impl<'m> Sides<'m> {
             ExprKind::Axis(frame, _) | ExprKind::AngularVelocity(frame) => {
                 found.turning |= self.turning[frame];
             }
-            ExprKind::Point(p) => {
+            ExprKind::Point(p) | ExprKind::Velocity(p) => {
                 found.point = true;
                 found.cut |= p == self.cut.point;
                 found.outer |= self.outer[p];
@@ -250,7 +270,84 @@ impl<'m> Sides<'m> {
         Ok(())
     }
 
-    /// Does the expression start at the point of the cut? For a cut at O it does if it names no point.
+    /// A length or velocity along what turns with the outer side must say from which point on.
+    fn constraints(&self) -> Result<(), Diagnostic> {
+        for constraint in self.model.configuration_constraints.iter().chain(&self.model.motion_constraints) {
+            let reads = self.reads(&constraint.expression);
+            let is_place = [Unit::LENGTH, Unit::VELOCITY].contains(&constraint.unit);
+            if self.cut.frame.is_some() && is_place && reads.turning && !reads.cut && !reads.outer {
+                return Err(self.elsewhere(&format!("the constraint `{}`", constraint.name), constraint.span));
+            }
+        }
+        Ok(())
+    }
+
+    /// Was it made by the joint that is cut? Then the joint transmits what it holds.
+    fn is_of_joint(&self, span: Span) -> bool {
+        let of_frame = self.cut.frame.map(|frame| self.model.frames[frame].span);
+        span == self.model.points[self.cut.point].span && of_frame == Some(span)
+    }
+
+    /// What the cut joint itself makes roll goes on as if the joint were not open.
+    fn keep_rolling(&self, model: &mut Model, frame: FrameId) {
+        let rolls = |e: &Expr| {
+            let mut found = false;
+            e.visit(&mut |e| found |= matches!(e.kind, ExprKind::AngularVelocity(f) if f == frame));
+            found
+        };
+        let own = |c: &Constraint| self.is_of_joint(c.span) && rolls(&c.expression);
+        if !model.motion_constraints.iter().any(own) {
+            return;
+        }
+        let standing = model.standing(frame);
+        for constraint in model.motion_constraints.iter_mut().filter(|c| own(c)) {
+            constraint.expression = constraint.expression.replaced(&|e| match e.kind {
+                ExprKind::AngularVelocity(f) if f == frame => {
+                    Some(Expr { kind: ExprKind::AngularVelocity(standing), ..e.clone() })
+                }
+                _ => None,
+            });
+        }
+    }
+
+    /// Other constraints that say how the outer side turns hold it by its own copy of the joint's point, and so does the
+    /// drive of a joint that slides.
+    fn attach(&self, model: &mut Model, beyond: PointId) {
+        for constraint in model.configuration_constraints.iter_mut().chain(&mut model.motion_constraints) {
+            if self.is_of_joint(constraint.span) {
+                continue;
+            }
+            let reads = self.reads(&constraint.expression);
+            if reads.turning && reads.cut {
+                constraint.expression = self.beyond(&constraint.expression, beyond);
+            }
+        }
+        for load in &mut model.loads {
+            if let LoadKind::Force { point, .. } = &mut load.kind
+                && *point == self.cut.point
+                && self.is_of_joint(load.span)
+            {
+                *point = beyond;
+            }
+        }
+    }
+
+    /// The expression with another point for that of the cut; definitions that read it are written out.
+    fn beyond(&self, expr: &Expr, point: PointId) -> Expr {
+        expr.replaced(&|e| {
+            let kind = match e.kind {
+                ExprKind::Point(p) if p == self.cut.point => ExprKind::Point(point),
+                ExprKind::Velocity(p) if p == self.cut.point => ExprKind::Velocity(point),
+                ExprKind::Definition(d) if self.definitions[d].cut => {
+                    return Some(self.beyond(&self.model.definitions[d].value, point));
+                }
+                _ => return None,
+            };
+            Some(Expr { kind, ..e.clone() })
+        })
+    }
+
+    /// At the point of the cut, or at O where no point is named.
     fn begins_at_cut(&self, reads: Reads) -> bool {
         reads.cut || (self.cut.point.index() == ORIGIN && !reads.point)
     }
@@ -267,22 +364,25 @@ impl<'m> Sides<'m> {
             *way = sum(way.clone(), by.clone());
         }
         for &body in &self.sharing {
-            let centre = &self.model.points[self.model.bodies[body].centre];
-            let at = Expr {
-                kind: ExprKind::Point(self.model.bodies[body].centre),
-                span: centre.span,
-                unit: Unit::NONE,
-            };
-            let own = model.points.push(Point {
-                name: format!("{} of {}", centre.name, self.model.bodies[body].name),
-                position: sum(at, by.clone()),
-                closures: Vec::new(),
-                velocity: None,
-                span: centre.span,
-            });
-            model.order.push(Entity::Point(own));
-            model.bodies[body].centre = own;
+            let centre = self.model.bodies[body].centre;
+            let name = format!("{} of {}", self.model.points[centre].name, self.model.bodies[body].name);
+            model.bodies[body].centre = self.copy(model, centre, name, by);
         }
+        if self.cut.frame.is_some() {
+            let name = format!("{} beyond", self.model.points[self.cut.point].name);
+            let beyond = self.copy(model, self.cut.point, name, by);
+            self.attach(model, beyond);
+        }
+    }
+
+    /// A displaced copy of a point.
+    fn copy(&self, model: &mut Model, point: PointId, name: String, by: &Expr) -> PointId {
+        let span = self.model.points[point].span;
+        let at = Expr { kind: ExprKind::Point(point), span, unit: Unit::NONE };
+        let position = sum(at, by.clone());
+        let copy = model.points.push(Point { name, position, closures: Vec::new(), velocity: None, span });
+        model.order.push(Entity::Point(copy));
+        copy
     }
 
     fn frame_name(&self) -> &str {
@@ -294,7 +394,7 @@ impl<'m> Sides<'m> {
         Diagnostic::error(format!("{what} turns with `{frame}` but does not hang on `{point}`"))
             .label(span, format!("reached without `{point}`"))
             .help(format!(
-                "cut at the point from which everything that turns with `{frame}` is reached, or reach this from `{point}`"
+                "cut at the point from which everything that turns with `{frame}` is reached, or reach this from `{point}`, by its name"
             ))
     }
 }

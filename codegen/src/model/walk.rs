@@ -103,10 +103,10 @@ impl Model {
             all.extend(mass.iter().map(|e| (Role::Mass(id), e)));
             all.extend(inertia.iter().flatten().map(|e| (Role::Inertia(id), e)));
         }
-        for Constraint { expression, name: _, span: _ } in configuration_constraints {
+        for Constraint { expression, name: _, unit: _, span: _ } in configuration_constraints {
             all.push((Role::ConfigurationConstraint, expression));
         }
-        for Constraint { expression, name: _, span: _ } in motion_constraints {
+        for Constraint { expression, name: _, unit: _, span: _ } in motion_constraints {
             all.push((Role::MotionConstraint, expression));
         }
         all.extend(gravity.iter().map(|e| (Role::Gravity, e)));
@@ -152,6 +152,15 @@ fn of_coordinate<'m>(id: CoordinateId, coordinate: &'m Coordinate, all: &mut Lis
     } = coordinate;
     all.extend(closed_form.iter().map(|e| (Role::ClosedForm(id), e)));
     all.extend(written.iter().flatten().map(|e| (Role::Nominal(id), e)));
+}
+
+impl LoadKind {
+    /// Its expressions.
+    pub(crate) fn expressions(&self) -> List<'_> {
+        let mut all = List::new();
+        of_load(self, &mut all);
+        all
+    }
 }
 
 fn of_load<'m>(kind: &'m LoadKind, all: &mut List<'m>) {

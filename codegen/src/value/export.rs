@@ -3,7 +3,7 @@
 use super::graph::{ClassId, Graph, Operation, Signed};
 use crate::expr::{Dag, ExprId, Label, Node};
 use crate::id::IdVec;
-use rustc_hash::FxHashMap as HashMap;
+use rustc_hash::{FxHashMap as HashMap, FxHashSet as HashSet};
 
 /// The expression built for a class: its value, or the negative of its value.
 #[derive(Clone, Copy)]
@@ -14,13 +14,13 @@ struct Made {
 
 /// Builds the live classes (operands first) and returns the roots' expressions.
 ///
-/// `labels` gives the classes that have a label in the generated code, and whether the label is for the negative value.
+/// `labels` says which classes have a label in the generated code, and with which sign; `norms`, which are lengths of vectors.
 pub(super) fn roots(
     graph: &Graph,
     dag: &mut Dag,
     live: &[ClassId],
     roots: &[Option<Signed>],
-    labels: &HashMap<ClassId, (bool, Label)>,
+    (labels, norms): (&HashMap<ClassId, (bool, Label)>, &HashSet<ClassId>),
 ) -> Vec<ExprId> {
     let nothing = Made { expr: dag.zero(), negative: false };
     let mut made: IdVec<ClassId, Made> = graph.classes.ids().map(|_| nothing).collect();
@@ -31,6 +31,9 @@ pub(super) fn roots(
             && *negative == result.negative
         {
             dag.label(result.expr, label.clone());
+        }
+        if norms.contains(&class) {
+            dag.mark_norm(result.expr);
         }
         made[class] = result;
     }

@@ -7,7 +7,7 @@ use super::states::States;
 use crate::expr::number::Number;
 use crate::expr::{Binary, Dag, Dependence, ExprId, Label, Node, SymbolId, Unary};
 use crate::id::Id;
-use rustc_hash::FxHashMap as HashMap;
+use rustc_hash::{FxHashMap as HashMap, FxHashSet as HashSet};
 
 /// Loads expressions into a graph.
 pub(super) struct Import<'a> {
@@ -59,6 +59,13 @@ impl<'a> Import<'a> {
             }
         }
         labels
+    }
+
+    /// Classes of the loaded nodes that are lengths of vectors which may vanish.
+    pub fn norms(&self) -> HashSet<ClassId> {
+        let loaded = self.classes.iter().enumerate();
+        let norms = loaded.filter(|(index, _)| self.dag.is_norm(ExprId::from_index(*index)));
+        norms.filter_map(|(_, class)| Some((*class)??.class)).collect()
     }
 
     fn class(&mut self, id: ExprId) -> Option<Signed> {

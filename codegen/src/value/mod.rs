@@ -135,7 +135,7 @@ fn round(
     let mut import = Import::new(&mut graph, dag, guard, zero, effort == Effort::Default);
     let one = import.load(&[one])[0].expect("1 is not 0");
     let classes: Vec<Vec<Option<Signed>>> = groups.iter().map(|group| import.load(group)).collect();
-    let labels = import.labels();
+    let (labels, norms) = (import.labels(), import.norms());
     let mut roots: Vec<Signed> = Vec::new();
     let mut settled: Vec<ClassId> = Vec::new();
     let mut treated: Vec<bool> = Vec::new();
@@ -171,6 +171,6 @@ fn round(
         let roots: Vec<Signed> = all.iter().copied().flatten().collect();
         settled = Extraction::new(&mut graph, &roots, &[]).live();
     }
-    let mut exprs = export::roots(&graph, dag, &settled, &all, &labels).into_iter();
+    let mut exprs = export::roots(&graph, dag, &settled, &all, (&labels, &norms)).into_iter();
     groups.iter().map(|group| exprs.by_ref().take(group.len()).collect()).collect()
 }

@@ -3,6 +3,7 @@
 use crate::linearisation::difference;
 use crate::models::shipped;
 use smartbed_codegen::kinematics::linear;
+use smartbed_codegen::model::Model;
 use smartbed_codegen::program::answer::Shape;
 use smartbed_codegen::{Asked, Function, Interpreted, ParameterChoice, Program, Request, program};
 use smartbed_runtime::mechanism::Mechanism;
@@ -35,11 +36,15 @@ fn number(n: usize) -> f64 {
 impl Asking {
     /// The model's standing answers and these, at a state off the nominal one.
     pub fn new(name: &str, requests: &[&str]) -> Self {
+        Self::of(&shipped(name), requests)
+    }
+
+    /// The same of any model.
+    pub fn of(model: &Model, requests: &[&str]) -> Self {
         let requests: Vec<Request> = requests.iter().map(|text| text.parse().expect("a request")).collect();
         let asked = Asked::besides(vec![Function { name: "answers".to_owned(), requests }]);
-        let model = shipped(name);
         let program =
-            program::derive_asked(&model, &ParameterChoice::default(), program::Settings::default(), &asked)
+            program::derive_asked(model, &ParameterChoice::default(), program::Settings::default(), &asked)
                 .unwrap_or_else(|found| panic!("{found}"));
         let mut q = program.nominal.clone();
         for (n, (value, quantity)) in q.iter_mut().zip(&program.q).enumerate() {
@@ -48,6 +53,11 @@ impl Asking {
             if declared.independent {
                 *value += 0.15 * number(n) * (high - low).min(2.0);
             }
+        }
+        // Where all four Euler parameters of a joint are independent they are kept of unit length.
+        for n in (0..q.len()).filter(|&n| program.q[n].name.ends_with("_e0")) {
+            let others: f64 = q[n + 1..n + 4].iter().map(|e| e * e).sum();
+            q[n] = (1.0 - others).sqrt();
         }
         let mut assembly = program.assembly.clone();
         assembly.set_time(TIME);

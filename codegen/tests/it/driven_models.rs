@@ -66,7 +66,7 @@ fn driven(model: &Model, way: Way, speed: SpeedId) -> Option<(Model, CoordinateI
         ExprKind::Add(Box::new(node(ExprKind::Number(nominal))), Box::new(of_phase(SWING, Function::Sin)));
     let equation = |quantity: ExprKind, value: Expr| {
         let expression = node(ExprKind::Subtract(Box::new(node(quantity)), Box::new(value)));
-        Constraint { name: "drive".to_owned(), expression, span: Span::default() }
+        Constraint { name: "drive".to_owned(), expression, unit: Unit::NONE, span: Span::default() }
     };
     match way {
         Way::Function => {

@@ -358,11 +358,11 @@ p = { kind = "planar", axis = "y", child = "cart", turned = [["x", "30*deg"]], d
 b = { kind = "spherical", parent = "cart", child = "ball", at = "cart + 0.5_m*cart.z" }
 "#;
     let hand = r#"
-cart = "p_z*tilted.z + p_x*tilted.x"
+cart = "p_x*tilted.x + p_z*tilted.z"
 ball = "cart + 0.5_m*cart.z"
 [coordinates]
-p_z = { unit = "m", independent = true }
 p_x = { unit = "m", independent = true }
+p_z = { unit = "m", independent = true }
 p_turn = { unit = "rad", independent = true }
 b_e0 = { unit = "1", nominal = 1, speed = false }
 b_e1 = { unit = "1", independent = true, speed = false }
@@ -382,7 +382,7 @@ cart = { parent = "tilted", rotations = [["y", "p_turn"]] }
 x = "(1 - 2*b_e2.powi(2) - 2*b_e3.powi(2))*cart.x + 2*(b_e1*b_e2 + b_e0*b_e3)*cart.y + 2*(b_e1*b_e3 - b_e0*b_e2)*cart.z"
 y = "2*(b_e1*b_e2 - b_e0*b_e3)*cart.x + (1 - 2*b_e1.powi(2) - 2*b_e3.powi(2))*cart.y + 2*(b_e2*b_e3 + b_e0*b_e1)*cart.z"
 [springs]
-slip = { coordinate = "p_z", stiffness = 0, damping = "1_N*1_s/1_m" }
+slip = { coordinate = "p_x", stiffness = 0, damping = "1_N*1_s/1_m" }
 "#;
     let quaternion = [["b_e0", "b_e1", "b_e2", "b_e3"]];
     agree(&read(&format!("{both}{words}")), &read(&format!("{both}{hand}")), &str::to_owned, &quaternion);

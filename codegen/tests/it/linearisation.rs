@@ -3,7 +3,7 @@
 use crate::answers::{Asking, State, close};
 use crate::models::shipped;
 use crate::twofold::Twofold;
-use smartbed_codegen::{Interpreted, Program, program};
+use smartbed_codegen::{Interpreted, Program, model, program};
 use smartbed_runtime::mechanism::Mechanism;
 
 /// Central differences of fourth order.
@@ -190,6 +190,73 @@ fn the_linearised_bicycle_is_the_published_one() {
         let damping: Vec<f64> = damping.iter().map(|c| v * c).collect();
         if v > 0.0 {
             close(&times(rows), &damping, 1e-13, &format!("damping at {v} m/s"));
+        }
+    }
+}
+
+/// A drag c |v| v has no slope at rest, where |v| itself has a kink: whatever is asked there is finite.
+#[test]
+fn drag_of_the_second_power_has_slopes_at_rest() {
+    let with = |drag: &str| {
+        model::parse(
+            "drag.toml",
+            &format!(
+                r#"format = 1
+name = "drag"
+gravity = "-9.81_N/1_kg*N.z"
+[parameters]
+c = {{ value = 0.3, unit = "kg/m" }}
+[joints]
+a = {{ kind = "revolute", axis = "x", child = "upper", nominal = 0.2 }}
+b = {{ kind = "revolute", axis = "y", parent = "upper", child = "lower", at = "upper - 0.4_m*upper.z", nominal = 0.3 }}
+[points]
+P = "lower - 0.3_m*lower.z"
+[bodies]
+p = {{ centre = "P", mass = 1 }}
+q = {{ centre = "lower", mass = 0.5 }}
+[forces]
+drag = {{ point = "P", force = "{drag}" }}
+[outputs]
+speed = "norm(velocity(P))"
+"#
+            ),
+        )
+        .unwrap_or_else(|found| panic!("{found}"))
+    };
+    let requests = ["linearisation", "parameter_derivatives"];
+    let mut dragged = Asking::of(&with("-c*norm(velocity(P))*velocity(P)"), &requests);
+    let mut free = Asking::of(&with("-0*c*norm(velocity(P))*velocity(P)"), &requests);
+    let rest = State { u: vec![0.0; 2], ..dragged.state.clone() };
+    for part in ["a", "b", "d"] {
+        let expected = free.part(&rest, "linearisation", part);
+        assert!(part != "a" || expected.iter().any(|x| x.abs() > 1.0), "{expected:?}");
+        close(&dragged.part(&rest, "linearisation", part), &expected, 1e-15, part);
+    }
+    assert_eq!(dragged.part(&rest, "linearisation", "c"), [0.0; 4], "the mean over all directions");
+    assert_eq!(dragged.part(&rest, "parameter_derivatives", "u_dot"), [0.0; 2]);
+    // In motion, however slow, the slopes are those of the drag.
+    for speed in [1.0, 1e-12] {
+        let moving = State { u: vec![0.4 * speed, -0.3 * speed], ..rest.clone() };
+        let slopes = dragged.part(&moving, "linearisation", "a");
+        let others = free.part(&moving, "linearisation", "a");
+        for column in 0..2 {
+            let by_differences = difference(
+                |step| {
+                    let mut near = moving.clone();
+                    near.u[column] += step;
+                    let (_, dragged) = dragged.rates(&near);
+                    let (_, free) = free.rates(&near);
+                    dragged.iter().zip(&free).map(|(a, b)| a - b).collect()
+                },
+                1e-3 * speed,
+            );
+            let own: Vec<f64> =
+                [2, 3].map(|row| slopes[4 * row + 2 + column] - others[4 * row + 2 + column]).to_vec();
+            if speed == 1.0 {
+                close(&own, &by_differences, 1e-9, "the drag's slopes");
+            } else {
+                assert!(own.iter().all(|x| x.abs() < 1e-11), "{own:?}");
+            }
         }
     }
 }

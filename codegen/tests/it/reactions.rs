@@ -2,18 +2,19 @@
 
 use crate::answers::{Asking, State, close};
 use crate::models::shipped;
+use smartbed_codegen::model::Model;
 use smartbed_codegen::{Asked, Function, Interpreted, ParameterChoice, Request, program};
 
-type Vector = [f64; 3];
+pub(crate) type Vector = [f64; 3];
 
 /// Of the largest term.
 const BALANCE: f64 = 1e-12;
 
-fn add(a: Vector, b: Vector) -> Vector {
+pub(crate) fn add(a: Vector, b: Vector) -> Vector {
     std::array::from_fn(|i| a[i] + b[i])
 }
 
-fn scaled(a: Vector, s: f64) -> Vector {
+pub(crate) fn scaled(a: Vector, s: f64) -> Vector {
     a.map(|x| s * x)
 }
 
@@ -24,34 +25,34 @@ fn cross(a: Vector, b: Vector) -> Vector {
     })
 }
 
-fn vector(list: &[f64]) -> Vector {
+pub(crate) fn vector(list: &[f64]) -> Vector {
     [list[0], list[1], list[2]]
 }
 
 /// Columns: axes along N's.
-struct Turn([Vector; 3]);
+pub(crate) struct Turn([Vector; 3]);
 
 impl Turn {
-    fn outward(&self, v: Vector) -> Vector {
+    pub fn outward(&self, v: Vector) -> Vector {
         std::array::from_fn(|i| (0..3).map(|j| self.0[i][j] * v[j]).sum())
     }
 
-    fn inward(&self, v: Vector) -> Vector {
+    pub fn inward(&self, v: Vector) -> Vector {
         std::array::from_fn(|j| (0..3).map(|i| self.0[i][j] * v[i]).sum())
     }
 }
 
 /// Where a place is, how it is accelerated.
-struct Moving {
+pub(crate) struct Moving {
     position: Vector,
-    turn: Turn,
+    pub turn: Turn,
     angular: Vector,
-    acceleration: Vector,
+    pub acceleration: Vector,
     angular_acceleration: Vector,
 }
 
 /// A model at a state with its accelerations, asked for places and cuts.
-struct Balance {
+pub(crate) struct Balance {
     asking: Asking,
     state: State,
     u_dot: Vec<f64>,
@@ -59,13 +60,17 @@ struct Balance {
 
 impl Balance {
     fn new(name: &str, places: &[&str], cuts: &[&str]) -> Self {
+        Self::of(&shipped(name), places, cuts)
+    }
+
+    pub fn of(model: &Model, places: &[&str], cuts: &[&str]) -> Self {
         let mut requests = Vec::new();
         for place in places {
             requests
                 .extend(["pose", "twist", "bias_acceleration", "jacobian"].map(|of| format!("{of}:{place}")));
         }
         requests.extend(cuts.iter().map(|cut| format!("reaction:{cut}")));
-        let mut asking = Asking::new(name, &requests.iter().map(String::as_str).collect::<Vec<_>>());
+        let mut asking = Asking::of(model, &requests.iter().map(String::as_str).collect::<Vec<_>>());
         let state = asking.state.clone();
         let u_dot = asking.rates(&state).1;
         Self { asking, state, u_dot }
@@ -76,7 +81,7 @@ impl Balance {
         found.unwrap_or_else(|| panic!("{parameter}")).value
     }
 
-    fn input(&self, name: &str) -> f64 {
+    pub fn input(&self, name: &str) -> f64 {
         let place = self.asking.program.inputs.iter().position(|i| i.name == name).expect("an input");
         self.state.inputs[place]
     }
@@ -86,7 +91,7 @@ impl Balance {
     }
 
     /// `frame@point`.
-    fn moving(&mut self, place: &str) -> Moving {
+    pub fn moving(&mut self, place: &str) -> Moving {
         let rotation = self.part("pose", place, "rotation");
         let twist = self.part("twist", place, "twist");
         let jacobian = self.part("jacobian", place, "jacobian");
@@ -105,7 +110,7 @@ impl Balance {
     }
 
     /// The components by name; those that are not determined are 0.
-    fn reaction(&mut self, cut: &str) -> [f64; 6] {
+    pub fn reaction(&mut self, cut: &str) -> [f64; 6] {
         let values = self.part("reaction", cut, "reaction");
         let labels = self.labels(cut);
         let mut all = [0.0; 6];
@@ -116,7 +121,7 @@ impl Balance {
         all
     }
 
-    fn labels(&self, cut: &str) -> Vec<String> {
+    pub fn labels(&self, cut: &str) -> Vec<String> {
         let name = format!("reaction:{cut}");
         let answer = self.asking.program.answers.iter().find(|answer| answer.name == name).expect("asked");
         answer.parts[0].labels.clone()
@@ -124,7 +129,7 @@ impl Balance {
 }
 
 /// Rate of the angular momentum about the mass centre, along N's axes; inertia as `Ixx, Iyy, Izz, Ixy, Ixz, Iyz` in the body.
-fn rate_of_momentum(body: &Moving, inertia: [f64; 6]) -> Vector {
+pub(crate) fn rate_of_momentum(body: &Moving, inertia: [f64; 6]) -> Vector {
     let [xx, yy, zz, xy, xz, yz] = inertia;
     let times = |v: Vector| {
         [
@@ -139,7 +144,7 @@ fn rate_of_momentum(body: &Moving, inertia: [f64; 6]) -> Vector {
 }
 
 #[track_caller]
-fn balanced(terms: &[Vector], what: &str) {
+pub(crate) fn balanced(terms: &[Vector], what: &str) {
     let size = terms.iter().flatten().fold(0.0_f64, |most, x| most.max(x.abs()));
     for i in 0..3 {
         let rest: f64 = terms.iter().map(|term| term[i]).sum();

@@ -57,6 +57,10 @@ pub struct Arguments {
     /// Changes a parameter's default, or the folded value of a fixed one; may be repeated.
     #[arg(long, value_name = "NAME=VALUE")]
     pub set: Vec<String>,
+    /// Two functions more, `begin_step` and `rates_near`, for steps whose evaluations share sines and eliminations; see
+    /// `ode::rk4_shared` of the runtime.
+    #[arg(long, conflicts_with_all = ["answers", "folder", "costs"])]
+    pub shared_work: bool,
     /// Print what each answer adds instead of writing code: operations and values alive in f32, ordered for the chip
     /// unless `--core` says otherwise; code, stack and instructions there, where a toolchain for it is found.
     #[arg(long, conflicts_with_all = ["output", "folder", "scalar"])]
@@ -226,6 +230,11 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
             "--integrator: only the form that gives u' can be stepped; leave out --form".to_owned(),
         ));
     }
+    if arguments.shared_work && arguments.form != Form::Reduced {
+        return Err(Failure::Wrong(
+            "--shared-work: only the form that gives u' can be stepped; leave out --form".to_owned(),
+        ));
+    }
     let core = arguments.core.map(CoreChoice::core);
     if arguments.costs {
         limits::check_program(&program, &ScalarType::F32)?;
@@ -233,7 +242,8 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     }
     let scalar = arguments.scalar.scalar_type();
     limits::check_program(&program, &scalar)?;
-    let options = EmitOptions { scalar, functions, core, ..Default::default() };
+    let options =
+        EmitOptions { scalar, functions, core, shared_work: arguments.shared_work, ..Default::default() };
     let written = match &arguments.folder {
         None => {
             output::write(&arguments.output, rust::emit(&program, &options).as_bytes())?;

@@ -61,7 +61,11 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     };
     let settings = Settings::new(model, &asked)?;
     let waiting = Waiting::deriving();
-    let function = Function { name: "near".to_owned(), requests: vec![Request::new("linearisation")] };
+    let mut requests = vec![Request::new("linearisation")];
+    if !model.laws.is_empty() {
+        requests.push(Request::new("law"));
+    }
+    let function = Function { name: "near".to_owned(), requests };
     let asked = Asked::besides(vec![function]);
     let program = program::derive_asked(model, &settings.choice, program::Settings::default(), &asked)
         .map_err(|e| model_argument::wrong(&e))?;
@@ -72,6 +76,12 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
             "{}: time drives this mechanism, so it rests nowhere; give the driven coordinates constant values",
             arguments.model
         )));
+    }
+    if let Some(load) = model.load_of_time() {
+        output::say(&format!(
+            "warning: `{}` changes with time: what balances at t = 0 does not stay in balance",
+            load.name
+        ));
     }
     let start = run::start::start(model, &program, &settings)?;
     let mut search = Search::new(model, &program, engine::new(EngineKind::Interpreter, &program)?, &start);

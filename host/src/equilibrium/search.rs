@@ -58,6 +58,7 @@ pub(super) struct Search<'p> {
     u: Vec<f64>,
     inputs: Vec<f64>,
     free_inputs: Vec<usize>,
+    has_laws: bool,
     unknown: Unknown,
 }
 
@@ -126,6 +127,7 @@ impl<'p> Search<'p> {
             inputs: vec![0.0; program.inputs.len()],
             configurations,
             free_inputs,
+            has_laws: !lawful.is_empty(),
             unknown: Unknown::State,
         }
     }
@@ -169,8 +171,9 @@ impl<'p> Search<'p> {
     /// Runs the search.
     pub fn find(&mut self) -> Result<Found, String> {
         self.assemble_held()?;
-        let mut here =
-            self.rates().ok_or("it cannot move where the search starts; give another start by --set")?;
+        let mut here = self
+            .rates()
+            .map_err(|why| format!("where the search starts {why}; give another start by --set"))?;
         let mut rest = self.off_balance(&here);
         for _ in 0..STEPS {
             if rest.1 <= ROUNDING {
@@ -188,7 +191,7 @@ impl<'p> Search<'p> {
         Ok(Found {
             q: self.q.clone(),
             speeds: self.engine.speeds(&self.q, &self.u).map_err(|fault| fault.reason().to_owned())?,
-            inputs: self.inputs.clone(),
+            inputs: self.commanded()?,
             outputs: self
                 .engine
                 .outputs(0.0, &self.q, &self.u, &self.inputs)
@@ -225,24 +228,46 @@ impl<'p> Search<'p> {
         format!("no equilibrium was found: the rate of `{name}` stays {value:.3e}; {advice}")
     }
 
-    /// Rates and Jacobians here; `None` if the configuration is singular.
-    fn rates(&mut self) -> Option<Rates> {
+    /// Rates and slopes here, or why there are none.
+    fn rates(&mut self) -> Result<Rates, &'static str> {
         let (n_q, n_u) = (self.q.len(), self.u.len());
         let (mut q_dot, mut u_dot) = (vec![0.0; n_q], vec![0.0; n_u]);
         self.engine.set_time(0.0);
-        self.engine.rates(0.0, &self.q, &self.u, &self.inputs, &mut q_dot, &mut u_dot).ok()?;
-        let near = self.engine.function(0, (0.0, &self.q, &self.u, &self.inputs, &[])).ok()?;
+        (self.engine.rates(0.0, &self.q, &self.u, &self.inputs, &mut q_dot, &mut u_dot))
+            .map_err(|fault| fault.reason())?;
+        let near = self.near()?;
         let n = self.state.len();
-        let (a, rest) = near.split_at_checked(n * n)?;
-        let b = rest.get(..n * self.inputs.len())?;
+        let (a, rest) = near.split_at(n * n);
+        let b = &rest[..n * self.inputs.len()];
         let x_dot = self.state.iter().map(|e| if e.is_speed { u_dot[e.place] } else { q_dot[e.place] });
         let x_dot = DVector::from_iterator(n, x_dot);
         let slopes = Slopes {
             a: DMatrix::from_row_slice(n, n, a),
             b: DMatrix::from_row_slice(n, self.inputs.len(), b),
         };
-        let is_finite = x_dot.iter().chain(&slopes.a).chain(&slopes.b).all(|x| x.is_finite());
-        is_finite.then_some(Rates { x_dot, slopes })
+        if !x_dot.iter().all(|x| x.is_finite()) {
+            return Err("the accelerations are not finite: the configuration is singular");
+        }
+        if !slopes.a.iter().chain(&slopes.b).all(|x| x.is_finite()) {
+            return Err(
+                "the slopes of the accelerations are not finite: a root of 0, or two points that coincide",
+            );
+        }
+        Ok(Rates { x_dot, slopes })
+    }
+
+    /// What the derived function gives here: the linearisation, and the inputs as the laws command them.
+    fn near(&mut self) -> Result<Vec<f64>, &'static str> {
+        self.engine.function(0, (0.0, &self.q, &self.u, &self.inputs, &[])).map_err(|fault| fault.reason())
+    }
+
+    /// The inputs, those with a law as it commands them.
+    fn commanded(&mut self) -> Result<Vec<f64>, &'static str> {
+        if !self.has_laws {
+            return Ok(self.inputs.clone());
+        }
+        let near = self.near()?;
+        Ok(near[near.len() - self.inputs.len()..].to_vec())
     }
 
     /// Rates that have to vanish: accelerations, and rates of coordinates on which anything depends.
@@ -315,7 +340,7 @@ impl<'p> Search<'p> {
         let mut part = 1.0 / step.amax().max(1.0);
         for _ in 0..HALVINGS {
             if self.go(&old, step, part)
-                && let Some(here) = self.rates()
+                && let Ok(here) = self.rates()
             {
                 let rest = self.off_balance(&here);
                 if rest.1 < before {

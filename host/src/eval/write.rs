@@ -127,7 +127,7 @@ fn json_part(part: &Part, values: &[f64]) -> String {
     };
     match part.shape {
         Shape::Number => json_number(values[0]),
-        Shape::List(_) if part.labels.is_empty() => list(values),
+        Shape::List(n) if part.labels.is_empty() && n > 0 => list(values),
         Shape::List(_) => json_object(part.labels.iter().map(String::as_str).zip(values.iter().copied())),
         Shape::Matrix(_, columns) => {
             let rows: Vec<String> = values.chunks(columns.max(1)).map(list).collect();

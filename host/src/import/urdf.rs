@@ -247,7 +247,17 @@ fn joint(node: Node<'_, '_>, left_out: &mut BTreeMap<&'static str, usize>) -> Re
     }
     let limits = child(node, "limit");
     let limit = (number_or(limits, "lower", 0.0)?, number_or(limits, "upper", 0.0)?);
-    let limited = matches!(kind, Kind::Revolute | Kind::Prismatic) && limit.0 < limit.1;
+    let has_limits = matches!(kind, Kind::Revolute | Kind::Prismatic);
+    if has_limits && limit.0 > limit.1 {
+        let (lower, upper) = limit;
+        return Err(format!(
+            "the limits of joint `{name}` at {at} are {lower} and {upper}; expected the lower one first"
+        ));
+    }
+    let limited = has_limits && limit.0 < limit.1;
+    if has_limits && limit.0 == limit.1 && limit.0 != 0.0 {
+        *left_out.entry("limits that leave no motion").or_default() += 1;
+    }
     let dynamics = child(node, "dynamics");
     let damping = number_or(dynamics, "damping", 0.0)?;
     if number_or(dynamics, "friction", 0.0)? != 0.0 {
@@ -268,6 +278,9 @@ fn joint(node: Node<'_, '_>, left_out: &mut BTreeMap<&'static str, usize>) -> Re
     };
     if mimic.is_some() && !matches!(kind, Kind::Revolute | Kind::Continuous | Kind::Prismatic) {
         return Err(format!("joint `{name}` at {at} mimics another; expected a revolute or prismatic joint"));
+    }
+    if mimic.is_some() && limited {
+        *left_out.entry("limits of joints that follow others").or_default() += 1;
     }
     if mimic.is_some() && damping != 0.0 {
         *left_out.entry("damping of joints that follow others").or_default() += 1;

@@ -138,6 +138,43 @@ fn thrusts_that_hold_the_tile_are_slopes_of_its_energy() {
     }
 }
 
+/// A mass on a spring, with what its law and the drag of the second power do.
+const HANGING: &str = r#"format = 1
+name = "hanging"
+gravity = "9.81_N/1_kg*N.x"
+[inputs]
+F = { unit = "N" }
+[coordinates]
+x = { unit = "m", range = [-1, 1] }
+[points]
+P = "x*N.x"
+[bodies]
+p = { centre = "P", mass = 2 }
+[springs]
+s = { coordinate = "x", stiffness = 40 }
+[forces]
+drive = { point = "P", force = "F*N.x - 3_kg/1_m*norm(velocity(P))*velocity(P)" }
+[law]
+F = "LAW"
+"#;
+
+#[test]
+fn inputs_are_those_that_the_law_commands() {
+    let model = written("hanging.toml", &HANGING.replace("LAW", "5_N - 10_N/1_m*x"));
+    let answer = found(&[&model]);
+    let x = (2.0 * 9.81 + 5.0) / 50.0;
+    close(number(&answer["q"]["x"]), x, 1e-12, "place");
+    close(number(&answer["inputs"]["F"]), 5.0 - 10.0 * x, 1e-12, "force of the law");
+    // The drag has no slope at rest.
+    let [[real, imaginary]] = eigenvalues(&answer)[..] else { panic!("{answer}") };
+    assert_eq!(real, 0.0);
+    close(imaginary, (50.0_f64 / 2.0).sqrt(), 1e-12, "circular frequency");
+    let done =
+        smartbed(&["equilibrium", &written("pushed.toml", &HANGING.replace("LAW", "5_N*cos(2_Hz*t)"))]);
+    assert_eq!(done.status, 0, "{done:?}");
+    assert!(done.err.contains("warning: `drive` changes with time"), "{done:?}");
+}
+
 #[test]
 fn what_cannot_be_is_refused() {
     // Nothing holds its platform up.

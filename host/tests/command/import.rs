@@ -171,6 +171,19 @@ fn what_is_not_carried_over_is_said() {
         assert!(all.contains(what), "{what}: {all}");
         assert!(panda.model.contains(what), "{}", panda.model);
     }
+    let hinge = |name: &str, from: &str, to: &str, limit: &str| {
+        format!(
+            "<joint name=\"{name}\" type=\"revolute\"><parent link=\"{from}\"/><child link=\"{to}\"/>{limit}</joint>"
+        )
+    };
+    let follows = "<limit lower=\"-1\" upper=\"1\"/><mimic joint=\"j\"/>";
+    let links = ["a", "b", "c"].map(|name| format!("<link name=\"{name}\"/>")).concat();
+    let fixed = hinge("j", "a", "b", "<limit lower=\"0.5\" upper=\"0.5\"/>");
+    let said = made(
+        &format!("<robot name=\"r\">{links}{fixed}{}</robot>", hinge("k", "b", "c", follows)),
+        Base::Fixed,
+    );
+    assert_eq!(said.left_out, ["limits of joints that follow others: 1", "limits that leave no motion: 1"]);
     // The word, its names and a limit beside 0, as they stand in the text.
     let line =
         "turret = { kind = \"prismatic\", axis = [0, 0.6, -0.8], parent = \"turret_link\", child = \"slide\"";
@@ -205,6 +218,12 @@ fn robots_that_are_none_are_refused_with_place_and_cure() {
         (
             &robot(&[link("a"), link("b"), joint("j", "a", "b", "<axis xyz=\"0 0 0\"/>")].concat()),
             "expected a direction",
+        ),
+        (
+            &robot(
+                &[link("a"), link("b"), joint("j", "a", "b", "<limit lower=\"2\" upper=\"-1\"/>")].concat(),
+            ),
+            "are 2 and -1; expected the lower one first",
         ),
         (
             &robot(&[link("a"), link("b"), joint("j", "a", "b", "<mimic joint=\"k\"/>")].concat()),

@@ -44,6 +44,29 @@ impl Model {
         self.expressions().into_iter().any(|(_, e)| known.time_in(e))
     }
 
+    /// The first load that reads the time.
+    #[must_use]
+    pub fn load_of_time(&self) -> Option<&Load> {
+        let known = self.known_definitions();
+        self.loads.iter().find(|load| load.kind.expressions().into_iter().any(|(_, e)| known.time_in(e)))
+    }
+
+    /// Is the coordinate a function of time alone, so that no constraint is hidden in its closed form?
+    pub(crate) fn is_prescribed(&self, coordinate: CoordinateId) -> bool {
+        self.coordinates[coordinate].closed_form.as_ref().is_some_and(|form| self.reads_only_time(form))
+    }
+
+    fn reads_only_time(&self, form: &Expr) -> bool {
+        let mut only = true;
+        form.visit(&mut |e| match e.kind {
+            ExprKind::Coordinate(other) => only &= self.is_prescribed(other),
+            ExprKind::Definition(id) => only &= self.reads_only_time(&self.definitions[id].value),
+            ExprKind::Point(_) | ExprKind::Axis(..) => only = false,
+            _ => {}
+        });
+        only
+    }
+
     fn known_definitions(&self) -> Definitions {
         let mut known = Definitions {
             reads_time: self.definitions.iter().map(|_| false).collect(),

@@ -21,9 +21,23 @@ pub fn check(draft: &mut Draft, found: &mut Diagnostics) {
     for (role, expression) in draft.model.expressions() {
         checker.role(role, expression);
     }
+    // What is faulty has been reported; asked again it would be twice.
+    let sound = checker.found.items.is_empty();
+    let mut of = |c: &Constraint| match sound {
+        true => checker.infer(&c.expression).map_or(Unit::NONE, Type::known),
+        false => Unit::NONE,
+    };
+    let of_configuration: Vec<Unit> = draft.model.configuration_constraints.iter().map(&mut of).collect();
+    let of_motion: Vec<Unit> = draft.model.motion_constraints.iter().map(&mut of).collect();
     let units: Vec<Unit> = (0..draft.model.outputs.len()).map(|n| checker.output(n).known()).collect();
     for (output, unit) in draft.model.outputs.iter_mut().zip(units) {
         output.unit = unit.to_string();
+    }
+    for (constraints, units) in [
+        (&mut draft.model.configuration_constraints, of_configuration),
+        (&mut draft.model.motion_constraints, of_motion),
+    ] {
+        constraints.iter_mut().zip(units).for_each(|(constraint, unit)| constraint.unit = unit);
     }
     check_dof(&draft.model, found);
 }

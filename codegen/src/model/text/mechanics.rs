@@ -311,8 +311,8 @@ impl Builder<'_> {
     pub(super) fn constraints(&mut self) {
         for (section, configuration) in [("constraints.configuration", true), ("constraints.motion", false)] {
             for (key, value) in self.entries(section) {
-                let constraint =
-                    Constraint { name: key.name.clone(), expression: self.expression(value), span: key.span };
+                let (name, expression) = (key.name.clone(), self.expression(value));
+                let constraint = Constraint { name, expression, unit: Unit::NONE, span: key.span };
                 let model = &mut self.draft.model;
                 match configuration {
                     true => model.configuration_constraints.push(constraint),

@@ -13,6 +13,7 @@ use crate::diagnostic::Diagnostic;
 use crate::expr::{ExprId, SymbolId};
 use crate::kinematics;
 use crate::model::CoordinateId;
+use rustc_hash::FxHashSet as HashSet;
 
 type Parts = Result<Vec<Part>, Diagnostic>;
 
@@ -39,13 +40,8 @@ struct Columns {
 
 pub(super) fn linearisation(stages: &mut Stages, target: &Target) -> Parts {
     let independent = coordinates(stages, true);
-    let mut directions = independent_directions(stages, &independent).ok_or_else(|| {
-        Diagnostic::error(format!(
-            "`{}`: the dependent coordinates do not follow the independent ones",
-            target.request
-        ))
-        .help("state as many coordinates independent as the configuration constraints leave free")
-    })?;
+    let mut directions =
+        independent_directions(stages, &independent).ok_or_else(|| not_following(stages, target))?;
     let equations = Equations::new(stages, &independent);
     let one = stages.alg.dag.one();
     for unknown in stages.k.unknowns.independent() {
@@ -97,7 +93,31 @@ fn coordinates(stages: &Stages, independent: bool) -> Vec<CoordinateId> {
     all.map(|(id, _)| id).filter(|&id| stages.k.coordinate_symbol(&stages.alg.dag, id).is_some()).collect()
 }
 
-/// One direction per independent coordinate: the coordinate itself and the dependent ones that follow it.
+/// The error for dependent coordinates that the configuration constraints do not give, with those that none of them reads.
+fn not_following(stages: &mut Stages, target: &Target) -> Diagnostic {
+    let dag = &stages.alg.dag;
+    let read: HashSet<SymbolId> =
+        stages.k.residuals.iter().flat_map(|&residual| dag.symbols_of(residual)).collect();
+    let is_read = |id| stages.k.coordinate_symbol(dag, id).is_some_and(|symbol| read.contains(&symbol));
+    let free = stages.model.coordinates.enumerate().filter(|(id, c)| !c.independent && !is_read(*id));
+    let free: Vec<_> = free.filter(|(_, c)| c.closed_form.is_none()).map(|(_, c)| c).collect();
+    let error = Diagnostic::error(format!(
+        "`{}`: the dependent coordinates do not follow the independent ones",
+        target.request
+    ));
+    let help = "state as many coordinates independent as the configuration constraints leave free";
+    match free.as_slice() {
+        [] => error.help(help),
+        _ => {
+            let names: Vec<String> = free.iter().map(|c| format!("`{}`", c.name)).collect();
+            free.iter()
+                .fold(error, |error, c| error.label(c.span, "no configuration constraint reads it"))
+                .help(format!("{help}: mark {} `independent = true`", names.join(", ")))
+        }
+    }
+}
+
+/// One direction an independent coordinate: itself, and the dependent ones that follow it.
 fn independent_directions(stages: &mut Stages, independent: &[CoordinateId]) -> Option<Vec<Direction>> {
     let dependent = coordinates(stages, false);
     let one = stages.alg.dag.one();

@@ -13,7 +13,7 @@ use crate::dynamics;
 use crate::expr::cost::Optimise;
 use crate::expr::{ExprId, SymbolId};
 use crate::kinematics::{self, Algebra, Kinematics, diagnose, eliminate, sampling};
-use crate::model::{COMPONENTS, Cut, Model};
+use crate::model::{COMPONENTS, Coordinate, CoordinateId, Cut, Model};
 use rustc_hash::FxHashMap as HashMap;
 
 const NAMES: [&str; COMPONENTS] = ["F_x", "F_y", "F_z", "M_x", "M_y", "M_z"];
@@ -46,7 +46,9 @@ pub(super) fn reaction(stages: &mut Stages, target: &Target) -> Result<Vec<Part>
 /// The cut named in the request.
 fn cut_of(model: &Model, target: &Target) -> Result<Cut, Diagnostic> {
     let request = &target.request;
-    if let Some(coordinate) = model.coordinates.iter().find(|c| c.closed_form.is_some()) {
+    let follows =
+        |(id, c): &(CoordinateId, &Coordinate)| c.closed_form.is_some() && !model.is_prescribed(*id);
+    if let Some((_, coordinate)) = model.coordinates.enumerate().find(follows) {
         return Err(Diagnostic::error(format!(
             "`{request}`: `{}` follows from other coordinates by its closed form, which holds only while no joint is open",
             coordinate.name

@@ -13,8 +13,8 @@ pub enum Along {
     Given(usize),
     /// A fixed letter.
     Letter(char),
-    /// The first, second axis after the one given, in the cyclic order x, y, z, x, y.
-    Behind(usize),
+    /// The first, second of the other axes than the one given, in the order x, y, z.
+    Across(usize),
 }
 
 /// A motion of the link, by one or several coordinates of the joint.
@@ -73,10 +73,10 @@ impl Direction {
         }
     }
 
-    /// The n-th axis after this one, in the cyclic order x, y, z, x, y.
-    pub fn behind(&self, n: usize) -> Self {
+    /// The n-th of the other axes, in the order x, y, z.
+    pub fn across(&self, n: usize) -> Self {
         match self {
-            Letter(letter, _) => Letter((letter + n) % 3, false),
+            Letter(letter, _) => Letter(n + usize::from(n >= *letter), false),
             other => other.clone(),
         }
     }

@@ -6,7 +6,7 @@
 
 use super::axis::{Along, Motion};
 use super::parts::Parts;
-use Along::{Behind, Given, Letter};
+use Along::{Across, Given, Letter};
 use Motion::{Attitude, Slide, Turn};
 
 /// A joint of the language.
@@ -49,7 +49,7 @@ pub const KINDS: [Kind; 10] = [
         word: "planar",
         axes: 1,
         driven: false,
-        motions: &[Slide(Behind(1), None), Slide(Behind(2), None), Turn(Given(0), "turn")],
+        motions: &[Slide(Across(0), None), Slide(Across(1), None), Turn(Given(0), "turn")],
         rolls: None,
     },
     Kind {

@@ -135,7 +135,7 @@ fn axes(key: &Key, fields: &Fields<'_>, kind: &Kind, found: &mut Diagnostics) ->
             );
             return None;
         };
-        let across = kind.motions.iter().any(|m| matches!(m, Motion::Slide(Along::Behind(_), _)));
+        let across = kind.motions.iter().any(|m| matches!(m, Motion::Slide(Along::Across(_), _)));
         if across && !axis.is_letter() {
             found.push(
                 Diagnostic::error(format!("the axis of a {} joint is x, y or z", kind.word))

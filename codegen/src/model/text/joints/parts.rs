@@ -123,7 +123,7 @@ impl<'a> Parts<'a> {
             let direction = match along {
                 Along::Given(n) => axes[n].clone(),
                 Along::Letter(letter) => Direction::letter(letter),
-                Along::Behind(n) => axes[0].behind(n),
+                Along::Across(n) => axes[0].across(n),
             };
             let name = match word {
                 _ if single => self.key.name.clone(),
