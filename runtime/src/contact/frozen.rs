@@ -107,7 +107,10 @@ impl<'a, S: Scalar, R: Repertoire<S>> System<'a, S, R> {
             // Their places at the start stand where the forces will.
             massless::settle(&self.body, &ground, pos, out);
         }
-        force::eval_elastic(&self.body, &self.elements(), pos, out)?;
+        match self.body.short_list() {
+            Some(springs) => force::eval_short_list(&self.body, springs, pos, out),
+            None => force::eval_elastic(&self.body, &self.elements(), pos, out)?,
+        }
         if let Some(ground) = self.soft_ground() {
             soft::accumulate_elastic(&ground, pos, out);
         }
