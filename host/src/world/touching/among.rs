@@ -30,7 +30,7 @@ impl Touching {
             Pair { things: of.things.map(|thing| number(thing).unwrap_or(0)), ..*of }
         });
         let located = self.located.as_ref();
-        let laws = |of: &Located| (own.iter().map(|pair| of.kinds[*pair]).collect(), of.method);
+        let laws = |of: &Located<f64>| (own.iter().map(|pair| of.kinds[*pair]).collect(), of.method);
         let mut subset = Self::with(
             (
                 numbers.iter().map(|thing| moved(&self.things[*thing])).collect(),
@@ -52,12 +52,6 @@ impl Touching {
             to.overlaps = of.overlaps;
         }
         (subset, own)
-    }
-
-    /// Takes what [`Pushed::values`] gave: pairs that pressed go on as they are.
-    pub(in crate::world) fn load(&mut self, pushed: &[f64]) {
-        self.pushed.load(pushed);
-        self.active = (0..self.pairs.len()).map(|pair| self.pushed.presses(pair)).collect();
     }
 
     /// Forgets what pushed in the last step, before parts of it are heard.
