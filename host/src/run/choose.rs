@@ -2,7 +2,7 @@
 
 use super::arguments::Arguments;
 use super::body::is_scene;
-use crate::engine::EngineKind;
+use crate::engine::{EngineKind, ScalarKind};
 use crate::failure::Failure;
 use crate::model_argument;
 use crate::output;
@@ -40,6 +40,13 @@ pub(super) fn resolve(arguments: &Arguments, path: &Path) -> Result<Arguments, F
     let mut plain = Arguments { error: None, budget: None, method: None, ..arguments.clone() };
     let mut takes_method = true;
     let (subject, interval): (Box<dyn Subject>, f64) = if model_argument::is_world(path) {
+        if arguments.scalar == ScalarKind::F32 {
+            return Err(Failure::Wrong(
+                "--scalar f32: the step of a world for an error or a time is picked in f64; give --step instead of --error \
+                 and --budget"
+                    .to_owned(),
+            ));
+        }
         let world = World::of(&arguments.model, super::world::open(&plain, path)?)?;
         let run = &world.assembly().run;
         let interval = run.step * run.every as f64;

@@ -19,7 +19,7 @@ use crate::view::side::Sides;
 use crate::view::world as stage;
 use crate::world::Assembly;
 use crate::world::engine::{ACCOUNTS, Column, Event};
-use crate::world::run::{Checkpoint, Ran, Row, engine, run};
+use crate::world::run::{Checkpoint, Ran, Row, engine, run, single_engine};
 use crate::{input, interrupt, model_argument, plot};
 use smartbed_codegen::words::count;
 use std::collections::BTreeMap;
@@ -39,12 +39,11 @@ const NOISE: f64 = 1e-8;
 pub(super) fn open(arguments: &Arguments, path: &Path) -> Result<Assembly, Failure> {
     let refused = [
         ("--engine compiled", arguments.engine == EngineKind::Compiled),
-        ("--scalar f32", arguments.scalar == ScalarKind::F32),
         ("--tolerance", arguments.tolerance.is_some()),
     ];
     if let Some((option, _)) = refused.iter().find(|(_, given)| *given) {
         return Err(Failure::Wrong(format!(
-            "{option}: a scene of format 2 does not take it: it takes fixed steps, in f64, interpreted"
+            "{option}: a scene of format 2 does not take it: it takes fixed steps, interpreted"
         )));
     }
     let mut settings = Vec::new();
@@ -86,7 +85,11 @@ struct Done {
 }
 
 fn record(arguments: &Arguments, assembly: &Assembly) -> Result<Done, Failure> {
-    let mut engine = engine(assembly).map_err(Failure::Wrong)?;
+    let engine = match arguments.scalar {
+        ScalarKind::F64 => engine(assembly),
+        ScalarKind::F32 => single_engine(assembly),
+    };
+    let mut engine = engine.map_err(Failure::Wrong)?;
     let from = arguments.resume.as_deref().map(checkpoint).transpose()?;
     let columns = engine.columns();
     let names = names(assembly, &columns);
@@ -99,7 +102,11 @@ fn record(arguments: &Arguments, assembly: &Assembly) -> Result<Done, Failure> {
     let mut recording = arguments.plot.as_ref().map(|_| Recording::new(names.len()));
     let mut sides = arguments.plot.as_ref().map(|_| Sides::new(stage::stage(assembly)));
     let mut film = arguments.view.as_ref().map(|_| Film::new(stage::stage(assembly), series(&columns)));
-    let mut health = Health::new(BTreeMap::new(), f64::EPSILON);
+    let epsilon = match arguments.scalar {
+        ScalarKind::F64 => f64::EPSILON,
+        ScalarKind::F32 => f64::from(f32::EPSILON),
+    };
+    let mut health = Health::new(BTreeMap::new(), epsilon);
     let (mut rows, mut imbalance, mut total, mut last) = (0, 0.0_f64, [f64::NAN; 2], Vec::new());
     let mut progress = Progress::new("running");
     let method = engine.method();
@@ -172,6 +179,7 @@ fn record(arguments: &Arguments, assembly: &Assembly) -> Result<Done, Failure> {
     }
     let film = film.map(|film| film.data(&assembly.title, &note, &told(&events, assembly)));
     let warnings = engine.warnings();
+    let method = if arguments.scalar == ScalarKind::F32 { method + ", in f32" } else { method };
     Ok(Done { method, names, last, events, film, rows, imbalance, total, warnings, health })
 }
 

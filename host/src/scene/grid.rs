@@ -118,6 +118,25 @@ impl<S: Scalar> Woven<S> {
         moved
     }
 
+    /// The same in another scalar, every number rounded once.
+    #[must_use]
+    pub fn rounded<T: Scalar>(&self) -> Woven<T> {
+        let numbers = |list: &Vec<S>| list.iter().map(|x| T::from_f64(x.to_f64())).collect();
+        Woven {
+            columns: self.columns,
+            rows: self.rows,
+            runs: self.runs.clone(),
+            starts: self.starts.clone(),
+            right: self.right.each_ref().map(numbers),
+            up: self.up.each_ref().map(numbers),
+            mass: numbers(&self.mass),
+            cells: numbers(&self.cells),
+            nodes: self.nodes,
+            springs: self.springs,
+            facets: self.facets,
+        }
+    }
+
     /// The grid.
     pub fn view<'s>(&'s self) -> Grid<'s, S> {
         let family =

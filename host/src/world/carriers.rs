@@ -2,22 +2,23 @@
 
 use super::ported::Ported;
 use smartbed_runtime::mechanism::Fault;
+use smartbed_runtime::real::Scalar;
 use smartbed_runtime::surface::Frame;
 use smartbed_runtime::world::{Carrier, Floating, InverseInertia, Still, Wrench};
 use std::ops::Range;
 
 /// A carrier.
 #[derive(Clone, Debug)]
-pub enum HostCarrier {
+pub enum HostCarrier<S: Scalar = f64> {
     /// A mechanism with the ports in use.
-    Mechanism(Box<Ported>),
+    Mechanism(Box<Ported<S>>),
     /// A rigid body, its axes the one port.
-    Floating(Floating<f64>),
+    Floating(Floating<S>),
     /// A frame fixed in space.
-    Still(Still<f64>),
+    Still(Still<S>),
 }
 
-impl Carrier<f64> for HostCarrier {
+impl<S: Scalar> Carrier<S> for HostCarrier<S> {
     fn n_q(&self) -> usize {
         match self {
             Self::Mechanism(own) => own.n_q(),
@@ -60,11 +61,11 @@ impl Carrier<f64> for HostCarrier {
 
     fn inverse_inertia(
         &mut self,
-        t: f64,
-        q: &[f64],
-        u: &[f64],
+        t: S,
+        q: &[S],
+        u: &[S],
         ports: [usize; 2],
-    ) -> Result<InverseInertia<f64>, Fault> {
+    ) -> Result<InverseInertia<S>, Fault> {
         match self {
             Self::Mechanism(own) => own.inverse_inertia(t, q, u, ports),
             Self::Floating(own) => own.inverse_inertia(t, q, u, ports),
@@ -72,14 +73,18 @@ impl Carrier<f64> for HostCarrier {
         }
     }
 
-    fn drive_power(&mut self, frames: &[Frame<f64>], wrenches: &[Wrench<f64>]) -> Option<f64> {
-        // If time alone moves a mechanism, its drive supplies the power that is taken at its ports; the drive's other
-        // power is in the mechanism's account.
-        let taken = frames.iter().zip(wrenches).map(|(frame, wrench)| wrench.power(frame)).sum::<f64>();
+    fn drive_power(&mut self, frames: &[Frame<S>], wrenches: &[Wrench<S>]) -> Option<S> {
+        // What drives a mechanism that time alone moves gives what is taken at its ports; its own share is in its
+        // account.
+        let taken = frames
+            .iter()
+            .zip(wrenches)
+            .map(|(frame, wrench)| wrench.power(frame))
+            .fold(S::ZERO, |sum, power| sum + power);
         matches!(self, Self::Mechanism(own) if own.n_u() == 0).then_some(-taken)
     }
 
-    fn frames(&mut self, t: f64, q: &[f64], u: &[f64], frames: &mut [Frame<f64>]) -> Result<(), Fault> {
+    fn frames(&mut self, t: S, q: &[S], u: &[S], frames: &mut [Frame<S>]) -> Result<(), Fault> {
         match self {
             Self::Mechanism(own) => own.frames(t, q, u, frames),
             Self::Floating(own) => own.frames(t, q, u, frames),
@@ -89,13 +94,13 @@ impl Carrier<f64> for HostCarrier {
 
     fn rates(
         &mut self,
-        t: f64,
-        q: &[f64],
-        u: &[f64],
-        wrenches: &[Wrench<f64>],
-        q_dot: &mut [f64],
-        u_dot: &mut [f64],
-    ) -> Result<f64, Fault> {
+        t: S,
+        q: &[S],
+        u: &[S],
+        wrenches: &[Wrench<S>],
+        q_dot: &mut [S],
+        u_dot: &mut [S],
+    ) -> Result<S, Fault> {
         match self {
             Self::Mechanism(own) => own.rates(t, (q, u), wrenches, (q_dot, u_dot)),
             Self::Floating(own) => own.rates(t, q, u, wrenches, q_dot, u_dot),
@@ -105,21 +110,23 @@ impl Carrier<f64> for HostCarrier {
 
     fn mean_rates(
         &mut self,
-        [t, h]: [f64; 2],
-        q: [&[f64]; 3],
-        u: [&[f64]; 3],
-        wrenches: &[Wrench<f64>],
-        q_dot: &mut [f64],
-        u_dot: &mut [f64],
-    ) -> Result<f64, Fault> {
+        [t, h]: [S; 2],
+        q: [&[S]; 3],
+        u: [&[S]; 3],
+        wrenches: &[Wrench<S>],
+        q_dot: &mut [S],
+        u_dot: &mut [S],
+    ) -> Result<S, Fault> {
         match self {
-            Self::Mechanism(own) => own.rates(t + 0.5 * h, (q[1], u[1]), wrenches, (q_dot, u_dot)),
+            Self::Mechanism(own) => {
+                own.rates(t + S::from_f64(0.5) * h, (q[1], u[1]), wrenches, (q_dot, u_dot))
+            }
             Self::Floating(own) => own.mean_rates([t, h], q, u, wrenches, q_dot, u_dot),
             Self::Still(own) => own.mean_rates([t, h], q, u, wrenches, q_dot, u_dot),
         }
     }
 
-    fn energy(&mut self, t: f64, q: &[f64], u: &[f64]) -> Result<(f64, f64), Fault> {
+    fn energy(&mut self, t: S, q: &[S], u: &[S]) -> Result<(S, S), Fault> {
         match self {
             Self::Mechanism(own) => own.energy(t, q, u),
             Self::Floating(own) => own.energy(t, q, u),
@@ -127,7 +134,7 @@ impl Carrier<f64> for HostCarrier {
         }
     }
 
-    fn project(&mut self, q: &mut [f64]) -> Result<f64, Fault> {
+    fn project(&mut self, q: &mut [S]) -> Result<S, Fault> {
         match self {
             Self::Mechanism(own) => own.project(q),
             Self::Floating(own) => own.project(q),
@@ -135,7 +142,7 @@ impl Carrier<f64> for HostCarrier {
         }
     }
 
-    fn set_time(&mut self, t: f64) {
+    fn set_time(&mut self, t: S) {
         if let Self::Mechanism(own) = self {
             own.set_time(t);
         }

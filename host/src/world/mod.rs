@@ -17,6 +17,7 @@ pub mod ported;
 mod pushed;
 pub mod read;
 pub mod rigid;
+mod rounding;
 pub mod run;
 pub mod sensors;
 mod settle;

@@ -11,6 +11,7 @@ use crate::observers::{LEDGER, Observers};
 use smartbed_codegen::model::{Model, StartRef};
 use smartbed_codegen::{Asked, Function, Interpreted, ParameterChoice, Program, Request, program};
 use smartbed_runtime::mechanism::{Fault, Mechanism as _};
+use smartbed_runtime::real::Scalar;
 use smartbed_runtime::surface::Frame;
 use smartbed_runtime::vec3;
 use smartbed_runtime::world::{InverseInertia, Wrench};
@@ -21,22 +22,22 @@ const PARTS: [&str; 5] = ["position", "rotation", "twist", "inverse_inertia", "j
 
 /// Equations with ports.
 #[derive(Clone, Debug)]
-pub struct Ported {
-    engine: Interpreted<f64>,
-    law: Interpreted<f64>,
-    observer: Interpreted<f64>,
-    places: Interpreted<f64>,
+pub struct Ported<S = f64> {
+    engine: Interpreted<S>,
+    law: Interpreted<S>,
+    observer: Interpreted<S>,
+    places: Interpreted<S>,
     law_inputs: Vec<usize>,
     /// The model's own inputs, then six for each port.
-    inputs: Vec<f64>,
+    inputs: Vec<S>,
     own: usize,
     own_inputs: Vec<String>,
     /// By port: index of the first input of its wrench.
     wrenches: Vec<usize>,
-    u_dot: Vec<f64>,
-    /// By port: index of the first result of each of its answers, in the order of [`PARTS`].
+    u_dot: Vec<S>,
+    /// First numbers of each port's answers, in the order of [`PARTS`].
     first: Vec<[usize; 5]>,
-    place: [f64; 3],
+    place: [S; 3],
     /// The ports in use.
     pub ports: Vec<String>,
     projections: u8,
@@ -58,17 +59,17 @@ pub struct Start {
 
 /// Energies (J) and powers (W) of a state.
 #[derive(Clone, Copy, PartialEq, Default, Debug)]
-pub struct Account {
+pub struct Account<S = f64> {
     /// Kinetic, of weight, of springs (J).
-    pub stored: [f64; 3],
+    pub stored: [S; 3],
     /// Into it: actuators, other loads, drives (W).
-    pub driven: f64,
+    pub driven: S,
     /// Out of it: damping (W).
-    pub damped: f64,
+    pub damped: S,
 }
 
-impl Ported {
-    /// Derives equations with these ports, and the observers of the model.
+impl<S: Scalar> Ported<S> {
+    /// Derives equations with these ports, and what stands in the model beside them.
     ///
     /// # Errors
     /// If the model cannot be derived, or its start cannot be assembled.
@@ -99,13 +100,13 @@ impl Ported {
             observer: Interpreted::new(&observers.ledger()),
             places: Interpreted::new(&observers.places()),
             law_inputs: observers.law_inputs.clone(),
-            inputs: vec![0.0; program.inputs.len()],
+            inputs: vec![S::ZERO; program.inputs.len()],
             own: model.inputs.len(),
             own_inputs: model.inputs.iter().map(|input| input.name.clone()).collect(),
             wrenches,
-            u_dot: vec![0.0; program.u_dot.len()],
+            u_dot: vec![S::ZERO; program.u_dot.len()],
             first,
-            place: mechanism.place,
+            place: mechanism.place.map(S::from_f64),
             ports: ports.to_vec(),
             projections: u8::from(!program.correction.is_empty()),
             reads_time: model.is_driven() || model.reads_time(),
@@ -127,14 +128,14 @@ impl Ported {
         own.filter(|(input, _)| !self.law_inputs.contains(input)).collect()
     }
 
-    /// Holds one of them at a value; returns whether the value has changed.
-    pub fn hold(&mut self, input: usize, value: f64) -> bool {
+    /// Holds one of them at a value; true if that changes it.
+    pub fn hold(&mut self, input: usize, value: S) -> bool {
         let own = self.inputs[..self.own].get_mut(input);
         own.is_some_and(|own| std::mem::replace(own, value) != value)
     }
 
-    /// Holds the inputs at the values of another instance of the same equations.
-    pub(super) fn hold_as(&mut self, other: &Ported) {
+    /// Holds the inputs that another one of the same equations does.
+    pub(super) fn hold_as(&mut self, other: &Ported<S>) {
         self.inputs[..self.own].copy_from_slice(&other.inputs[..self.own]);
     }
 
@@ -144,8 +145,8 @@ impl Ported {
     }
 
     /// Sets the inputs: laws at this state, wrenches at the ports.
-    fn command(&mut self, t: f64, q: &[f64], u: &[f64], wrenches: &[Wrench<f64>]) -> Result<(), Fault> {
-        let commanded = self.law.outputs(t, q, u, &vec![0.0; self.own])?;
+    fn command(&mut self, t: S, q: &[S], u: &[S], wrenches: &[Wrench<S>]) -> Result<(), Fault> {
+        let commanded = self.law.outputs(t, q, u, &vec![S::ZERO; self.own])?;
         for (&input, value) in self.law_inputs.iter().zip(commanded) {
             self.inputs[input] = value;
         }
@@ -156,8 +157,8 @@ impl Ported {
         Ok(())
     }
 
-    /// All answers about all ports.
-    fn asked(&mut self, t: f64, q: &[f64], u: &[f64]) -> Result<Vec<f64>, Fault> {
+    /// All answers of all ports.
+    fn asked(&mut self, t: S, q: &[S], u: &[S]) -> Result<Vec<S>, Fault> {
         self.engine.function(0, (t, q, u, &self.inputs, &self.u_dot))
     }
 
@@ -183,7 +184,7 @@ impl Ported {
     ///
     /// # Errors
     /// The engine's.
-    pub fn frames(&mut self, t: f64, q: &[f64], u: &[f64], frames: &mut [Frame<f64>]) -> Result<(), Fault> {
+    pub fn frames(&mut self, t: S, q: &[S], u: &[S], frames: &mut [Frame<S>]) -> Result<(), Fault> {
         if self.first.is_empty() {
             return Ok(());
         }
@@ -207,11 +208,11 @@ impl Ported {
     /// The engine's.
     pub fn rates(
         &mut self,
-        t: f64,
-        (q, u): (&[f64], &[f64]),
-        wrenches: &[Wrench<f64>],
-        (q_dot, u_dot): (&mut [f64], &mut [f64]),
-    ) -> Result<f64, Fault> {
+        t: S,
+        (q, u): (&[S], &[S]),
+        wrenches: &[Wrench<S>],
+        (q_dot, u_dot): (&mut [S], &mut [S]),
+    ) -> Result<S, Fault> {
         self.command(t, q, u, wrenches)?;
         self.engine.rates(t, q, u, &self.inputs, q_dot, u_dot)
     }
@@ -222,24 +223,24 @@ impl Ported {
     /// The engine's.
     pub fn inverse_inertia(
         &mut self,
-        t: f64,
-        q: &[f64],
-        u: &[f64],
+        t: S,
+        q: &[S],
+        u: &[S],
         [seen, at]: [usize; 2],
-    ) -> Result<InverseInertia<f64>, Fault> {
+    ) -> Result<InverseInertia<S>, Fault> {
         let answers = self.asked(t, q, u)?;
         let [.., inverse, jacobian] = *self.first.get(seen).ok_or(Fault::Shape)?;
         if seen == at {
             return Ok(std::array::from_fn(|i| std::array::from_fn(|j| answers[inverse + 6 * i + j])));
         }
-        let (n, mut columns) = (self.n_u(), [[0.0; 6]; 6]);
-        let mut accelerations = |wrench: Option<usize>| -> Result<Vec<f64>, Fault> {
+        let (n, mut columns) = (self.n_u(), [[S::ZERO; 6]; 6]);
+        let mut accelerations = |wrench: Option<usize>| -> Result<Vec<S>, Fault> {
             let mut wrenches = vec![Wrench::zero(); self.n_ports()];
             if let Some(direction) = wrench {
                 let side = if direction < 3 { &mut wrenches[at].force } else { &mut wrenches[at].moment };
-                side[direction % 3] = 1.0;
+                side[direction % 3] = S::ONE;
             }
-            let (mut q_dot, mut u_dot) = (vec![0.0; self.n_q()], vec![0.0; n]);
+            let (mut q_dot, mut u_dot) = (vec![S::ZERO; self.n_q()], vec![S::ZERO; n]);
             self.rates(t, (q, u), &wrenches, (&mut q_dot, &mut u_dot))?;
             Ok(u_dot)
         };
@@ -247,7 +248,8 @@ impl Ported {
         for (direction, column) in columns.iter_mut().enumerate() {
             let pushed = accelerations(Some(direction))?;
             for (row, entry) in column.iter_mut().enumerate() {
-                *entry = (0..n).map(|k| answers[jacobian + n * row + k] * (pushed[k] - free[k])).sum();
+                let terms = (0..n).map(|k| answers[jacobian + n * row + k] * (pushed[k] - free[k]));
+                *entry = terms.fold(S::ZERO, |sum, term| sum + term);
             }
         }
         Ok(std::array::from_fn(|i| std::array::from_fn(|j| columns[j][i])))
@@ -263,7 +265,7 @@ impl Ported {
     ///
     /// # Errors
     /// The engine's.
-    pub fn energy(&mut self, t: f64, q: &[f64], u: &[f64]) -> Result<(f64, f64), Fault> {
+    pub fn energy(&mut self, t: S, q: &[S], u: &[S]) -> Result<(S, S), Fault> {
         self.engine.set_time(t);
         self.engine.energy(q, u)
     }
@@ -272,16 +274,10 @@ impl Ported {
     ///
     /// # Errors
     /// The engine's.
-    pub fn account(
-        &mut self,
-        t: f64,
-        q: &[f64],
-        u: &[f64],
-        wrenches: &[Wrench<f64>],
-    ) -> Result<Account, Fault> {
+    pub fn account(&mut self, t: S, q: &[S], u: &[S], wrenches: &[Wrench<S>]) -> Result<Account<S>, Fault> {
         self.command(t, q, u, wrenches)?;
         let watched = self.observer.outputs(t, q, u, &self.inputs[..self.own])?;
-        let [gravity, spring, actuator, damping, external]: [f64; LEDGER.len()] =
+        let [gravity, spring, actuator, damping, external]: [S; LEDGER.len()] =
             watched.try_into().map_err(|_| Fault::Shape)?;
         let drive = self.engine.drive(t, q, u, &self.inputs)?;
         let (kinetic, _) = self.energy(t, q, u)?;
@@ -296,18 +292,20 @@ impl Ported {
     ///
     /// # Errors
     /// The engine's.
-    pub fn picture(&mut self, t: f64, q: &[f64], u: &[f64]) -> Result<Picture, Fault> {
+    pub fn picture(&mut self, t: S, q: &[S], u: &[S]) -> Result<Picture, Fault> {
         let numbers = self.places.outputs(t, q, u, &self.inputs[..self.own])?;
+        let (numbers, place): (Vec<f64>, _) =
+            (numbers.into_iter().map(S::to_f64).collect(), self.place.map(S::to_f64));
         let [points, frames, bodies] = self.counts;
         let cut = |first: usize, count: usize| numbers.get(first..first + count).ok_or(Fault::Shape);
         let (axes, inertias) = (3 * points, 3 * points + 6 * frames);
         let gravity = inertias + INERTIA * bodies;
         let three = |x: &[f64]| [x[0], x[1], x[2]];
-        let own = cut(0, axes)?.chunks_exact(3).map(|point| vec3::add(three(point), self.place));
+        let own = cut(0, axes)?.chunks_exact(3).map(|point| vec3::add(three(point), place));
         let turned = cut(axes, 6 * frames)?.chunks_exact(6).map(|two| [three(two), three(&two[3..])]);
         let solid = |x: &[f64]| std::array::from_fn(|i| x[i]);
         Ok(Picture {
-            points: std::iter::once(self.place).chain(own).collect(),
+            points: std::iter::once(place).chain(own).collect(),
             axes: turned.collect(),
             inertias: cut(inertias, INERTIA * bodies)?.chunks_exact(INERTIA).map(solid).collect(),
             sizes: numbers.get(gravity + 3..).unwrap_or_default().to_vec(),
@@ -319,12 +317,12 @@ impl Ported {
     ///
     /// # Errors
     /// The engine's.
-    pub fn project(&mut self, q: &mut [f64]) -> Result<f64, Fault> {
+    pub fn project(&mut self, q: &mut [S]) -> Result<S, Fault> {
         self.engine.project(q)
     }
 
-    /// Sets the time for the next correction.
-    pub fn set_time(&mut self, t: f64) {
+    /// The time of the next correction.
+    pub fn set_time(&mut self, t: S) {
         self.engine.set_time(t);
     }
 

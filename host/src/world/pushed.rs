@@ -4,6 +4,7 @@
 //! on: means over the step if touches are not located in time, otherwise the forces at its end.
 
 use super::engine::Column;
+use smartbed_runtime::real::Scalar;
 use smartbed_runtime::rigid::contact::Contact;
 use smartbed_runtime::vec3::{self, Vec3};
 use std::ops::Range;
@@ -37,26 +38,24 @@ impl Pushed {
         pairs.flat_map(of).collect()
     }
 
-    /// Adds a point of a pair: its force along n, t1, t2 (N); `bodies` are the bodies that each of the two parts has in
-    /// contacts.
-    pub(super) fn add(
+    /// Adds a point of a pair: its force n, t1, t2 (N), and the bodies that each of the two parts is to it.
+    pub(super) fn add<S: Scalar>(
         &mut self,
         pair: usize,
         bodies: [&Range<usize>; 2],
-        contact: &Contact<f64>,
-        force: Vec3<f64>,
+        contact: &Contact<S>,
+        force: Vec3<S>,
     ) {
-        let Some([points, normal, sum @ ..]) = self.rows.get_mut(pair).filter(|_| force[0] > 0.0) else {
+        let Some([points, normal, sum @ ..]) = self.rows.get_mut(pair).filter(|_| force[0] > S::ZERO) else {
             return;
         };
         *points += 1.0;
-        *normal += force[0];
-        // If the first part is fixed in space and has no bodies, takes the force on the second one with the opposite
-        // sign.
+        *normal += force[0].to_f64();
+        // Where the first part is none, fixed in space: what the second one gets, turned round.
         let (own, sign) = if bodies[0].is_empty() { (bodies[1], -1.0) } else { (bodies[0], 1.0) };
         contact.deal(force, |body, _, share| {
             if own.contains(&body) {
-                *sum = vec3::axpy(*sum, sign, share);
+                *sum = vec3::axpy(*sum, sign, share.map(S::to_f64));
             }
         });
     }

@@ -10,6 +10,7 @@ mod reading;
 mod rest;
 mod rigid;
 mod runs;
+mod single;
 mod support;
 mod touching;
 mod woven;

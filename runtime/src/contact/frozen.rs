@@ -103,6 +103,19 @@ impl<'a, S: Scalar, R: Repertoire<S>> System<'a, S, R> {
     /// # Errors
     /// From the gas law.
     pub fn elastic(&self, pos: &mut [Vec3<S>], out: &mut [Vec3<S>]) -> Result<(), BodyError<S>> {
+        if let Some(springs) = self.body.short_list()
+            && self.massless_ground().is_none()
+            && self.soft_ground().is_none()
+        {
+            force::eval_short_list(&self.body, springs, pos, out);
+            return Ok(());
+        }
+        self.elastic_of_all(pos, out)
+    }
+
+    /// The same, whatever body and ground have: apart, so that few springs have a call of their own size.
+    #[cfg_attr(not(target_os = "none"), inline(never))]
+    fn elastic_of_all(&self, pos: &mut [Vec3<S>], out: &mut [Vec3<S>]) -> Result<(), BodyError<S>> {
         if let Some(ground) = self.massless_ground() {
             // Their positions before stand in the rows that the forces overwrite afterwards.
             massless::settle(&self.body, &ground, pos, out);

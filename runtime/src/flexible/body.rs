@@ -8,7 +8,10 @@ use super::spring::Spring;
 use crate::real::Scalar;
 use crate::vec3::Vec3;
 
-/// A flexible body: everything that is constant in a run.
+/// A list of fewer springs is short.
+const SHORT: usize = if cfg!(target_os = "none") { 0 } else { 64 };
+
+/// What never changes in a run.
 #[derive(Clone, Copy, Debug)]
 pub struct Body<'a, S> {
     /// Mass of each point (kg), > 0; 0 only for a massless contact point.
@@ -118,6 +121,14 @@ impl<'a, S: Scalar> Body<'a, S> {
             grids: &[],
             patches: None,
         }
+    }
+
+    /// Its springs, where they are few and all that it has: they are then taken one by one, without asking for each kind of
+    /// element. A microcontroller has one loop for all bodies.
+    #[must_use]
+    pub fn short_list(&self) -> Option<&'a [Spring<S>]> {
+        let is_alone = self.inflation.is_none() && self.grids.is_empty() && self.patches.is_none();
+        (is_alone && self.springs.len() < SHORT).then_some(self.springs)
     }
 
     /// Number of points.

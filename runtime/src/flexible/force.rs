@@ -7,6 +7,7 @@
 use super::body::Body;
 use super::element::{Element, Elements};
 use super::fault::BodyError;
+use super::spring::Spring;
 use crate::ode::nodes::Way;
 use crate::real::Scalar;
 use crate::vec3::{self, Vec3};
@@ -24,7 +25,22 @@ pub fn eval_elastic<S: Scalar>(
     elements.eval_elastic((body.mass, body.gravity), |_| true, pos, force)
 }
 
-/// Speed-dependent forces: air drag, then the elements (N).
+/// The same of a body that has but few springs, see [`Body::short_list`] (N).
+pub fn eval_short_list<S: Scalar>(
+    body: &Body<S>,
+    springs: &[Spring<S>],
+    pos: &[Vec3<S>],
+    force: &mut [Vec3<S>],
+) {
+    for (f, m) in force.iter_mut().zip(body.mass) {
+        *f = vec3::scale(body.gravity, *m);
+    }
+    for spring in springs {
+        spring.add_elastic(pos, force);
+    }
+}
+
+/// Forces of speeds: air, then the elements (N).
 pub fn eval_viscous<S: Scalar>(
     body: &Body<S>,
     elements: &Elements<S>,

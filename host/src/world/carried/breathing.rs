@@ -8,10 +8,11 @@ use super::air::Air;
 use super::{CarriedWorld, Place, words};
 use smartbed_runtime::gas::{GasFault, Line};
 use smartbed_runtime::mechanism::Fault;
+use smartbed_runtime::real::Scalar;
 use smartbed_runtime::world::Content;
 
-impl CarriedWorld {
-    /// A step of motion with half a step of flow before and after it; after an error everything is as before.
+impl<S: Scalar> CarriedWorld<S> {
+    /// A step with flow before and behind it; an error leaves everything as it was.
     pub(super) fn breathing(
         &mut self,
         h: f64,
@@ -35,8 +36,8 @@ impl CarriedWorld {
 
     /// Computes volumes that are not known yet.
     fn look(&mut self) -> Result<(), Fault> {
-        if self.airs.iter().any(|air| air.volume.is_nan()) {
-            let (t, x) = (self.t, self.x.clone());
+        if self.airs.iter().any(|air| !air.volume.is_finite()) {
+            let (t, x) = (S::from_f64(self.t), self.x.clone());
             self.with(|mut island| island.place(t, &x))?;
             for air in &mut self.airs {
                 air.volume = self.fixed.cells[air.cell].volume(&self.fixed.facets, &self.room.pos);
@@ -48,19 +49,19 @@ impl CarriedWorld {
     /// Flow for h seconds at constant volumes.
     fn flow(&mut self, h: f64) -> Result<(), String> {
         for air in &mut self.airs {
-            let open: Vec<Line<f64>> =
-                air.lines.iter().flatten().filter(|line| line.opening > 0.0).copied().collect();
+            let open: Vec<Line<S>> =
+                air.lines.iter().flatten().filter(|line| line.opening > S::ZERO).copied().collect();
             let Content::Sealed { chamber, state } = &mut self.fixed.cells[air.cell].content else {
                 continue;
             };
             if open.is_empty() {
                 continue;
             }
-            let fault = |fault| format!("`{}`: {}", self.names[air.part], gas_words(fault));
+            let fault = |fault: GasFault<S>| format!("`{}`: {}", self.names[air.part], gas_words(fault));
             let stored = chamber.potential(state, air.volume).map_err(fault)?;
-            let (new, taken) = chamber.flow(state, air.volume, &open, h).map_err(fault)?;
-            self.drive += chamber.potential(&new, air.volume).map_err(fault)? - stored;
-            air.account = air.account.plus(1.0, &taken);
+            let (new, taken) = chamber.flow(state, air.volume, &open, S::from_f64(h)).map_err(fault)?;
+            self.drive += (chamber.potential(&new, air.volume).map_err(fault)? - stored).to_f64();
+            air.account = air.account.plus(S::ONE, &taken);
             *state = new;
         }
         Ok(())
@@ -68,13 +69,13 @@ impl CarriedWorld {
 
     /// Accounts for the work of moving walls on the gas, and updates the volumes.
     fn push(&mut self) -> Result<(), Fault> {
-        let (t, x) = (self.t, self.x.clone());
+        let (t, x) = (S::from_f64(self.t), self.x.clone());
         self.with(|mut island| island.place(t, &x))?;
         for air in &mut self.airs {
             let cell = &self.fixed.cells[air.cell];
             let volume = cell.volume(&self.fixed.facets, &self.room.pos);
             if let Content::Sealed { chamber, state } = &cell.content {
-                air.account = air.account.plus(1.0, &chamber.pushed(state, air.volume, volume));
+                air.account = air.account.plus(S::ONE, &chamber.pushed(state, air.volume, volume));
             }
             air.volume = volume;
         }
@@ -83,29 +84,31 @@ impl CarriedWorld {
 
     /// Marks the volumes as unknown, because the state was changed from outside.
     pub(super) fn forget_volumes(&mut self) {
-        self.airs.iter_mut().for_each(|air| air.volume = f64::NAN);
+        self.airs.iter_mut().for_each(|air| air.volume = S::from_f64(f64::NAN));
     }
 
     /// The gas that a part encloses.
-    pub(super) fn air_of(&self, part: usize) -> Option<&Air> {
+    pub(super) fn air_of(&self, part: usize) -> Option<&Air<S>> {
         matches!(self.places[part], Place::Nodes(..))
             .then(|| self.airs.iter().find(|air| air.part == part))?
     }
 }
 
-/// The error of a gas in words, with advice.
-fn gas_words(fault: GasFault<f64>) -> String {
+/// What a gas cannot do, and what to do about it.
+fn gas_words<S: Scalar>(fault: GasFault<S>) -> String {
     match fault {
         GasFault::Collapsed(volume) => {
-            format!("its gas has no volume ({volume:.2e} m^3); take a smaller step")
+            format!("its gas has no volume ({:.2e} m^3); take a smaller step", volume.to_f64())
         }
         GasFault::Empty(mass) => {
             format!(
-                "more gas flowed out in a step than was there ({mass:.2e} kg is left); take a smaller step"
+                "more gas flowed out in a step than was there ({:.2e} kg is left); take a smaller step",
+                mass.to_f64()
             )
         }
         GasFault::TooFast(times) => format!(
-            "its pressure meets that of a line {times:.0} times within a step; take a smaller step, or less conductance"
+            "its pressure meets that of a line {:.0} times within a step; take a smaller step, or less conductance",
+            times.to_f64()
         ),
     }
 }

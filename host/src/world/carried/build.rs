@@ -30,7 +30,7 @@ impl CarriedWorld {
             names: assembly.parts.iter().map(|part| part.name.clone()).collect(),
             places: Vec::new(),
             carriers: Vec::new(),
-            fixed: Fixed { gravity: assembly.gravity, ..Fixed::default() },
+            fixed: Fixed::empty(assembly.gravity, 0.0),
             room: Room::default(),
             x: Vec::new(),
             low: Vec::new(),

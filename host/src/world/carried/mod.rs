@@ -14,6 +14,7 @@ mod islands;
 pub mod methods;
 mod reach;
 mod rest;
+pub mod rounded;
 mod rows;
 mod stepping;
 mod subset;
@@ -29,44 +30,45 @@ use smartbed_runtime::flexible::grid::Grid;
 use smartbed_runtime::flexible::{Body, Massless, Spring};
 use smartbed_runtime::mechanism::Fault;
 use smartbed_runtime::ode::{Method, Ode, State};
+use smartbed_runtime::real::Scalar;
 use smartbed_runtime::surface::{Frame, Shape};
 use smartbed_runtime::vec3::{self, Vec3};
 use smartbed_runtime::world::{Attachment, Carrier, Cell, Group, Island, Memory, Wrench};
 use std::ops::Range;
 
-/// Data that never changes.
-#[derive(Clone, Debug, Default)]
-struct Fixed {
-    mass: Vec<f64>,
+/// What never changes.
+#[derive(Clone, Debug)]
+struct Fixed<S = f64> {
+    mass: Vec<S>,
     held: Vec<bool>,
-    springs: Vec<Spring<f64>>,
+    springs: Vec<Spring<S>>,
     facets: Vec<[usize; 4]>,
-    grids: Vec<Woven<f64>>,
-    cells: Vec<Cell<f64>>,
-    attachments: Vec<Attachment<f64>>,
-    gravity: Vec3<f64>,
-    air_drag: f64,
+    grids: Vec<Woven<S>>,
+    cells: Vec<Cell<S>>,
+    attachments: Vec<Attachment<S>>,
+    gravity: Vec3<S>,
+    air_drag: S,
 }
 
 /// Working memory that an island borrows.
 #[derive(Clone, Debug, Default)]
-struct Room {
-    pos: Vec<Vec3<f64>>,
-    vel: Vec<Vec3<f64>>,
-    elastic: Vec<Vec3<f64>>,
-    viscous: Vec<Vec3<f64>>,
-    frames: Vec<Frame<f64>>,
-    wrenches: Vec<Wrench<f64>>,
+struct Room<S = f64> {
+    pos: Vec<Vec3<S>>,
+    vel: Vec<Vec3<S>>,
+    elastic: Vec<Vec3<S>>,
+    viscous: Vec<Vec3<S>>,
+    frames: Vec<Frame<S>>,
+    wrenches: Vec<Wrench<S>>,
 }
 
 /// Where a part of the assembly is found in the lists.
 #[derive(Clone, Debug)]
-enum Place {
-    /// Index of its carrier.
-    Carrier(usize, Option<Shape<f64>>),
-    /// Port, frame relative to it, and shape of a surface on a port.
-    Shape(usize, Frame<f64>, Shape<f64>),
-    /// Ranges of its nodes and facets, and the index of its gas.
+enum Place<S = f64> {
+    /// Number of its carrier.
+    Carrier(usize, Option<Shape<S>>),
+    /// A shape on a port, its place there.
+    Shape(usize, Frame<S>, Shape<S>),
+    /// Nodes, facets, and its gas.
     Nodes(Range<usize>, Range<usize>, Option<usize>),
 }
 
@@ -79,27 +81,27 @@ struct Powers {
 
 /// A world of flexible parts on carriers.
 #[derive(Clone, Debug)]
-pub struct CarriedWorld {
+pub struct CarriedWorld<S: Scalar = f64> {
     names: Vec<String>,
-    places: Vec<Place>,
-    carriers: Vec<HostCarrier>,
-    fixed: Fixed,
-    room: Room,
-    x: Vec<f64>,
-    low: Vec<f64>,
-    scratch: Vec<f64>,
+    places: Vec<Place<S>>,
+    carriers: Vec<HostCarrier<S>>,
+    fixed: Fixed<S>,
+    room: Room<S>,
+    x: Vec<S>,
+    low: Vec<S>,
+    scratch: Vec<S>,
     contacts: Contacts,
     method: (&'static str, Stepping),
     h: f64,
-    /// Frames of the ports that time alone moves, at the start, with their motion.
-    starts: Vec<Frame<f64>>,
+    /// Commanded frames at the start, with their motion.
+    starts: Vec<Frame<S>>,
     t: f64,
     drive: f64,
     damping: f64,
     impact: f64,
     friction: f64,
-    airs: Vec<air::Air>,
-    touching: Option<Touching>,
+    airs: Vec<air::Air<S>>,
+    touching: Option<Touching<S>>,
     unsettled: usize,
     forced: usize,
     /// Stability limit of the step (s): the largest that resolves the fastest motion of the flexible parts.
@@ -110,11 +112,11 @@ fn words(fault: Fault) -> String {
     format!("{}; take a smaller step, or look at the load", fault.reason())
 }
 
-impl CarriedWorld {
-    /// The state: coordinates of the carriers, positions of the free nodes; then speeds of the carriers, velocities of
-    /// the nodes.
+impl<S: Scalar> CarriedWorld<S> {
+    /// The state: coordinates of the carriers, places of the free nodes; speeds of the carriers, velocities of the
+    /// nodes.
     #[must_use]
-    pub fn numbers(&self) -> &[f64] {
+    pub fn numbers(&self) -> &[S] {
         &self.x
     }
 
@@ -122,34 +124,35 @@ impl CarriedWorld {
     fn step_touching(
         &mut self,
         h: f64,
-        (x, low): (&mut [f64], &mut [f64]),
+        (x, low): (&mut [S], &mut [S]),
         at_rest: bool,
         found: &mut Vec<Event>,
-    ) -> Result<Stepped, Fault> {
+    ) -> Result<Stepped<S>, Fault> {
         let (t, old) = (self.t, x.to_vec());
+        let real = S::from_f64;
         let how = if self.method.1 == Stepping::Conserving { How::Conserving } else { How::Freely };
         let mut touching = self.touching.take().ok_or(Fault::Shape)?;
         let done = self.with(|island| {
             let mut state = State::resume(x, low)?;
             let how = if at_rest { How::Relaxing } else { how };
-            touching.step(island, (t, h), &mut state, how, found)
+            touching.step(island, (real(t), real(h)), &mut state, how, found)
         });
         self.touching = Some(touching);
         let mut report = done?;
         self.unsettled += usize::from(!report.settled);
         self.forced += usize::from(report.forced);
-        // The step's accounts do not see forces inside mechanisms: adds their powers at the midpoint, without those of
-        // the wrenches.
-        let middle: Vec<f64> = old.iter().zip(x.iter()).map(|(a, b)| 0.5 * (a + b)).collect();
+        // What the step's own accounts do not see of mechanisms: powers in the middle, but those of the wrenches.
+        let middle: Vec<S> = old.iter().zip(x.iter()).map(|(a, b)| real(0.5) * (*a + *b)).collect();
         let accounts = &mut report.accounts;
         // Simpson's rule for a mechanism that time alone moves.
         self.each_mechanism(&middle, |ported, q, u, wrenches| {
             let none = vec![Wrench::zero(); wrenches.len()];
-            let ends: &[_] = if u.is_empty() { &[(0.0, 1.0), (0.5, 4.0), (1.0, 1.0)] } else { &[(0.5, 6.0)] };
+            let ends: &[(f64, f64)] =
+                if u.is_empty() { &[(0.0, 1.0), (0.5, 4.0), (1.0, 1.0)] } else { &[(0.5, 6.0)] };
             for (part, weight) in ends {
-                let account = ported.account(t + part * h, q, u, &none)?;
-                accounts.drive += weight / 6.0 * h * account.driven;
-                accounts.damping += weight / 6.0 * h * account.damped;
+                let account = ported.account(real(t + part * h), q, u, &none)?;
+                accounts.drive = accounts.drive + real(weight / 6.0 * h) * account.driven;
+                accounts.damping = accounts.damping + real(weight / 6.0 * h) * account.damped;
             }
             Ok(())
         })?;
@@ -169,7 +172,7 @@ impl CarriedWorld {
     /// Calls a function with the island that the lists form.
     pub(crate) fn with<T>(
         &mut self,
-        act: impl FnOnce(Island<'_, f64, Group<'_, HostCarrier>>) -> Result<T, Fault>,
+        act: impl FnOnce(Island<'_, S, Group<'_, HostCarrier<S>>>) -> Result<T, Fault>,
     ) -> Result<T, Fault> {
         let (fixed, room) = (&self.fixed, &mut self.room);
         let memory = Memory {
@@ -181,26 +184,26 @@ impl CarriedWorld {
             wrenches: &mut room.wrenches,
         };
         let group = Group { members: &mut self.carriers };
-        let grids: Vec<Grid<'_, f64>> = fixed.grids.iter().map(Woven::view).collect();
+        let grids: Vec<Grid<'_, S>> = fixed.grids.iter().map(Woven::view).collect();
         act(Island::new(group, fixed.body(&grids), &fixed.attachments, memory)?.with_cells(&fixed.cells)?)
     }
 
-    /// Rates of a state; its forces and wrenches remain in the working memory.
-    pub(crate) fn rates(&mut self, t: f64, x: &[f64]) -> Result<Vec<f64>, Fault> {
-        let mut dot = vec![0.0; x.len()];
-        self.with(|mut island| island.rates(t, x, &mut dot))?;
+    /// Rates of a state; forces and wrenches of it are in memory then.
+    pub(crate) fn rates(&mut self, t: f64, x: &[S]) -> Result<Vec<S>, Fault> {
+        let mut dot = vec![S::ZERO; x.len()];
+        self.with(|mut island| island.rates(S::from_f64(t), x, &mut dot))?;
         Ok(dot)
     }
 
-    /// Powers at the state whose rates were computed last.
-    fn powers(&mut self, t: f64, x: &[f64]) -> Result<Powers, Fault> {
+    /// Powers at the state whose rates were asked for last.
+    fn powers(&mut self, t: f64, x: &[S]) -> Result<Powers, Fault> {
         let mut powers = Powers::default();
         let forces = self.room.viscous.iter().zip(&self.room.vel);
-        powers.damped = -forces.map(|(force, velocity)| vec3::dot(*force, *velocity)).sum::<f64>();
+        powers.damped = -forces.map(|(force, velocity)| vec3::dot(*force, *velocity).to_f64()).sum::<f64>();
         self.each_mechanism(x, |ported, q, u, wrenches| {
-            let account = ported.account(t, q, u, wrenches)?;
-            powers.driven += account.driven;
-            powers.damped += account.damped;
+            let account = ported.account(S::from_f64(t), q, u, wrenches)?;
+            powers.driven += account.driven.to_f64();
+            powers.damped += account.damped.to_f64();
             Ok(())
         })?;
         Ok(powers)
@@ -209,8 +212,8 @@ impl CarriedWorld {
     /// Calls a function for each mechanism with its part of the state and the wrenches at its ports.
     fn each_mechanism(
         &mut self,
-        x: &[f64],
-        mut show: impl FnMut(&mut Ported, &[f64], &[f64], &[Wrench<f64>]) -> Result<(), Fault>,
+        x: &[S],
+        mut show: impl FnMut(&mut Ported<S>, &[S], &[S], &[Wrench<S>]) -> Result<(), Fault>,
     ) -> Result<(), Fault> {
         let n_q = self.split();
         let (mut q, mut u, mut port) = (0, n_q, 0);
@@ -239,8 +242,23 @@ impl CarriedWorld {
     }
 }
 
-impl Fixed {
-    fn body<'f>(&'f self, grids: &'f [Grid<'f, f64>]) -> Body<'f, f64> {
+impl<S: Scalar> Fixed<S> {
+    /// Nothing, under a gravity (m/s^2) and in an air (N s/m).
+    fn empty(gravity: Vec3<S>, air_drag: S) -> Self {
+        Fixed {
+            mass: Vec::new(),
+            held: Vec::new(),
+            springs: Vec::new(),
+            facets: Vec::new(),
+            grids: Vec::new(),
+            cells: Vec::new(),
+            attachments: Vec::new(),
+            gravity,
+            air_drag,
+        }
+    }
+
+    fn body<'f>(&'f self, grids: &'f [Grid<'f, S>]) -> Body<'f, S> {
         Body {
             mass: &self.mass,
             fixed: &self.held,

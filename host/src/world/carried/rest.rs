@@ -2,11 +2,34 @@
 
 use super::methods::{Contacts, RELAXED};
 use super::{CarriedWorld, Place};
-use crate::world::settle::Relaxing;
+use crate::world::engine::Settled;
+use crate::world::settle::{Relaxing, relax};
 use smartbed_runtime::mechanism::Fault;
 use smartbed_runtime::ode::{Ode, State};
+use smartbed_runtime::real::Scalar;
 use smartbed_runtime::vec3;
 use smartbed_runtime::world::Carrier;
+
+/// A scalar in which rest is found or not.
+pub trait Settle: Scalar {
+    /// Goes to static equilibrium from the start.
+    ///
+    /// # Errors
+    /// Why there is none, in words.
+    fn settle(world: &mut CarriedWorld<Self>) -> Result<Settled, String>;
+}
+
+impl Settle for f64 {
+    fn settle(world: &mut CarriedWorld) -> Result<Settled, String> {
+        relax(world)
+    }
+}
+
+impl Settle for f32 {
+    fn settle(_: &mut CarriedWorld<f32>) -> Result<Settled, String> {
+        Err("settle: rest is found in f64, whose rounding is far below what counts as at rest".to_owned())
+    }
+}
 
 impl Relaxing for CarriedWorld {
     fn vector(&self) -> Vec<f64> {

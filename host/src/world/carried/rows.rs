@@ -2,15 +2,16 @@
 
 use super::air::SAVED;
 use super::methods::Contacts;
+use super::rest::Settle;
 use super::{CarriedWorld, Place, words};
 use crate::world::carriers::HostCarrier;
 use crate::world::engine::{self, Column, Energies, Engine, Event, Settled};
 use crate::world::picture::Picture;
 use crate::world::pushed::Pushed;
-use crate::world::settle::relax;
+use crate::world::rounding::{wide, wide_shape};
 use smartbed_runtime::world::Carrier;
 
-impl Engine for CarriedWorld {
+impl<S: Settle> Engine for CarriedWorld<S> {
     fn columns(&self) -> Vec<Column> {
         let mut columns = Vec::new();
         let mut add = |name: String, unit: &str, by_default: bool| {
@@ -61,11 +62,11 @@ impl Engine for CarriedWorld {
     }
 
     fn state(&mut self) -> Result<Vec<f64>, String> {
-        let (t, x) = (self.t, self.x.clone());
+        let (t, x) = (S::from_f64(self.t), self.x.clone());
         self.with(|mut island| island.place(t, &x)).map_err(words)?;
         let n_q = self.split();
         let (mut q, mut u, mut values) = (0, n_q, Vec::new());
-        let mut rows: Vec<Vec<f64>> = Vec::new();
+        let mut rows: Vec<Vec<S>> = Vec::new();
         for carrier in &self.carriers {
             let (own_q, own_u) = (&x[q..q + carrier.n_q()], &x[u..u + carrier.n_u()]);
             rows.push(match carrier {
@@ -80,20 +81,20 @@ impl Engine for CarriedWorld {
         }
         for (part, place) in self.places.iter().enumerate() {
             match place {
-                Place::Carrier(number, _) => values.extend(&rows[*number]),
+                Place::Carrier(number, _) => values.extend(rows[*number].iter().map(|x| x.to_f64())),
                 Place::Shape(..) => {}
                 Place::Nodes(nodes, _, cell) => {
                     let pos = &self.room.pos[nodes.clone()];
-                    values.push(pos.iter().map(|p| p[2]).fold(f64::NEG_INFINITY, f64::max));
+                    values.push(pos.iter().map(|p| p[2].to_f64()).fold(f64::NEG_INFINITY, f64::max));
                     if let Some(cell) = cell.map(|cell| self.fixed.cells[cell]) {
                         let volume = cell.volume(&self.fixed.facets, &self.room.pos);
-                        values.push(volume);
-                        values.push(cell.content.gauge_pressure(volume).unwrap_or(f64::NAN));
+                        values.push(volume.to_f64());
+                        values.push(cell.content.gauge_pressure(volume).map_or(f64::NAN, S::to_f64));
                         values.extend(
                             self.air_of(part).iter().flat_map(|air| air.told(&self.fixed.cells, volume)),
                         );
                     }
-                    values.extend(pos.as_flattened());
+                    values.extend(pos.as_flattened().iter().map(|x| x.to_f64()));
                 }
             }
         }
@@ -102,20 +103,20 @@ impl Engine for CarriedWorld {
     }
 
     fn energies(&mut self) -> Result<Energies, String> {
-        let (t, x) = (self.t, self.x.clone());
+        let (t, x) = (S::from_f64(self.t), self.x.clone());
         let island = self.with(|mut island| island.energy(t, &x)).map_err(words)?;
         let mut energies = Energies {
-            kinetic: island.body.kinetic,
-            gravity: island.body.gravity,
-            spring: island.body.spring,
-            gas: island.body.pressure,
+            kinetic: island.body.kinetic.to_f64(),
+            gravity: island.body.gravity.to_f64(),
+            spring: island.body.spring.to_f64(),
+            gas: island.body.pressure.to_f64(),
             drive: self.drive,
             damping: self.damping,
             impact: self.impact,
             friction: self.friction,
         };
         self.each_mechanism(&x, |ported, q, u, wrenches| {
-            let [kinetic, gravity, spring] = ported.account(t, q, u, wrenches)?.stored;
+            let [kinetic, gravity, spring] = ported.account(t, q, u, wrenches)?.stored.map(S::to_f64);
             energies.kinetic += kinetic;
             energies.gravity += gravity;
             energies.spring += spring;
@@ -128,8 +129,8 @@ impl Engine for CarriedWorld {
             let (next_q, next_u) = (q + carrier.n_q(), u + carrier.n_u());
             if let HostCarrier::Floating(own) = carrier {
                 let (kinetic, gravity) = own.energy(t, &x[q..next_q], &x[u..next_u]).map_err(words)?;
-                energies.kinetic += kinetic;
-                energies.gravity += gravity;
+                energies.kinetic += kinetic.to_f64();
+                energies.gravity += gravity.to_f64();
             }
             (q, u) = (next_q, next_u);
         }
@@ -137,7 +138,7 @@ impl Engine for CarriedWorld {
     }
 
     fn picture(&mut self) -> Result<Picture, String> {
-        let (t, x) = (self.t, self.x.clone());
+        let (t, x) = (S::from_f64(self.t), self.x.clone());
         self.with(|mut island| island.place(t, &x)).map_err(words)?;
         let mut mechanisms = Vec::new();
         self.each_mechanism(&x, |ported, q, u, _| {
@@ -150,18 +151,19 @@ impl Engine for CarriedWorld {
             match place {
                 Place::Shape(port, place, shape) => {
                     let frame = self.room.frames[*port];
-                    picture.solid(
-                        shape,
-                        frame.point(place.origin),
-                        place.axes.map(|axis| frame.to_inertial(axis)),
-                    );
+                    let axes = place.axes.map(|axis| frame.to_inertial(axis));
+                    picture.solid(&wide_shape(shape), wide(frame.point(place.origin)), axes.map(wide));
                 }
-                Place::Nodes(nodes, ..) => picture.points.extend(&self.room.pos[nodes.clone()]),
+                Place::Nodes(nodes, ..) => {
+                    picture.points.extend(self.room.pos[nodes.clone()].iter().map(|x| wide(*x)))
+                }
                 Place::Carrier(number, shape) => {
                     let frame = self.room.frames.get(port);
                     port += self.carriers[*number].n_ports();
                     match (shape, frame) {
-                        (Some(shape), Some(frame)) => picture.solid(shape, frame.origin, frame.axes),
+                        (Some(shape), Some(frame)) => {
+                            picture.solid(&wide_shape(shape), wide(frame.origin), frame.axes.map(wide));
+                        }
                         (Some(_), None) => {}
                         (None, _) => {
                             if let Some(own) = next.next() {
@@ -189,13 +191,14 @@ impl Engine for CarriedWorld {
     }
 
     fn settle(&mut self) -> Result<Settled, String> {
-        relax(self)
+        S::settle(self)
     }
 
     fn save(&self) -> Vec<f64> {
         let accounts = [self.t, self.drive, self.damping, self.impact, self.friction];
         let airs: Vec<f64> = self.airs.iter().flat_map(|air| air.save(&self.fixed.cells)).collect();
-        [&accounts[..], &self.x, &self.low, &airs, self.pushed()].concat()
+        let state: Vec<f64> = self.x.iter().chain(&self.low).map(|x| x.to_f64()).collect();
+        [&accounts[..], &state, &airs, self.pushed()].concat()
     }
 
     fn load(&mut self, numbers: &[f64]) -> Result<(), String> {
@@ -211,8 +214,9 @@ impl Engine for CarriedWorld {
         let (accounts, state) = numbers.split_at(5);
         [self.t, self.drive, self.damping] = [accounts[0], accounts[1], accounts[2]];
         [self.impact, self.friction] = [accounts[3], accounts[4]];
-        self.x.copy_from_slice(&state[..n]);
-        self.low.copy_from_slice(&state[n..2 * n]);
+        for (x, own) in self.x.iter_mut().chain(&mut self.low).zip(state) {
+            *x = S::from_f64(*own);
+        }
         for (air, own) in self.airs.iter_mut().zip(state[2 * n..].chunks_exact(SAVED)) {
             air.load(own, &mut self.fixed.cells);
         }

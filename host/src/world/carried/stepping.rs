@@ -7,6 +7,7 @@ use super::{CarriedWorld, Place, words};
 use crate::world::carriers::HostCarrier;
 use crate::world::engine::Event;
 use smartbed_runtime::ode::State;
+use smartbed_runtime::real::Scalar;
 
 /// Inputs that controllers can drive.
 #[derive(Clone, Copy, Debug)]
@@ -19,18 +20,18 @@ pub(super) enum Drivable {
     Input(usize, usize),
 }
 
-impl CarriedWorld {
-    /// A step of motion, with gas lines closed.
+impl<S: Scalar> CarriedWorld<S> {
+    /// A step of motion, lines of gas shut.
     pub(super) fn move_on(&mut self, h: f64, found: &mut Vec<Event>) -> Result<(), String> {
         if self.steps_as_world() {
             let (mut x, mut low) = (std::mem::take(&mut self.x), std::mem::take(&mut self.low));
             let done = self.step_touching(h, (&mut x, &mut low), false, found);
             (self.x, self.low) = (x, low);
             let accounts = done.map_err(words)?.accounts;
-            self.drive += accounts.drive;
-            self.damping += accounts.damping + accounts.drag;
-            self.impact += accounts.impact;
-            self.friction += accounts.friction;
+            self.drive += accounts.drive.to_f64();
+            self.damping += (accounts.damping + accounts.drag).to_f64();
+            self.impact += accounts.impact.to_f64();
+            self.friction += accounts.friction.to_f64();
             self.t += h;
             return Ok(());
         }
@@ -46,7 +47,7 @@ impl CarriedWorld {
         } else {
             self.with(|mut island| {
                 let mut state = State::resume(&mut x, &mut low)?;
-                method.step(&mut island, t, h, &mut state, &mut scratch).map(|_| ())
+                method.step(&mut island, S::from_f64(t), S::from_f64(h), &mut state, &mut scratch).map(|_| ())
             })
         };
         (self.x, self.low, self.scratch) = (x, low, scratch);
@@ -55,7 +56,8 @@ impl CarriedWorld {
         let after = self.rates(t + h, &new).map_err(words)?;
         let last = self.powers(t + h, &new).map_err(words)?;
         let ends = old.iter().zip(&new).zip(before.iter().zip(&after));
-        let middle: Vec<f64> = ends.map(|((a, b), (da, db))| 0.5 * (a + b) + 0.125 * h * (da - db)).collect();
+        let (half, eighth) = (S::from_f64(0.5), S::from_f64(0.125 * h));
+        let middle: Vec<S> = ends.map(|((a, b), (da, db))| half * (*a + *b) + eighth * (*da - *db)).collect();
         self.rates(t + 0.5 * h, &middle).map_err(words)?;
         let between = self.powers(t + 0.5 * h, &middle).map_err(words)?;
         self.drive += h / 6.0 * (first.driven + 4.0 * between.driven + last.driven);
@@ -97,7 +99,7 @@ impl CarriedWorld {
         let (_, what) = self.drivable().into_iter().nth(input)?;
         let mut open = |air: usize, line: usize, share: f64| {
             let Some(line) = &mut self.airs[air].lines[line] else { return false };
-            let before = std::mem::replace(&mut line.opening, share.clamp(0.0, 1.0));
+            let before = std::mem::replace(&mut line.opening, S::from_f64(share.clamp(0.0, 1.0)));
             before != line.opening
         };
         let changed = match what {
@@ -107,7 +109,7 @@ impl CarriedWorld {
                 open(air, 1, -value) || supply
             }
             Drivable::Input(carrier, input) => match &mut self.carriers[carrier] {
-                HostCarrier::Mechanism(ported) => ported.hold(input, value),
+                HostCarrier::Mechanism(ported) => ported.hold(input, S::from_f64(value)),
                 _ => false,
             },
         };

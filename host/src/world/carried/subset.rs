@@ -50,8 +50,7 @@ impl CarriedWorld {
         let (n_q, n_free) = (self.carriers.iter().map(Carrier::n_q).sum::<usize>(), self.free());
         let split = self.split();
         let free_before = before(&self.fixed.held);
-        let mut fixed =
-            Fixed { gravity: self.fixed.gravity, air_drag: self.fixed.air_drag, ..Fixed::default() };
+        let mut fixed = Fixed::empty(self.fixed.gravity, self.fixed.air_drag);
         let mut new = Renumbered {
             nodes: vec![usize::MAX; self.room.pos.len()],
             ports: vec![usize::MAX; self.room.frames.len()],

@@ -31,7 +31,7 @@ impl Touching {
             Pair { things: of.things.map(|thing| number(thing).unwrap_or(0)), ..*of }
         });
         let located = self.located.as_ref();
-        let laws = |of: &Located| (own.iter().map(|pair| of.kinds[*pair]).collect(), of.method);
+        let laws = |of: &Located<f64>| (own.iter().map(|pair| of.kinds[*pair]).collect(), of.method);
         let mut subset = Self::with(
             (
                 numbers.iter().map(|thing| moved(&self.things[*thing])).collect(),
@@ -55,13 +55,7 @@ impl Touching {
         (subset, own)
     }
 
-    /// Restores the values of [`Pushed::values`], so that pairs in contact continue.
-    pub(in crate::world) fn load(&mut self, pushed: &[f64]) {
-        self.pushed.load(pushed);
-        self.active = (0..self.pairs.len()).map(|pair| self.pushed.presses(pair)).collect();
-    }
-
-    /// Clears the contact forces of the last step before those of the subsets are added.
+    /// Forgets what pushed in the last step, before parts of it are heard.
     pub(in crate::world) fn fall_silent(&mut self) {
         self.forces.clear();
         self.pushed = Pushed::new(self.pairs.len());

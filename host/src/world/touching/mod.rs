@@ -5,6 +5,7 @@
 //! located in time and impact laws.
 
 mod among;
+mod rounded;
 
 use super::assembly::{Assembly, Kind, Law};
 use super::engine::Event;
@@ -12,6 +13,7 @@ use super::pushed::Pushed;
 use crate::contact_force::ContactForce;
 use smartbed_runtime::mechanism::Fault;
 use smartbed_runtime::ode::{Method, State};
+use smartbed_runtime::real::Scalar;
 use smartbed_runtime::rigid::contact::{Mobility, Twist};
 use smartbed_runtime::rigid::law::Kind as Impact;
 use smartbed_runtime::rigid::narrow::CAPACITY;
@@ -30,9 +32,9 @@ const DEPTH: f64 = 0.25;
 
 /// Things, pairs and memory.
 #[derive(Clone, Debug)]
-pub(super) struct Touching {
-    pub(super) things: Vec<Thing<f64>>,
-    pub(super) pairs: Vec<Pair<f64>>,
+pub(super) struct Touching<S = f64> {
+    pub(super) things: Vec<Thing<S>>,
+    pub(super) pairs: Vec<Pair<S>>,
     /// Parts of each pair.
     pub(super) parts: Vec<[usize; 2]>,
     /// By part: the thing that represents it in contacts.
@@ -47,26 +49,26 @@ pub(super) struct Touching {
     pub(super) forces: Vec<ContactForce>,
     /// The same by pair.
     pub(super) pushed: Pushed,
-    scratch: Vec<f64>,
-    frames: [Vec<Frame<f64>>; 2],
-    twists: [Vec<Twist<f64>>; 3],
-    normals: Vec<Vec3<f64>>,
-    extents: Vec<Extent<f64>>,
+    scratch: Vec<S>,
+    frames: [Vec<Frame<S>>; 2],
+    twists: [Vec<Twist<S>>; 3],
+    normals: Vec<Vec3<S>>,
+    extents: Vec<Extent<S>>,
     couplings: Vec<Coupling>,
-    answers: Vec<InverseInertia<f64>>,
-    yields: Vec<f64>,
-    touches: [Vec<Touch<f64>>; 2],
+    answers: Vec<InverseInertia<S>>,
+    yields: Vec<S>,
+    touches: [Vec<Touch<S>>; 2],
     counts: [usize; 2],
-    located: Option<Located>,
-    /// Created on first use.
-    means: Option<Means>,
+    located: Option<Located<S>>,
+    /// Made when a step first asks for it.
+    means: Option<Means<S>>,
     /// Numbers of the state.
     n: usize,
 }
 
-/// Pairs of things, with their parts, and which of these can move.
-struct Pairs {
-    pairs: Vec<Pair<f64>>,
+/// Pairs with the parts of each, and which of them can move.
+struct Pairs<S = f64> {
+    pairs: Vec<Pair<S>>,
     parts: Vec<[usize; 2]>,
     moves: Vec<[bool; 2]>,
 }
@@ -84,18 +86,18 @@ pub(super) enum How {
 
 /// Memory for steps with averaged forces.
 #[derive(Clone, Debug)]
-struct Means {
-    scratch: Vec<f64>,
-    nodes: [Vec<Vec3<f64>>; 4],
-    frames: [Vec<Frame<f64>>; 2],
+struct Means<S> {
+    scratch: Vec<S>,
+    nodes: [Vec<Vec3<S>>; 4],
+    frames: [Vec<Frame<S>>; 2],
 }
 
-impl Means {
-    /// For this number of values in the state, of nodes and of ports.
+impl<S: Scalar> Means<S> {
+    /// For so many numbers of the state, nodes and ports.
     fn new([n, points, ports]: [usize; 3]) -> Self {
         Means {
-            scratch: vec![0.0; MeanMemory::<f64>::scratch(n)],
-            nodes: [0; 4].map(|_| vec![[0.0; 3]; points]),
+            scratch: vec![S::ZERO; MeanMemory::<S>::scratch(n)],
+            nodes: [0; 4].map(|_| vec![[S::ZERO; 3]; points]),
             frames: [0; 2].map(|_| vec![Frame::inertial(); ports]),
         }
     }
@@ -103,26 +105,26 @@ impl Means {
 
 /// Memory for steps with located touches.
 #[derive(Clone, Debug)]
-struct Located {
+struct Located<S> {
     method: Method,
     /// Law of each pair.
     kinds: Vec<Impact>,
-    scratch: Vec<f64>,
-    pressing: Vec<Pressing<f64>>,
-    struck: [Vec<Struck<f64>>; 2],
+    scratch: Vec<S>,
+    pressing: Vec<Pressing<S>>,
+    struck: [Vec<Struck<S>>; 2],
     overlaps: bool,
 }
 
 /// Results of a step that are counted or reported.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Stepped {
-    pub(super) accounts: Accounts<f64>,
-    /// Did the impulses converge?
+pub(super) struct Stepped<S> {
+    pub(super) accounts: Accounts<S>,
+    /// Were impulses found to rounding?
     pub(super) settled: bool,
     /// Was the maximum number of splits reached?
     pub(super) forced: bool,
-    /// Speed with which overlapping parts are pushed apart in a relaxation (m/s, rad/s).
-    pub(super) leaving: f64,
+    /// How fast parts leave one another on the way to rest (m/s, rad/s).
+    pub(super) leaving: S,
 }
 
 /// The role of a part in contacts.
@@ -195,20 +197,22 @@ impl Touching {
         let located = (!kinds.is_empty()).then_some((kinds, method));
         Ok(Self::with((things, of_parts), Pairs { pairs, parts, moves }, located, size))
     }
+}
 
-    /// For these things and pairs; `laws` are needed for pairs whose touches are located.
+impl<S: Scalar> Touching<S> {
+    /// For these things and pairs; laws are told of pairs whose touches are located.
     fn with(
-        (things, of_parts): (Vec<Thing<f64>>, Vec<Option<usize>>),
-        Pairs { pairs, parts, moves }: Pairs,
+        (things, of_parts): (Vec<Thing<S>>, Vec<Option<usize>>),
+        Pairs { pairs, parts, moves }: Pairs<S>,
         located: Option<(Vec<Impact>, Method)>,
         [ports, points, answers, n]: [usize; 4],
     ) -> Self {
-        let none: &[Mobility<f64>] = &[];
+        let none: &[Mobility<S>] = &[];
         let room: usize = pairs.iter().flat_map(|pair| pair.things).map(|thing| room(&things[thing])).sum();
         let located = located.map(|(kinds, method)| Located {
             method,
             kinds,
-            scratch: vec![0.0; LocatedMemory::<f64>::scratch(method, n)],
+            scratch: vec![S::ZERO; LocatedMemory::<S>::scratch(method, n)],
             pressing: vec![Pressing::empty(); room],
             struck: [0; 2].map(|_| vec![Struck::new(Touch::empty().contact, none); room]),
             overlaps: false,
@@ -230,13 +234,13 @@ impl Touching {
             moves,
             things,
             pairs,
-            scratch: vec![0.0; StepMemory::<f64>::scratch(n)],
+            scratch: vec![S::ZERO; StepMemory::<S>::scratch(n)],
             frames: [vec![Frame::inertial(); ports], vec![Frame::inertial(); ports]],
             twists: [twists.clone(), twists.clone(), twists],
-            normals: vec![[0.0; 3]; points],
+            normals: vec![[S::ZERO; 3]; points],
             couplings: vec![Coupling::default(); ports],
-            answers: vec![[[0.0; 6]; 6]; answers],
-            yields: vec![0.0; points],
+            answers: vec![[[S::ZERO; 6]; 6]; answers],
+            yields: vec![S::ZERO; points],
             touches: [vec![Touch::empty(); room], vec![Touch::empty(); room]],
             counts: [0, 0],
             located,
@@ -249,11 +253,17 @@ impl Touching {
     pub(super) fn choose(&mut self, method: Method, n: usize) {
         if let Some(located) = &mut self.located {
             located.method = method;
-            located.scratch = vec![0.0; LocatedMemory::<f64>::scratch(method, n)];
+            located.scratch = vec![S::ZERO; LocatedMemory::<S>::scratch(method, n)];
         }
     }
 
-    /// Number of answers about ports that impulses need.
+    /// Takes what [`Pushed::values`] gave: pairs that pressed go on as they are.
+    pub(in crate::world) fn load(&mut self, pushed: &[f64]) {
+        self.pushed.load(pushed);
+        self.active = (0..self.pairs.len()).map(|pair| self.pushed.presses(pair)).collect();
+    }
+
+    /// Answers about ports that impulses ask for.
     pub(super) fn answers(&self) -> usize {
         self.answers.len()
     }
@@ -266,12 +276,12 @@ impl Touching {
     /// A step of an island; pairs that come into contact are events.
     pub(super) fn step(
         &mut self,
-        island: Island<'_, f64, impl Carrier<f64>>,
-        (t, h): (f64, f64),
-        state: &mut State<'_, f64>,
+        island: Island<'_, S, impl Carrier<S>>,
+        (t, h): (S, S),
+        state: &mut State<'_, S>,
         how: How,
         found: &mut Vec<Event>,
-    ) -> Result<Stepped, Fault> {
+    ) -> Result<Stepped<S>, Fault> {
         let sizes = [self.n, self.yields.len(), self.couplings.len()];
         let [first, last] = &mut self.frames;
         let [start, free, end] = &mut self.twists;
@@ -307,7 +317,7 @@ impl Touching {
                         let own =
                             strike.touches.iter().zip(strike.struck).filter(|(touch, _)| touch.pair == pair);
                         let mut event = Event {
-                            time: strike.time,
+                            time: strike.time.to_f64(),
                             parts: *parts,
                             points: 0,
                             approach: 0.0,
@@ -315,9 +325,9 @@ impl Touching {
                         };
                         for (touch, struck) in own {
                             let impulse = struck.contact.impulse[0];
-                            event.points += usize::from(impulse > 0.0);
-                            event.impulse += impulse;
-                            event.approach = event.approach.max(-touch.velocity()[0]);
+                            event.points += usize::from(impulse > S::ZERO);
+                            event.impulse += impulse.to_f64();
+                            event.approach = event.approach.max(-touch.velocity()[0].to_f64());
                         }
                         if event.points > 0 {
                             found.push(event);
@@ -331,42 +341,43 @@ impl Touching {
                 let contact = &own.held.contact;
                 self.pushed.add(own.pair, self.bodies[own.pair].each_ref(), contact, contact.impulse);
             }
-            let force = |own: &Pressing<f64>| {
+            let force = |own: &Pressing<S>| {
                 let contact = &own.held.contact;
-                ContactForce::between(self.moves[own.pair], own.place, contact.axes, contact.impulse)
+                between(self.moves[own.pair], own.place, contact.axes, contact.impulse)
             };
             self.forces = pressing.filter_map(force).collect();
             let (settled, forced) = (report.settled, report.forced);
-            return Ok(Stepped { accounts: report.accounts, settled, forced, leaving: 0.0 });
+            return Ok(Stepped { accounts: report.accounts, settled, forced, leaving: S::ZERO });
         }
         let done = match how {
             How::Relaxing => world.relax(t, h, state, &mut memory),
-            How::Freely => world.step(t, h, state, &mut memory).map(|report| (report, 0.0)),
+            How::Freely => world.step(t, h, state, &mut memory).map(|report| (report, S::ZERO)),
             How::Conserving => {
                 let Means { scratch, nodes: [start, middle, change, velocity], frames: [from, seen] } =
                     self.means.get_or_insert_with(|| Means::new(sizes));
                 let nodes = [&mut **start, middle, change, velocity];
                 let mut means = MeanMemory { scratch, nodes, frames: [from, seen] };
-                world.step_conserving(t, h, state, &mut memory, &mut means).map(|report| (report, 0.0))
+                world.step_conserving(t, h, state, &mut memory, &mut means).map(|report| (report, S::ZERO))
             }
         };
         self.counts = memory.counts;
         let (report, leaving) = done?;
         let contacts = memory.contacts();
         self.pushed = Pushed::new(self.pairs.len());
-        let force = |touch: &Touch<f64>| {
+        let force = |touch: &Touch<S>| {
             let contact = &touch.contact;
             let force = contact.impulse.map(|impulse| impulse / h);
             self.pushed.add(touch.pair, self.bodies[touch.pair].each_ref(), contact, force);
-            ContactForce::between(self.moves[touch.pair], touch.point, contact.axes, force)
+            between(self.moves[touch.pair], touch.point, contact.axes, force)
         };
         self.forces = contacts.iter().filter_map(force).collect();
         for (pair, parts) in self.parts.iter().enumerate() {
-            let impulses = contacts.iter().filter(|touch| touch.pair == pair).map(|t| t.contact.impulse[0]);
+            let impulses =
+                contacts.iter().filter(|touch| touch.pair == pair).map(|t| t.contact.impulse[0].to_f64());
             let (points, impulse) =
                 impulses.filter(|impulse| *impulse > 0.0).fold((0, 0.0), |(n, sum), own| (n + 1, sum + own));
             if points > 0 && !self.active[pair] {
-                found.push(Event { time: h, parts: *parts, points, approach: f64::NAN, impulse });
+                found.push(Event { time: h.to_f64(), parts: *parts, points, approach: f64::NAN, impulse });
             }
             self.active[pair] = points > 0;
         }
@@ -374,8 +385,19 @@ impl Touching {
     }
 }
 
-/// Most contacts that a thing may have at once.
-fn room(thing: &Thing<f64>) -> usize {
+/// A force as pictures show it.
+fn between<S: Scalar>(
+    moves: [bool; 2],
+    point: Vec3<S>,
+    axes: [Vec3<S>; 3],
+    force: Vec3<S>,
+) -> Option<ContactForce> {
+    let wide = |x: Vec3<S>| x.map(S::to_f64);
+    ContactForce::between(moves, wide(point), axes.map(wide), wide(force))
+}
+
+/// Contacts that a thing may have at once.
+fn room<S>(thing: &Thing<S>) -> usize {
     match thing {
         Thing::Mesh { nodes, facets, .. } => nodes[1] - nodes[0] + facets[1] - facets[0] + CAPACITY,
         Thing::Rigid { .. } => CAPACITY,

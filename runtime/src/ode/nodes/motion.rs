@@ -2,7 +2,7 @@
 
 use super::newton::{Newton, NodeFault};
 use super::rows;
-use crate::kernel::{self, Kernel};
+use crate::kernel::Kernel;
 use crate::real::Scalar;
 use crate::vec3::{self, Vec3};
 
@@ -66,7 +66,7 @@ impl<'a, S: Scalar> Motion<'a, S> {
     /// # Errors
     /// [`NodeFault::NotFinite`] for the first such node.
     pub fn check_finite(&self) -> Result<(), NodeFault<S>> {
-        self.check_far(kernel::run(FindFar { rows: [self.pos, self.vel] }))
+        self.check_far(rows::run(self.pos.len(), FindFar { rows: [self.pos, self.vel] }))
     }
 
     /// The same, given whether any position or speed [`rows::is_far`]: almost always none is, and no search is needed.

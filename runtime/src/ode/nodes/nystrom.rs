@@ -28,7 +28,7 @@ pub(super) fn step<S: Scalar, N: Newton<S>, const K: usize>(
         } else {
             let drift = tableau.drift.get(s).map_or(S::ZERO, |c| h * S::constant(*c));
             let weights = [abar.get(..s).unwrap_or_default(), a.get(..s).unwrap_or_default()];
-            kernel::run(Reach { n, start, weights, h, drift, work });
+            rows::run(n, Reach { n, start, weights, is_damped, h, drift, work });
             work.evaluations += 1;
             newton.elastic(work.stage_pos, work.stage_elastic)?;
             if is_damped {
@@ -37,9 +37,9 @@ pub(super) fn step<S: Scalar, N: Newton<S>, const K: usize>(
             [work.stage_elastic, if is_damped { work.stage_viscous } else { start.viscous }]
         };
         let out = work.stages.get_mut(s * n..).unwrap_or_default();
-        kernel::run(Accelerate { newton, forces, memory: work.dx, out });
+        rows::run(n, Accelerate { newton, forces, memory: work.dx, out });
     }
-    kernel::run(Arrive { newton, start, weights: [&tableau.bbar, &tableau.b], h, work });
+    rows::run(n, Arrive { newton, start, weights: [&tableau.bbar, &tableau.b], h, work });
     let error = error_estimate(tableau, start, h, tolerance, work, n);
     work.finish(newton, start)?;
     Ok(error)
@@ -78,11 +78,12 @@ impl<S: Scalar, N: Newton<S>> Kernel for Accelerate<'_, S, N> {
     }
 }
 
-/// Positions and velocities of a stage from those before it; `drift` is c h.
+/// Positions of a stage from those before it, and where some force depends on them the velocities; `drift` is c h.
 struct Reach<'a, 'm, 'w, S> {
     n: usize,
     start: &'a Motion<'m, S>,
     weights: [&'a [Constant]; 2],
+    is_damped: bool,
     h: S,
     drift: S,
     work: &'a mut Workspace<'w, S>,
@@ -93,29 +94,34 @@ impl<S: Scalar> Kernel for Reach<'_, '_, '_, S> {
 
     #[inline(always)]
     fn run(self) {
-        let Reach { n, start, weights: [abar, a], h, drift, work } = self;
+        let Reach { n, start, weights: [abar, a], is_damped, h, drift, work } = self;
         let Workspace { stage_pos, stage_vel, stages, .. } = work;
         if n < rows::FEW {
             let starts = start.pos.iter().zip(start.vel.iter());
-            for (i, ((pos, vel), (x, v))) in
-                stage_pos.iter_mut().zip(stage_vel.iter_mut()).zip(starts).enumerate()
-            {
-                let [bend, kick] = weigh_node(stages, (n, i), [abar, a]);
-                *pos = vec3::axpy(vec3::axpy(*x, drift, *v), h * h, bend);
-                *vel = vec3::axpy(*v, h, kick);
+            for (i, (pos, (x, v))) in stage_pos.iter_mut().zip(starts).enumerate() {
+                *pos = vec3::axpy(vec3::axpy(*x, drift, *v), h * h, weigh_node(stages, (n, i), abar));
+            }
+            if is_damped {
+                for (i, (vel, v)) in stage_vel.iter_mut().zip(start.vel.iter()).enumerate() {
+                    *vel = vec3::axpy(*v, h, weigh_node(stages, (n, i), a));
+                }
             }
             return;
         }
         for first in rows::blocks(n) {
-            let [pos, vel] = [&mut **stage_pos, stage_vel].map(|row| rows::block_mut(row, first));
             let [x, v] = [&*start.pos, start.vel].map(|row| rows::block(row, first));
+            let pos = rows::block_mut(stage_pos, first);
             weigh(pos, stages, (n, first), abar);
-            weigh(vel, stages, (n, first), a);
             let starts = x.as_flattened().iter().zip(v.as_flattened());
-            let ends = pos.as_flattened_mut().iter_mut().zip(vel.as_flattened_mut());
-            for ((bend, kick), (x, v)) in ends.zip(starts) {
+            for (bend, (x, v)) in pos.as_flattened_mut().iter_mut().zip(starts) {
                 *bend = *x + drift * *v + h * h * *bend;
-                *kick = *v + h * *kick;
+            }
+            if is_damped {
+                let vel = rows::block_mut(stage_vel, first);
+                weigh(vel, stages, (n, first), a);
+                for (kick, v) in vel.as_flattened_mut().iter_mut().zip(v.as_flattened()) {
+                    *kick = *v + h * *kick;
+                }
             }
         }
     }
@@ -140,7 +146,7 @@ impl<S: Scalar, N: Newton<S>> Kernel for Arrive<'_, '_, '_, S, N> {
         let n = newton.nodes();
         if n < rows::FEW {
             for (i, ((dx, dv), v)) in dx.iter_mut().zip(dv.iter_mut()).zip(start.vel.iter()).enumerate() {
-                let [bend, kick] = weigh_node(stages, (n, i), [bbar, b]);
+                let [bend, kick] = [bbar, b].map(|weights| weigh_node(stages, (n, i), weights));
                 *dx = vec3::axpy(movable(newton, i, vec3::scale(*v, h)), h * h, bend);
                 *dv = vec3::scale(kick, h);
             }
@@ -183,22 +189,16 @@ fn weigh<S: Scalar>(
     }
 }
 
-/// The same for one node of few, in registers, with two rows of weights.
+/// The same for one of few nodes, which stays in registers.
 #[inline(always)]
-fn weigh_node<S: Scalar>(
-    stages: &[Vec3<S>],
-    (n, node): (usize, usize),
-    [weights, others]: [&[Constant]; 2],
-) -> [Vec3<S>; 2] {
-    let (mut sum, mut other_sum) = (vec3::zero(), vec3::zero());
-    let mut stages = stages.get(node..).unwrap_or_default();
-    for (weight, other) in weights.iter().zip(others) {
-        let k = stages.first().copied().unwrap_or(vec3::zero());
-        stages = stages.get(n..).unwrap_or_default();
-        sum = vec3::axpy(sum, S::constant(*weight), k);
-        other_sum = vec3::axpy(other_sum, S::constant(*other), k);
+fn weigh_node<S: Scalar>(stages: &[Vec3<S>], (n, node): (usize, usize), weights: &[Constant]) -> Vec3<S> {
+    let (mut sum, mut place) = (vec3::zero(), node);
+    for weight in weights {
+        let Some(k) = stages.get(place) else { break };
+        sum = vec3::axpy(sum, S::constant(*weight), *k);
+        place += n;
     }
-    [sum, other_sum]
+    sum
 }
 
 /// Largest estimated error over (tolerance (1 + |y|)), y node by node; combined as in Hairer's DOP853 where two

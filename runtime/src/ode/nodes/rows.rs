@@ -4,6 +4,7 @@
 //! [`crate::kernel::Kernel`].
 
 use super::newton::Newton;
+use crate::kernel::{self, Kernel};
 use crate::real::Scalar;
 use crate::vec3::Vec3;
 
@@ -13,7 +14,14 @@ pub(super) const BLOCK: usize = if cfg!(target_os = "none") { 4 } else { 128 };
 /// Fewer nodes than these are handled one by one: starting a row costs more than its sums.
 pub(super) const FEW: usize = if cfg!(target_os = "none") { 0 } else { 7 };
 
-/// First nodes of the blocks of n nodes.
+/// Runs a kernel over so many nodes; over few the plain loop where the call stands: wide registers gain nothing there, and
+/// to hand over what a kernel borrows costs more than its sums.
+#[inline(always)]
+pub(super) fn run<K: Kernel>(nodes: usize, kernel: K) -> K::Output {
+    if nodes < FEW { kernel.run() } else { kernel::run(kernel) }
+}
+
+/// Where the blocks of n nodes begin.
 pub(super) fn blocks(n: usize) -> impl Iterator<Item = usize> {
     (0..n.div_ceil(BLOCK)).map(|i| i * BLOCK)
 }

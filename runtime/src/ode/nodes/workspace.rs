@@ -3,7 +3,7 @@
 use super::motion::{MOTION_ROWS, Motion, copy, cut};
 use super::newton::{Newton, NodeFault};
 use super::rows;
-use crate::kernel::{self, Kernel};
+use crate::kernel::Kernel;
 use crate::real::Scalar;
 use crate::vec3::Vec3;
 
@@ -87,8 +87,14 @@ impl<'a, S: Scalar> Workspace<'a, S> {
     /// From [`Newton::elastic`], or a node whose position or speed is not finite.
     pub fn finish<N: Newton<S>>(&mut self, newton: &N, start: &Motion<S>) -> Result<(), N::Fault> {
         let end = &mut self.end;
-        kernel::run(Sum { terms: [start.pos, start.pos_rest, self.dx], out: [end.pos, end.pos_rest] });
-        kernel::run(Sum { terms: [start.vel, start.vel_rest, self.dv], out: [end.vel, end.vel_rest] });
+        rows::run(
+            start.pos.len(),
+            Sum { terms: [start.pos, start.pos_rest, self.dx], out: [end.pos, end.pos_rest] },
+        );
+        rows::run(
+            start.pos.len(),
+            Sum { terms: [start.vel, start.vel_rest, self.dv], out: [end.vel, end.vel_rest] },
+        );
         newton.admit(0, end.vel);
         newton.admit(0, end.vel_rest);
         self.refresh_end(newton)?;
@@ -100,7 +106,7 @@ impl<'a, S: Scalar> Workspace<'a, S> {
         let Workspace { end, dx, stage_pos, stage_vel, .. } = self;
         copy(stage_pos, end.pos);
         copy(stage_vel, end.pos_rest);
-        kernel::run(Sum { terms: [stage_pos, stage_vel, dx], out: [end.pos, end.pos_rest] });
+        rows::run(dx.len(), Sum { terms: [stage_pos, stage_vel, dx], out: [end.pos, end.pos_rest] });
     }
 }
 

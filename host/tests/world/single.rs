@@ -1,0 +1,78 @@
+//! Worlds in f32, as the chip moves them: every number is one of f32, near f64's, and what f32 cannot do is refused.
+
+use super::support::{fails, json, rows, scene};
+use std::path::Path;
+
+/// Largest |a - b| over 1 + |b| of the places that a scene's rows show by default, in f32 against f64.
+fn apart(name: &str, seconds: &str) -> f64 {
+    let (names, wide) = rows(&[name, "--seconds", seconds]);
+    let (_, single) = rows(&[name, "--seconds", seconds, "--scalar", "f32"]);
+    assert_eq!(wide.len(), single.len(), "{name}");
+    let state = 1..names.iter().position(|name| name == "kinetic").expect("energies behind the state");
+    let is_place = |column: &usize| !names[*column].contains('-') && !names[*column].ends_with(".gauge");
+    let places: Vec<usize> = state.filter(is_place).collect();
+    let (mut most, mut moved) = (0.0_f64, false);
+    for (wide, single) in wide.iter().zip(&single) {
+        for column in &places {
+            let (b, a) = (wide[*column], single[*column]);
+            assert_eq!(f64::from(a as f32), a, "{name}: {} = {a:e} is no number of f32", names[*column]);
+            most = most.max((a - b).abs() / (1.0 + b.abs()));
+            moved |= a != b;
+        }
+    }
+    assert!(moved, "{name}: f32 that rounds nothing is f64");
+    most
+}
+
+#[test]
+fn single_precision_is_near_double() {
+    // A tile driven by forces under a bladder; a ball that falls on one.
+    for (name, seconds, most) in [("tile_bladder_coupled", "0.1", 1e-6), ("ball_on_bladder", "0.1", 1e-5)] {
+        let apart = apart(name, seconds);
+        println!("{name}: f32 is {apart:.1e} off");
+        assert!(apart < most, "{name}: {apart:e}");
+    }
+}
+
+#[test]
+fn a_start_at_rest_is_found_in_double_and_rounded() {
+    let start = ["plate_on_bladder", "--set", "run.start=\"settled\"", "--seconds", "0.002"];
+    let (names, wide) = rows(&start);
+    let (_, single) = rows(&[&start[..], &["--scalar", "f32"]].concat());
+    // Whatever stands in the state itself: the node in the middle is held by nothing.
+    let state = ["plate.x", "plate.y", "plate.z", "bladder.x24", "bladder.y24", "bladder.z24"];
+    for own in state {
+        let column = names.iter().position(|name| name == own).expect("a column");
+        assert_eq!(single[0][column], f64::from(wide[0][column] as f32), "{own}");
+    }
+}
+
+#[test]
+fn a_run_in_single_precision_is_resumed_bit_for_bit() {
+    let file = Path::new(env!("CARGO_TARGET_TMPDIR")).join("single.state").display().to_string();
+    let single = ["--scalar", "f32"];
+    let run = |more: &[&str]| json(&[&["ball_on_bladder"], more, &single[..]].concat());
+    let whole = run(&["--seconds", "0.06"]);
+    run(&["--seconds", "0.04", "--save", &file]);
+    let resumed = run(&["--seconds", "0.06", "--resume", &file]);
+    assert_eq!(whole["last"], resumed["last"]);
+    assert!(
+        whole["method"].as_str().is_some_and(|method| method.ends_with(", in f32")),
+        "{}",
+        whole["method"]
+    );
+}
+
+#[test]
+fn what_single_precision_cannot_do_is_refused_by_name() {
+    let ball = concat!(env!("CARGO_MANIFEST_DIR"), "/../models/scenes/ball_on_bladder.toml");
+    let ball = std::fs::read_to_string(ball).expect("a scene").replace("moreau", "compensation");
+    for located in ["box_bounce", &scene("single_located", &ball)] {
+        let said = fails(&["run", located, "--scalar", "f32"]);
+        assert!(said.contains("--scalar f32: touches are located in f64 alone"), "{said}");
+    }
+    let said = fails(&["run", "bed", "--scalar", "f32", "--set", "run.sleep=1e-3_m/s"]);
+    assert!(said.contains("--scalar f32: run.sleep"), "{said}");
+    let said = fails(&["run", "ball_on_bladder", "--scalar", "f32", "--error", "1e-3"]);
+    assert!(said.contains("--scalar f32") && said.contains("give --step"), "{said}");
+}
