@@ -35,9 +35,7 @@ pub fn advance<S: Scalar + Send + Sync>(
     let share = bodies.len().div_ceil(cores.max(1)).max(1);
     let one_core = |(number, bodies): (usize, &mut [Simulation<S>])| {
         for (i, body) in bodies.iter_mut().enumerate() {
-            for step in 0..steps {
-                body.step(h, &mut ()).map_err(|why| Refused { body: number * share + i, step, why })?;
-            }
+            body.advance(h, steps).map_err(|(step, why)| Refused { body: number * share + i, step, why })?;
         }
         Ok(())
     };

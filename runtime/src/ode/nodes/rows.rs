@@ -93,7 +93,7 @@ pub(super) fn multiply<S: Scalar>(y: &mut [Vec3<S>], a: &[Vec3<S>], b: &[Vec3<S>
 
 /// x + rest + change as a sum and what rounding drops from it, with Knuth's exact sum of two.
 #[inline(always)]
-pub(super) fn add_exactly<S: Scalar>(x: S, rest: S, change: S) -> (S, S) {
+pub(crate) fn add_exactly<S: Scalar>(x: S, rest: S, change: S) -> (S, S) {
     let change = change + rest;
     let sum = x + change;
     let part = sum - x;
