@@ -75,6 +75,26 @@ mod tests {
     }
 
     #[test]
+    fn steps_at_once_have_the_bits_of_steps_one_by_one() {
+        let (mut at_once, mut singly) = (bodies(), bodies());
+        // More than are taken at once.
+        let steps = 300;
+        advance(&mut at_once, 1e-3, steps, 1).expect("steps");
+        for (at_once, singly) in at_once.iter_mut().zip(&mut singly) {
+            assert!(at_once.can_march());
+            (0..steps).for_each(|_| singly.step(1e-3, &mut ()).map(|_| ()).expect("a step"));
+            // One more shows what rounding dropped, and the forces.
+            at_once.step(1e-3, &mut ()).expect("a step");
+            singly.step(1e-3, &mut ()).expect("a step");
+            let bits = |body: &Simulation<f64>| {
+                let numbers = body.pos().iter().chain(body.vel()).flatten().copied().chain([body.t()]);
+                numbers.map(f64::to_bits).collect::<Vec<_>>()
+            };
+            assert!(bits(at_once) == bits(singly));
+        }
+    }
+
+    #[test]
     fn the_number_of_cores_changes_no_bit() {
         let after = |cores: usize| {
             let mut bodies = bodies();

@@ -165,7 +165,7 @@ pub trait Scalar: Real + PartialOrd {
     const EPSILON: Self;
     /// Square root of [`Scalar::EPSILON`], rounded: half of the digits.
     const ROOT_EPSILON: Self;
-    /// A quarter of the square root of the largest number: up to it the sum of eight squares is a number.
+    /// Not quite a quarter of the square root of the largest number: the sum of eight squares up to it is a number.
     const FAR: Self;
     /// The largest angle (rad) of which sine and cosine are taken: up to it the error is that of `trig`, f32 adds 3e-11
     /// of the angle, a thousandth of the angle's own rounding. Far beyond they are not even between -1 and 1.

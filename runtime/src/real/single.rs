@@ -119,7 +119,7 @@ impl Real for f32 {
 impl Scalar for f32 {
     const EPSILON: f32 = f32::EPSILON;
     const ROOT_EPSILON: f32 = 3.452_669_8e-4;
-    const FAR: f32 = 4.611_685_9e18;
+    const FAR: f32 = 4.6e18;
     /// 2^16 quarter turns: so far the first product of the reduction is exact.
     const LARGEST_ANGLE: f32 = 1e5;
     #[inline(always)]

@@ -13,6 +13,9 @@ use smartbed_runtime::vec3::Vec3;
 
 use crate::random::Random;
 
+/// Steps one by one: which was refused, and why.
+type Stepped<S> = Result<(), (usize, BodyError<S>)>;
+
 /// A sheet with holes among its springs and cells, some nodes fixed, numbered with jumps; as lists and as a grid.
 struct Sheet<S> {
     columns: usize,
@@ -90,7 +93,7 @@ impl<S: Scalar> Sheet<S> {
             if draw(0.0, 1.0) < 0.8 {
                 facets.push(corners.map(|place| node[place]));
                 cells[in_rows(place)] = S::ONE;
-            } else if place % columns % 2 == 0 && place / columns % 2 == 0 {
+            } else if (place % columns).is_multiple_of(2) && (place / columns).is_multiple_of(2) {
                 holes.push(corners);
             }
         }
@@ -190,12 +193,7 @@ impl<S: Scalar> Sheet<S> {
     }
 
     /// Steps one by one, in lists.
-    fn step_by_step(
-        &self,
-        form: PressureForm,
-        h: S,
-        steps: usize,
-    ) -> (Vec<u64>, Result<(), (usize, BodyError<S>)>) {
+    fn step_by_step(&self, form: PressureForm, h: S, steps: usize) -> (Vec<u64>, Stepped<S>) {
         self.run(form, |system, state, work| {
             (0..steps).try_for_each(|n| {
                 step(system, state, h, Method::Verlet, work, &mut ()).map_err(|why| (n, why)).map(|_| ())

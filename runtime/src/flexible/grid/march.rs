@@ -215,8 +215,8 @@ fn arrive<S: Scalar, const LAST: bool, const BESIDE: bool>(
     let half = S::from_f64(0.5) * h;
     let Forces { right, up, cells: [a, b, _, _], speed, .. } = forces;
     let [_, _, c, d] = &below.cells;
-    for i in 0..3 {
-        for lane in 0..WIDTH {
+    for (i, speed) in speed.iter_mut().enumerate() {
+        for (lane, speed) in speed.iter_mut().enumerate() {
             let (left, here) = (LEAD + lane - 1, LEAD + lane);
             // In the order of the lists: weight, springs, cells below and above, facets that are no cells.
             let mut sum = gravity[i] * line.mass[lane];
@@ -234,10 +234,10 @@ fn arrive<S: Scalar, const LAST: bool, const BESIDE: bool>(
             (line.vel[i][lane], line.vel_rest[i][lane]) = (v, rest);
             if LAST {
                 line.half[i][lane] = sum;
-                speed[i][lane] = below.speed[i][lane];
+                *speed = below.speed[i][lane];
             } else {
                 drift(h, line, i, lane, v + kick);
-                speed[i][lane] = larger((v + kick).abs(), below.speed[i][lane]);
+                *speed = larger((v + kick).abs(), below.speed[i][lane]);
             }
         }
     }
