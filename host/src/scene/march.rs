@@ -11,6 +11,8 @@ use smartbed_runtime::scene::{Marching, can_march, march};
 
 use super::Simulation;
 
+/// Steps at once at least: fewer are faster one by one (`docs/performance.md`).
+const FEWEST: usize = 6;
 /// Steps at once at most: one that is refused is found after as many.
 const AT_ONCE: usize = 256;
 /// Facets beside the cells at most: each is taken by itself in every step.
@@ -33,7 +35,7 @@ impl<S: Scalar> Simulation<S> {
         let mut taken = 0;
         while taken < steps {
             let count = (steps - taken).min(AT_ONCE);
-            if count == 1 || !self.march(h, count) {
+            if count < FEWEST || !self.march(h, count) {
                 for step in taken..taken + count {
                     self.step(h, &mut ()).map_err(|why| (step, why))?;
                 }
