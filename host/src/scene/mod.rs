@@ -7,6 +7,7 @@ pub mod grid;
 pub mod keys;
 pub mod lists;
 pub mod many;
+mod march;
 pub mod method;
 pub mod patches;
 pub mod read;

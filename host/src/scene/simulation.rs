@@ -15,6 +15,7 @@ use smartbed_runtime::vec3::{self, Vec3};
 
 use super::grid::Woven;
 use super::lists::Lists;
+use super::march::Marcher;
 use super::patches::Patched;
 use crate::contact_force::ContactForce;
 
@@ -47,6 +48,8 @@ pub struct Simulation<S: Scalar> {
     grid: Option<Woven<S>>,
     /// The springs in patches, if there is no grid.
     patches: Option<Patched<S>>,
+    /// Where many steps can be taken at once.
+    pub(super) marcher: Option<Marcher<S>>,
     method: Method<S>,
     /// The state, and memory for the state at the end of a step.
     motions: [Vec<Vec3<S>>; 2],
@@ -119,6 +122,7 @@ impl<S: Scalar> Simulation<S> {
             massless: Links::new(&mass, &springs),
             patches: if grid.is_none() { Patched::new(&springs, n) } else { None },
             grid,
+            marcher: None,
             mass,
             fixed: lists.fixed.clone(),
             inverse_mass: Vec::new(),
@@ -140,6 +144,9 @@ impl<S: Scalar> Simulation<S> {
         let body = Body::new(simulation.body())?;
         simulation.inverse_mass = (0..n).map(|i| [body.inverse_mass(i); 3]).collect();
         simulation.settle();
+        if simulation.method == Method::Verlet {
+            simulation.marcher = simulation.with(|system, _, _| Ok(Marcher::new(system)))?;
+        }
         if simulation.ground.is_some()
             && let Some(stable) = simulation.largest_stable_step()
         {
@@ -192,8 +199,8 @@ impl<S: Scalar> Simulation<S> {
         self.method
     }
 
-    /// Calls a kernel of the runtime with views of this memory.
-    fn with<R>(
+    /// Lets the runtime work on the views of this memory.
+    pub(super) fn with<R>(
         &mut self,
         work: impl for<'a> FnOnce(&System<S>, &mut State<'a, S>, &mut Workspace<'a, S>) -> Result<R, BodyError<S>>,
     ) -> Result<R, BodyError<S>> {

@@ -190,6 +190,7 @@ impl Real for Counting {
 impl Scalar for Counting {
     const EPSILON: Counting = Counting(f64::EPSILON);
     const ROOT_EPSILON: Counting = Counting(f64::ROOT_EPSILON);
+    const FAR: Counting = Counting(f64::FAR);
     const LARGEST_ANGLE: Counting = Counting(<f64 as Scalar>::LARGEST_ANGLE);
     const TURN: [Counting; 3] = {
         let [a, b, c] = <f64 as Scalar>::TURN;

@@ -86,7 +86,8 @@ impl Real for f64 {
 impl Scalar for f64 {
     const EPSILON: f64 = f64::EPSILON;
     const ROOT_EPSILON: f64 = 1.490_116_119_384_765_6e-8;
-    /// 2^20 quarter turns: up to here both products of the argument reduction are exact.
+    const FAR: f64 = 3.35e153;
+    /// 2^20 quarter turns: so far both products of the reduction are exact.
     const LARGEST_ANGLE: f64 = 1.6e6;
     /// Exact multiples of the quarter turn's parts.
     const TURN: [f64; 3] = {

@@ -166,8 +166,10 @@ pub trait Scalar: Real + PartialOrd {
     const EPSILON: Self;
     /// Square root of [`Scalar::EPSILON`], rounded: half of the digits.
     const ROOT_EPSILON: Self;
-    /// The largest angle (rad) for sine and cosine: up to it the error is that of `trig`, f32 adds 3e-11
-    /// of the angle, a thousandth of the angle's own rounding. Far beyond it results are not even between -1 and 1.
+    /// Not quite a quarter of the square root of the largest number: the sum of eight squares up to it is a number.
+    const FAR: Self;
+    /// The largest angle (rad) of which sine and cosine are taken: up to it the error is that of `trig`, f32 adds 3e-11
+    /// of the angle, a thousandth of the angle's own rounding. Far beyond they are not even between -1 and 1.
     const LARGEST_ANGLE: Self;
     /// 2 pi in three parts, the first so short that whole multiples of it are exact.
     const TURN: [Self; 3];

@@ -119,7 +119,8 @@ impl Real for f32 {
 impl Scalar for f32 {
     const EPSILON: f32 = f32::EPSILON;
     const ROOT_EPSILON: f32 = 3.452_669_8e-4;
-    /// 2^16 quarter turns: up to here the first product of the argument reduction is exact.
+    const FAR: f32 = 4.6e18;
+    /// 2^16 quarter turns: so far the first product of the reduction is exact.
     const LARGEST_ANGLE: f32 = 1e5;
     #[inline(always)]
     fn constant(constant: Constant) -> f32 {

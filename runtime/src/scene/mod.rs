@@ -6,6 +6,7 @@
 //! Invariant: on an error the state is the last good one.
 
 mod attempt;
+mod march;
 mod modes;
 mod moreau;
 mod slide;
@@ -15,6 +16,7 @@ mod stepping;
 mod touch;
 mod watch;
 
+pub use march::{Marching, can_march, march};
 pub use state::State;
 pub use step::{MAX_EVENTS, MAX_SUBSTEPS, step};
 pub use watch::{Event, Flow, Observer, StepReport};

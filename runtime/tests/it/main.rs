@@ -14,6 +14,7 @@ mod integrator;
 mod island;
 mod layering;
 mod located;
+mod march;
 mod massless;
 mod narrow;
 mod random;

@@ -1,18 +1,22 @@
 //! Forces of springs and facets that form a grid: each node is read and written once, next to its neighbours.
 //!
-//! In: the layout of a grid in the lists of a body ([`Grid`]), positions. Out: the sums of forces that the lists give,
-//! bit for bit: a node's terms are added in their order, left, right, below, above, then its four cells. [`weave`]
-//! computes position-dependent forces, [`damp`] speed-dependent ones, [`mean`] means over a step. The columns of a row
-//! are computed side by side; a row wider than [`WIDTH`] is cut into strips, whose borders are computed twice. Missing
-//! springs and cells have force 0.
+//! In: where the nodes of a grid stand in the lists of a body ([`Grid`]), positions. Out: the sums of forces that the lists
+//! give, number for number: a node's terms are added in their order, left, right, below, above, then its four cells;
+//! [`weave`] has the forces of positions, [`damp`] those of speeds, [`mean`] the means over a step, [`march`] whole steps. Rows are computed side
+//! by side; a row wider than [`WIDTH`] goes in strips, whose borders are computed twice. Where there is no spring or cell
+//! its force is 0.
 
 pub mod damp;
 pub mod layout;
+pub mod line;
+pub mod march;
 pub mod mean;
 mod strip;
 pub mod weave;
 
 pub use damp::Damp;
 pub use layout::{Family, Grid, Run, WIDTH, beside, pitch};
+pub use line::{Corner, Line};
+pub use march::March;
 pub use mean::Mean;
 pub use weave::Weave;

@@ -19,4 +19,5 @@ pub use method::{Method, Step};
 pub(crate) use motion::copy;
 pub use motion::{MOTION_ROWS, Motion};
 pub use newton::{Newton, NodeFault, Way};
+pub(crate) use rows::add_exactly;
 pub use workspace::{Workspace, workspace_len};

@@ -101,7 +101,7 @@ pub(super) fn multiply<S: Scalar>(y: &mut [Vec3<S>], a: &[Vec3<S>], b: &[Vec3<S>
 
 /// x + rest + change as a rounded sum and its rounding error, by Knuth's exact sum of two.
 #[inline(always)]
-pub(super) fn add_exactly<S: Scalar>(x: S, rest: S, change: S) -> (S, S) {
+pub(crate) fn add_exactly<S: Scalar>(x: S, rest: S, change: S) -> (S, S) {
     let change = change + rest;
     let sum = x + change;
     let part = sum - x;
