@@ -5,7 +5,7 @@
 //! points of a prime field (`field`); whether it may be used is decided by round-off (`guard`), and the program
 //! as a whole is measured against twice the digits (`check`).
 //!
-//! `import` (equal values merge) -> `rules`, `multiples`, `near`, `pairs` (further definitions of a value) -> `extract`
+//! `import` (equal values merge) -> `multiples`, `near`, `pairs`, `rules` (further definitions of a value) -> `extract`
 //! (the cheapest choice of definitions) -> `export`.
 
 mod check;
@@ -36,7 +36,8 @@ pub use states::States;
 pub enum Effort {
     /// The expressions as derived.
     None,
-    /// Equal values merge, common factors are taken out, constant multiples and neighbours are looked at: two milliseconds.
+    /// Equal values merge, common factors are taken out; constant multiples, neighbours and products in another order are
+    /// looked at: two milliseconds.
     #[default]
     Default,
     /// All rules and the search over all pairs: a tenth of a second, for release builds.
@@ -148,13 +149,17 @@ fn round(
         let new: Vec<ClassId> = live.iter().copied().filter(is_new).collect();
         let mut passes = PASSES_DEFAULT;
         let on_request = place >= paired;
-        if effort == Effort::Default && (place == 0 || on_request) {
+        let is_quick = effort == Effort::Default && (place == 0 || on_request);
+        if is_quick {
             multiples::propose(search.graph, &live);
         }
         if effort == Effort::All || (on_request && live.len() <= MOST_PAIRED) {
             pairs.resubstitute(search.graph, &live, &new);
         } else if place == 0 {
             near::resubstitute(search.graph, &live, &new);
+        }
+        if is_quick {
+            rules::reassociate_shared(search.graph, &live);
         }
         if effort == Effort::All {
             passes = PASSES_ALL;
