@@ -2,7 +2,7 @@
 // Fingerprint of the model's text: ac55dccdc04fa63e (FNV-1a). Derived with effort default, for fewest operations.
 // fourbar: 3 coordinates, 1 independent speed, 1 input, 11 tunable parameters; scalar f32.
 // Pivots: 3; the worst over 66 sampled configurations is 0.463 of its nominal size.
-// Cost of rates: 91 operations (3 abs, 12 add, 3 cos, 2 div, 2 min, 56 mul, 3 sin, 10 sub).
+// Cost of rates: 90 operations (3 abs, 12 add, 3 cos, 2 div, 2 min, 55 mul, 3 sin, 10 sub).
 // Cost of energy: 50 operations (8 add, 3 cos, 1 div, 31 mul, 3 sin, 4 sub).
 // Cost of speeds: 22 operations (3 cos, 1 div, 12 mul, 3 sin, 3 sub).
 // Cost of outputs: 0 operations ().
@@ -276,7 +276,7 @@ pub fn prepare(p: &Parameters) -> Prepared {
 /// - `q`, `u`, `inputs`: coordinates, speeds and inputs (SI), at the places of the modules of these names
 /// - `p`: what [`prepare`] makes of the parameters
 ///
-/// 91 operations.
+/// 90 operations.
 #[rustfmt::skip]
 #[allow(
     dead_code,
@@ -328,39 +328,40 @@ pub fn rates(
     let k16 = p.k16;
     let t16 = k16 * t15;
     let k9 = p.k9;
-    let t17 = t5 * (t13 * k9);
+    let t17 = t5 * k9;
+    let t18 = t13 * t17;
     let m2 = p.m2;
     let k11 = p.k11;
-    let t18 = t3 * (t16 - m2 * (cos_q2 * k11 - t17));
+    let t19 = t3 * (t16 - m2 * (cos_q2 * k11 - t18));
     let k8 = p.k8;
-    let t19 = cos_q1 * k8 + t18;
-    let t20 = cos_q1 * cos_q2 + sin_q1 * sin_q2;
+    let t20 = cos_q1 * k8 + t19;
+    let t21 = cos_q1 * cos_q2 + sin_q1 * sin_q2;
     // Inertia: the mass matrix M.
     let k12 = p.k12;
-    let t21 = t20 * k12;
+    let t22 = t21 * k12;
     let T = inputs[0]; // fourbar.toml:22
-    let t22 = t19 - (T + t21 * t15);
-    let t23 = t5 * (k9 * t8);
+    let t23 = t20 - (T + t22 * t15);
+    let t24 = t8 * t17;
     let k10 = p.k10;
-    let t24 = m2 * (cos_q1 * k10 + t23) + t22;
-    let t25 = t10 * t7 + t9;
+    let t25 = m2 * (cos_q1 * k10 + t24) + t23;
+    let t26 = t10 * t7 + t9;
     let k7 = p.k7;
-    let u3_dot_bias = t2 * (k7 * (t14 * t20 + t25));
+    let u3_dot_bias = t2 * (k7 * (t14 * t21 + t26));
     let k17 = p.k17;
-    let t26 = k17 * u3_dot_bias;
+    let t27 = k17 * u3_dot_bias;
     let k14 = p.k14;
-    let forcing_u1 = t6 * (cos_q3 * k14 - t26) - t24;
-    let t27 = t6 * (k17 * t6);
-    let t28 = k16 * t3;
+    let forcing_u1 = t6 * (cos_q3 * k14 - t27) - t25;
+    let t28 = t6 * (k17 * t6);
+    let t29 = k16 * t3;
     let k15 = p.k15;
-    let t29 = t27 + (k15 - t3 * (2.0_f32 * t21 - t28));
+    let t30 = t28 + (k15 - t3 * (2.0_f32 * t22 - t29));
     // Results: elimination of M, accelerations and what else is returned.
-    let t30 = forcing_u1 / t29;
+    let t31 = forcing_u1 / t30;
     let k23 = p.k23;
     let k22 = p.k22;
     let k21 = p.k21;
-    let t31 = Real::min_size(Real::min_size(Real::abs(t29 * k23), Real::abs(t1 * k22)), Real::abs(t1 * k21));
-    ([u1, -t4, u3], [t30], t31)
+    let t32 = Real::min_size(Real::min_size(Real::abs(t30 * k23), Real::abs(t1 * k22)), Real::abs(t1 * k21));
+    ([u1, -t4, u3], [t31], t32)
 }
 /// Kinetic and potential energy (J).
 ///

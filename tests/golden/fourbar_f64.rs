@@ -2,7 +2,7 @@
 // Fingerprint of the model's text: ac55dccdc04fa63e (FNV-1a). Derived with effort default, for fewest operations.
 // fourbar: 3 coordinates, 1 independent speed, 1 input, 11 tunable parameters; scalar f64.
 // Pivots: 3; the worst over 66 sampled configurations is 0.463 of its nominal size.
-// Cost of rates: 91 operations (3 abs, 12 add, 3 cos, 2 div, 2 min, 56 mul, 3 sin, 10 sub).
+// Cost of rates: 90 operations (3 abs, 12 add, 3 cos, 2 div, 2 min, 55 mul, 3 sin, 10 sub).
 // Cost of energy: 50 operations (8 add, 3 cos, 1 div, 31 mul, 3 sin, 4 sub).
 // Cost of speeds: 22 operations (3 cos, 1 div, 12 mul, 3 sin, 3 sub).
 // Cost of outputs: 0 operations ().
@@ -309,7 +309,7 @@ pub fn prepare(p: &Parameters) -> Prepared {
 /// - `q`, `u`, `inputs`: coordinates, speeds and inputs (SI), at the places of the modules of these names
 /// - `p`: what [`prepare`] makes of the parameters
 ///
-/// 91 operations.
+/// 90 operations.
 #[rustfmt::skip]
 #[allow(
     dead_code,
@@ -375,13 +375,13 @@ pub fn rates(
     let t30 = t27 * k12;
     let t31 = t29 + t28;
     let k9 = p.k9;
-    let t32 = t20 * k9;
+    let t32 = t7 * k9;
     let k16 = p.k16;
     let t33 = k16 * t8;
     let t34 = 2.0_f64 * t30;
     let k6 = p.k6;
     let t35 = k6 * t31;
-    let t36 = t7 * t32;
+    let t36 = t20 * t32;
     let k11 = p.k11;
     let t37 = cos_q2 * k11;
     let t38 = t17 * t23;
@@ -401,43 +401,42 @@ pub fn rates(
     let k15 = p.k15;
     let t50 = k15 - t45;
     let t51 = t46 - t47;
-    let t52 = k9 * t12;
     let k7 = p.k7;
-    let t53 = k7 * t48;
-    let t54 = t49 + t50;
-    let t55 = t8 * t51;
+    let t52 = k7 * t48;
+    let t53 = t49 + t50;
+    let t54 = t8 * t51;
     let k8 = p.k8;
-    let t56 = cos_q1 * k8;
-    let t57 = t30 * t40;
-    let t58 = t7 * t52;
+    let t55 = cos_q1 * k8;
+    let t56 = t30 * t40;
+    let t57 = t12 * t32;
     let k10 = p.k10;
-    let t59 = cos_q1 * k10;
-    let u3_dot_bias = t2 * t53;
+    let t58 = cos_q1 * k10;
+    let u3_dot_bias = t2 * t52;
     // Results: elimination of M, accelerations and what else is returned.
     let k23 = p.k23;
-    let t60 = t54 * k23;
+    let t59 = t53 * k23;
     let k22 = p.k22;
-    let t61 = t1 * k22;
-    let t62 = t56 + t55;
+    let t60 = t1 * k22;
+    let t61 = t55 + t54;
     let T = inputs[0]; // fourbar.toml:22
-    let t63 = T + t57;
-    let t64 = t59 + t58;
-    let t65 = k17 * u3_dot_bias;
+    let t62 = T + t56;
+    let t63 = t58 + t57;
+    let t64 = k17 * u3_dot_bias;
     let k14 = p.k14;
-    let t66 = cos_q3 * k14;
+    let t65 = cos_q3 * k14;
+    let t66 = Real::abs(t59);
     let t67 = Real::abs(t60);
-    let t68 = Real::abs(t61);
     let k21 = p.k21;
-    let t69 = t1 * k21;
-    let t70 = t62 - t63;
-    let t71 = m2 * t64;
-    let t72 = t66 - t65;
-    let t73 = Real::abs(t69);
-    let t74 = t71 + t70;
-    let forcing_u1 = t11 * t72 - t74;
-    let t75 = forcing_u1 / t54;
-    let t76 = Real::min_size(Real::min_size(t67, t68), t73);
-    ([u1, -t10, u3], [t75], t76)
+    let t68 = t1 * k21;
+    let t69 = t61 - t62;
+    let t70 = m2 * t63;
+    let t71 = t65 - t64;
+    let t72 = Real::abs(t68);
+    let t73 = t70 + t69;
+    let forcing_u1 = t11 * t71 - t73;
+    let t74 = forcing_u1 / t53;
+    let t75 = Real::min_size(Real::min_size(t66, t67), t72);
+    ([u1, -t10, u3], [t74], t75)
 }
 /// Kinetic and potential energy (J).
 ///

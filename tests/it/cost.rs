@@ -59,6 +59,25 @@ fn all_effort_reaches_its_operations() {
     }
 }
 
+/// The same by default: what is asked of the tile, and what the others hold.
+const BY_DEFAULT: [(&str, usize); 6] = [
+    ("tile", 500),
+    ("tile_minimal", 480),
+    ("arm6", 1110),
+    ("bicycle", 1050),
+    ("fourbar", 83),
+    ("pendulum10", 185),
+];
+
+#[test]
+fn default_effort_reaches_its_operations() {
+    for (model, most) in BY_DEFAULT {
+        let operations = program_with(model, &[], Effort::Default).operations();
+        println!("{model}: {operations} operations by default, at most {most}");
+        assert!(operations <= most, "{model}: {operations}");
+    }
+}
+
 #[test]
 fn header_states_the_operations_that_are_executed() {
     for model in cases::MECHANISMS {

@@ -49,19 +49,25 @@ pub fn solve_to(a: &[f64], b: &mut [f64], columns: usize, zero: f64) -> (Vec<f64
         let place = (rank..columns).find(|&place| entries[order[place]].abs() == size).unwrap_or(rank);
         order.swap(rank, place);
         let column = order[rank];
+        // With 0 in the place of the pivot an entry that is 0 already stays so.
+        let pivot = std::mem::replace(&mut pivot_row.as_flattened_mut()[column], 0.0);
         for (r, row) in below.chunks_exact_mut(width).enumerate() {
-            // The equations of a loop are sparse: many rows have a zero in this column.
-            let entry = row.as_flattened()[column];
+            // A loop's equations are sparse: many rows have no part in the unknown at hand.
+            let entry = std::mem::replace(&mut row.as_flattened_mut()[column], 0.0);
             if entry != 0.0 {
-                let factor = entry / entries[column];
+                let factor = entry / pivot;
+                let mut most = [0.0; LANES];
                 for (row, pivot_row) in row.iter_mut().zip(&*pivot_row) {
-                    row.iter_mut().zip(pivot_row).for_each(|(x, p)| *x -= factor * p);
+                    for ((x, p), most) in row.iter_mut().zip(pivot_row).zip(&mut most) {
+                        *x -= factor * p;
+                        *most = larger(*most, *x);
+                    }
                 }
-                row.as_flattened_mut()[column] = 0.0;
                 b[rank + 1 + r] -= factor * b[rank];
-                sizes[rank + 1 + r] = largest(row);
+                sizes[rank + 1 + r] = most.into_iter().fold(0.0, larger);
             }
         }
+        pivot_row.as_flattened_mut()[column] = pivot;
         rank += 1;
     }
     let mut x = vec![0.0; columns];
@@ -73,9 +79,13 @@ pub fn solve_to(a: &[f64], b: &mut [f64], columns: usize, zero: f64) -> (Vec<f64
     (x, rank)
 }
 
-/// The largest absolute entry. The comparison is one instruction, whereas `f64::max` takes six.
+/// The larger size. The comparison is one instruction, where `f64::max` is six.
+fn larger(most: f64, x: f64) -> f64 {
+    if x.abs() > most { x.abs() } else { most }
+}
+
+/// The size of the largest entry.
 fn largest(row: &[[f64; LANES]]) -> f64 {
-    let larger = |most: f64, x: f64| if x.abs() > most { x.abs() } else { most };
     let most =
         row.iter().fold([0.0; LANES], |most, block| std::array::from_fn(|k| larger(most[k], block[k])));
     most.into_iter().fold(0.0, larger)

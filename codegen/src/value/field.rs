@@ -16,7 +16,7 @@ const P: u64 = (1 << BITS) - DEFECT;
 const WITH_ROOT: [u64; 6] = [2, 3, 5, 7, 11, 13];
 
 /// An element of the field.
-#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub(crate) struct Field(u64);
 
 impl Field {

@@ -5,8 +5,8 @@
 //! whether it may be used depends on its round-off (`guard`); the program as a whole is compared with twice the digits
 //! (`check`).
 //!
-//! Stages: `import` (equal values merge) -> `rules`, `multiples`, `near`, `pairs` (further definitions of a value) ->
-//! `extract` (the cheapest choice of definitions) -> `export`.
+//! `import` (equal values merge) -> `multiples`, `near`, `pairs`, `rules` (further definitions of a value) -> `extract`
+//! (the cheapest choice of definitions) -> `export`.
 
 mod check;
 mod double_double;
@@ -36,7 +36,8 @@ pub use states::States;
 pub enum Effort {
     /// The expressions as derived.
     None,
-    /// Merges equal values, factors sums, tries constant multiples and neighbours: two milliseconds.
+    /// Equal values merge, common factors are taken out; constant multiples, neighbours and products in another order are
+    /// looked at: two milliseconds.
     #[default]
     Default,
     /// All rules and the search over all pairs: a tenth of a second, for release builds.
@@ -149,13 +150,17 @@ fn round(
         let new: Vec<ClassId> = live.iter().copied().filter(is_new).collect();
         let mut passes = PASSES_DEFAULT;
         let on_request = place >= paired;
-        if effort == Effort::Default && (place == 0 || on_request) {
+        let is_quick = effort == Effort::Default && (place == 0 || on_request);
+        if is_quick {
             multiples::propose(search.graph, &live);
         }
         if effort == Effort::All || (on_request && live.len() <= MOST_PAIRED) {
             pairs.resubstitute(search.graph, &live, &new);
         } else if place == 0 {
             near::resubstitute(search.graph, &live, &new);
+        }
+        if is_quick {
+            rules::reassociate_shared(search.graph, &live);
         }
         if effort == Effort::All {
             passes = PASSES_ALL;

@@ -13,14 +13,21 @@ pub(super) fn propose(graph: &mut Graph, live: &[ClassId]) {
     let values: Vec<Field> = live.iter().flat_map(|&class| graph.classes[class].value).collect();
     let inverses = Field::inverses(&values);
     let quotient = |i: usize| values[2 * i] * inverses[2 * i + 1];
-    let mut families: HashMap<Field, Vec<usize>> = HashMap::default();
-    for i in (0..live.len()).filter(|&i| quotient(i) != Field::ONE) {
-        families.entry(quotient(i)).or_default().push(i);
+    let mut order: Vec<(Field, usize)> =
+        (0..live.len()).map(|i| (quotient(i), i)).filter(|&(quotient, _)| quotient != Field::ONE).collect();
+    order.sort_unstable();
+    // By value the place of its family in that order; one without relatives has none.
+    let mut families = vec![0..0; live.len()];
+    let mut start = 0;
+    for family in order.chunk_by(|a, b| a.0 == b.0) {
+        if family.len() > 1 {
+            family.iter().for_each(|&(_, i)| families[i] = start..start + family.len());
+        }
+        start += family.len();
     }
     let constants = Constants::new(graph);
-    for i in 0..live.len() {
-        let Some(family) = families.get(&quotient(i)) else { continue };
-        for &j in family.iter().filter(|&&j| j != i) {
+    for (i, family) in families.into_iter().enumerate() {
+        for &(_, j) in order[family].iter().filter(|&&(_, j)| j != i) {
             let x = Signed { class: live[j], negative: false };
             if let Some(factor) = constants.class(graph, values[2 * i] * inverses[2 * j]) {
                 graph.propose(Signed { class: live[i], negative: false }, Operation::Product, factor, x);
@@ -45,6 +52,7 @@ impl Constants {
         let values: Vec<Field> = known.iter().map(|&class| graph.classes[class].value[0]).collect();
         let inverses = Field::inverses(&values);
         let mut made = HashMap::default();
+        made.reserve(2 * known.len() * known.len());
         let operands = |i: usize, j: usize| [i, j].map(|i| Signed { class: known[i], negative: false });
         for i in 0..known.len() {
             for j in 0..known.len() {

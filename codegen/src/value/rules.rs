@@ -1,11 +1,15 @@
 //! Rules that add classes and definitions; one identity per function, applied left to right.
 
+use super::field::Field;
 use super::graph::{ClassId, Definition, Graph, Operation, Signed};
 use crate::id::IdVec;
+use rustc_hash::FxHashMap as HashMap;
 
 /// Number of definitions of an operand that a rule examines.
 const LOOKED_INTO: usize = 6;
-/// Most terms of a sum that are examined together.
+/// The same where time is short.
+const SHARED_LOOKED_INTO: usize = 4;
+/// Terms of a sum that are looked at together.
 const MOST_TERMS: usize = 12;
 
 /// Applies every rule to every definition of the classes.
@@ -27,7 +31,39 @@ pub(super) fn apply(graph: &mut Graph, classes: &[ClassId], one: Signed) {
     }
 }
 
-/// Factors the classes' sums; the only rule that saves operations by itself.
+/// (p r) y = p (r y) and (p + r) + y = p + (r + y) where r y, or r + y, is a value already or would serve two values.
+///
+/// One that serves a single value saves nothing by itself. So candidates are counted by what they are in the field,
+/// and most are never made.
+pub(super) fn reassociate_shared(graph: &mut Graph, live: &[ClassId]) {
+    let mut candidates: Vec<(ClassId, [Signed; 3], Field)> = Vec::with_capacity(4 * live.len());
+    let mut wanted: HashMap<Field, (ClassId, bool)> = HashMap::default();
+    wanted.reserve(2 * live.len());
+    for &class in live.iter().filter(|&&class| !graph.classes[class].prepared) {
+        let Definition { operation, operands: [a, b], .. } = graph.classes[class].current;
+        if !matches!(operation, Operation::Sum | Operation::Product) {
+            continue;
+        }
+        for (x, y) in [(a, b), (b, a)] {
+            for [p, r] in splits(graph, x, operation, SHARED_LOOKED_INTO) {
+                let Some([inner, _]) = graph.apply(operation, r, y) else { continue };
+                let (first, is_shared) = wanted.entry(inner.canonical()).or_insert((class, false));
+                *is_shared |= *first != class;
+                candidates.push((class, [p, r, y], inner.canonical()));
+            }
+        }
+    }
+    for (class, [p, r, y], inner) in candidates {
+        let Definition { operation, negative, .. } = graph.classes[class].current;
+        if (wanted[&inner].1 || graph.find_at_first_point(inner).is_some())
+            && let Some(inner) = graph.class_of(operation, r, y)
+        {
+            graph.propose(Signed { class, negative }, operation, p, inner);
+        }
+    }
+}
+
+/// Takes common factors out of the classes' sums, the only rule that shortens by itself.
 pub(super) fn factor_sums(graph: &mut Graph, live: &[ClassId], classes: &[ClassId], one: Signed) {
     let readers = readers(graph, live);
     for &class in classes {
@@ -71,7 +107,7 @@ fn factor_terms(graph: &mut Graph, target: Signed, terms: &[Signed], one: Signed
     // (factor, index of the term, term / factor); each factor once per term.
     let mut divided: Vec<(ClassId, usize, Signed)> = Vec::with_capacity(4 * terms.len());
     for (i, &term) in terms.iter().enumerate() {
-        for [a, b] in parts(graph, term, Operation::Product) {
+        for [a, b] in parts(graph, term, Operation::Product, LOOKED_INTO) {
             divided.extend([[a, b], [b, a]].map(|[f, x]| (f.class, i, x.times(f.negative))));
         }
         divided.push((term.class, i, one.times(term.negative)));
@@ -81,35 +117,38 @@ fn factor_terms(graph: &mut Graph, target: Signed, terms: &[Signed], one: Signed
     divided.dedup_by_key(|&mut (f, i, _)| (f, i));
     for quotients in divided.chunk_by(|a, b| a.0 == b.0).filter(|quotients| quotients.len() > 1) {
         let f = quotients[0].0;
-        let others = (0..terms.len()).filter(|i| quotients.iter().all(|(_, k, _)| k != i)).map(|i| terms[i]);
-        let others: Vec<Signed> = others.collect();
-        let quotients: Vec<Signed> = quotients.iter().map(|&(.., x)| x).collect();
-        let Some(inner) = sum(graph, &quotients) else { continue };
+        let taken: u32 = quotients.iter().fold(0, |set, &(_, i, _)| set | 1 << i);
+        let Some(inner) = sum(graph, quotients.iter().map(|&(.., x)| x)) else { continue };
         let f = Signed { class: f, negative: false };
-        if others.is_empty() {
+        if quotients.len() == terms.len() {
             graph.propose(target, Operation::Product, f, inner);
         } else if let Some(product) = graph.class_of(Operation::Product, f, inner)
-            && let Some(rest) = sum(graph, &others)
+            && let Some(rest) = sum(graph, (0..terms.len()).filter(|i| taken >> i & 1 == 0).map(|i| terms[i]))
         {
             graph.propose(target, Operation::Sum, rest, product);
         }
     }
 }
 
-/// The class of a sum of several terms, from left to right; `None` if a partial sum is zero.
-fn sum(graph: &mut Graph, terms: &[Signed]) -> Option<Signed> {
-    let (&first, rest) = terms.split_first()?;
-    rest.iter().try_fold(first, |total, &term| graph.class_of(Operation::Sum, total, term))
+/// The class of a sum of many, from left to right; `None` if a part of it vanishes.
+fn sum(graph: &mut Graph, mut terms: impl Iterator<Item = Signed>) -> Option<Signed> {
+    let first = terms.next()?;
+    terms.try_fold(first, |total, term| graph.class_of(Operation::Sum, total, term))
 }
 
-/// The first few definitions of x by this operation, as pairs of signed operands that include the sign of x.
-fn parts(graph: &Graph, x: Signed, operation: Operation) -> impl Iterator<Item = [Signed; 2]> {
-    let definitions = graph.classes[x.class].definitions().take(LOOKED_INTO);
+/// Of the first few definitions of x those by an operation, as pairs of signed operands with the sign of x drawn in.
+fn parts(graph: &Graph, x: Signed, operation: Operation, few: usize) -> impl Iterator<Item = [Signed; 2]> {
+    let definitions = graph.classes[x.class].definitions().take(few);
     definitions.filter(move |d| d.operation == operation).map(move |d| {
         let [a, b] = d.operands;
         let sign = x.negative != d.negative;
         if operation == Operation::Sum { [a.times(sign), b.times(sign)] } else { [a.times(sign), b] }
     })
+}
+
+/// [`parts`], each in both orders.
+fn splits(graph: &Graph, x: Signed, operation: Operation, few: usize) -> impl Iterator<Item = [Signed; 2]> {
+    parts(graph, x, operation, few).flat_map(|[u, w]| [[u, w], [w, u]])
 }
 
 /// (p + r) + y = p + (r + y) and (p r) y = p (r y).
@@ -118,11 +157,9 @@ fn reassociate(graph: &mut Graph, target: Signed, definition: &Definition) {
     let target = target.times(definition.negative);
     let [a, b] = definition.operands;
     for (x, y) in [(a, b), (b, a)] {
-        for [u, w] in parts(graph, x, operation).collect::<Vec<_>>() {
-            for (p, r) in [(u, w), (w, u)] {
-                if let Some(inner) = graph.class_of(operation, r, y) {
-                    graph.propose(target, operation, p, inner);
-                }
+        for [p, r] in splits(graph, x, operation, LOOKED_INTO).collect::<Vec<_>>() {
+            if let Some(inner) = graph.class_of(operation, r, y) {
+                graph.propose(target, operation, p, inner);
             }
         }
     }
@@ -136,5 +173,45 @@ fn reciprocal(graph: &mut Graph, target: Signed, definition: &Definition, one: S
     }
     if let Some(inverse) = graph.class_of(Operation::Quotient, one, y) {
         graph.propose(target.times(definition.negative), Operation::Product, x, inverse);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::field::mix;
+    use super::super::guard::Estimate;
+    use super::*;
+    use crate::expr::Dag;
+    use crate::id::Id;
+
+    /// p (r y), r y and q (r y) of (p r) y and (q r) y; s (t v) of (s t) v, which shares with nothing.
+    #[test]
+    fn an_order_is_made_that_two_values_share_and_no_other() {
+        let mut graph = Graph::new(0);
+        let mut dag = Dag::default();
+        let [p, q, r, y, s, t, v] = std::array::from_fn(|i| {
+            let seed = i as u64 + 1;
+            let value = [Field::new(mix(seed)), Field::new(mix(seed + 100))];
+            graph.leaf(value, dag.symbol("x"), false, &[] as &[Estimate])
+        });
+        for operation in [Operation::Product, Operation::Sum] {
+            let mut of_three = |a, b, c| {
+                let inner = graph.class_of(operation, a, b).expect("not 0");
+                graph.class_of(operation, inner, c).expect("not 0")
+            };
+            let [first, second, alone] = [of_three(p, r, y), of_three(q, r, y), of_three(s, t, v)];
+            let find = |graph: &Graph, a, b| graph.find(graph.apply(operation, a, b).expect("defined"));
+            assert_eq!(find(&graph, r, y), None);
+            let live: Vec<ClassId> = graph.classes.ids().collect();
+            reassociate_shared(&mut graph, &live);
+            let shared = find(&graph, r, y).expect("two values read it");
+            for (whole, other) in [(first, p), (second, q)] {
+                let mut definitions = graph.classes[whole.class].definitions();
+                let reads = |d: &Definition| d.reads().eq([other.class, shared.class]);
+                assert!(definitions.any(|d| d.operation == operation && reads(d)), "{operation:?}");
+            }
+            assert_eq!((find(&graph, t, v), find(&graph, s, v)), (None, None), "{operation:?}");
+            assert_eq!(graph.classes[alone.class].definitions().count(), 1);
+        }
     }
 }
