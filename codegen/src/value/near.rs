@@ -10,7 +10,7 @@ use super::graph::{ClassId, Graph, Operation, Signed};
 use crate::id::Id;
 
 /// Neighbours that are tried.
-const NEAREST: usize = 12;
+const NEAREST: usize = 6;
 /// What more definitions than this read is near everything: it leads to no neighbours.
 const CROWD: usize = 24;
 

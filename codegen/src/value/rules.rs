@@ -182,7 +182,6 @@ mod tests {
     use super::super::guard::Estimate;
     use super::*;
     use crate::expr::Dag;
-    use crate::id::Id;
 
     /// p (r y), r y and q (r y) of (p r) y and (q r) y; s (t v) of (s t) v, which shares with nothing.
     #[test]
