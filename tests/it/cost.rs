@@ -64,7 +64,7 @@ const BY_DEFAULT: [(&str, usize); 6] = [
     ("tile", 500),
     ("tile_minimal", 480),
     ("arm6", 1110),
-    ("bicycle", 1050),
+    ("bicycle", 1055),
     ("fourbar", 83),
     ("pendulum10", 185),
 ];

@@ -17,7 +17,7 @@ use super::refine::refine;
 use crate::expr::ExprId;
 use crate::id::Id;
 use std::cmp::Reverse;
-use std::collections::BTreeSet;
+use std::collections::BinaryHeap;
 
 /// Registers of single precision on a Cortex-M4F.
 const REGISTERS: usize = 32;
@@ -298,15 +298,24 @@ impl Graph {
 /// The steps that may come next, ordered by growth (the change in the number of live values) and rank.
 struct Ready<'r> {
     ranks: &'r [usize],
+    /// By rank: its step.
+    steps: Vec<usize>,
     growth: Vec<Option<isize>>,
-    queue: BTreeSet<(isize, usize, usize)>,
+    /// Growth and rank in one number, least first; an entry whose growth has changed since stays and is skipped.
+    queue: BinaryHeap<Reverse<u64>>,
     /// Steps whose growth must be recomputed: it has changed, or they have become ready.
     refresh: Vec<usize>,
 }
 
 impl<'r> Ready<'r> {
     fn new(ranks: &'r [usize]) -> Self {
-        Self { ranks, growth: vec![None; ranks.len()], queue: BTreeSet::new(), refresh: Vec::new() }
+        let mut steps = vec![0; ranks.len() + 1];
+        ranks.iter().enumerate().for_each(|(step, &rank)| steps[rank] = step);
+        Self { ranks, steps, growth: vec![None; ranks.len()], queue: BinaryHeap::new(), refresh: Vec::new() }
+    }
+
+    fn key(&self, step: usize, growth: isize) -> u64 {
+        ((growth as u64 ^ 1 << 31) << 32) | self.ranks[step] as u64
     }
 
     /// Records that the growth of those of the steps that are ready has changed.
@@ -315,10 +324,9 @@ impl<'r> Ready<'r> {
     }
 
     fn set(&mut self, step: usize, growth: isize) {
-        if let Some(before) = self.growth[step].replace(growth) {
-            self.queue.remove(&(before, self.ranks[step], step));
+        if self.growth[step].replace(growth) != Some(growth) {
+            self.queue.push(Reverse(self.key(step, growth)));
         }
-        self.queue.insert((growth, self.ranks[step], step));
     }
 
     fn update(&mut self, growth: impl Fn(usize) -> isize) {
@@ -328,9 +336,14 @@ impl<'r> Ready<'r> {
     }
 
     fn pop(&mut self) -> Option<usize> {
-        let (_, _, step) = self.queue.pop_first()?;
-        self.growth[step] = None;
-        Some(step)
+        loop {
+            let Reverse(key) = self.queue.pop()?;
+            let step = self.steps[key as u32 as usize];
+            if self.growth[step].is_some_and(|growth| self.key(step, growth) == key) {
+                self.growth[step] = None;
+                return Some(step);
+            }
+        }
     }
 }
 

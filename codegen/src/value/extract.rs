@@ -97,7 +97,10 @@ impl<'g> Extraction<'g> {
 
     /// Makes `passes` sweeps over all classes; the graph is left with the cheapest definitions found.
     pub fn run(&mut self, passes: usize) {
-        let mut best = (self.cost, self.snapshot());
+        // No other class ever changes its definition.
+        let has_choice = |class: &ClassId| self.graph.classes[*class].definition(1).is_some();
+        let choices: Vec<ClassId> = self.graph.classes.ids().filter(has_choice).collect();
+        let mut best = (self.cost, self.definitions(&choices));
         for pass in 0..passes {
             let last = pass + 1 == passes;
             let mut order = self.live();
@@ -110,17 +113,17 @@ impl<'g> Extraction<'g> {
                 self.improve(class, !last);
             }
             if self.cost < best.0 {
-                best = (self.cost, self.snapshot());
+                best = (self.cost, self.definitions(&choices));
             }
         }
-        for (class, definition) in self.graph.classes.ids().zip(best.1) {
+        for (class, definition) in choices.into_iter().zip(best.1) {
             self.changed |= self.graph.classes[class].current != definition;
             self.graph.classes[class].current = definition;
         }
     }
 
-    fn snapshot(&self) -> Vec<Definition> {
-        self.graph.classes.iter().map(|c| c.current).collect()
+    fn definitions(&self, classes: &[ClassId]) -> Vec<Definition> {
+        classes.iter().map(|&class| self.graph.classes[class].current).collect()
     }
 
     fn draw(&mut self) -> u64 {

@@ -95,30 +95,33 @@ pub fn shorten(
     };
     let check = Check::new(dag, groups, samples);
     let mut pairs = Pairs::new();
+    let costs_of =
+        |dag: &Dag, groups: &[Vec<ExprId>]| -> Vec<Cost> { groups.iter().map(|g| dag.costs(g)).collect() };
+    let original = costs_of(dag, groups);
+    let mut costs = original.clone();
     for &(most, searched) in rounds {
         for _ in 0..most {
             let next = round(dag, &best, guard, (search, &mut pairs), searched);
-            if !is_shorter(dag, &best[..searched], &next[..searched]) || !check.passes(dag, &next) {
+            let next_costs = costs_of(dag, &next);
+            if !is_less(&next_costs[..searched], &costs[..searched]) || !check.passes(dag, &next) {
                 break;
             }
-            best = next;
+            (best, costs) = (next, next_costs);
         }
     }
     // A group may have become longer by what the first group gained: it then keeps its original expressions.
-    for (new, old) in best.iter_mut().zip(groups).skip(1) {
-        if new != old && dag.costs(new) > dag.costs(old) {
-            new.clone_from(old);
-        }
+    for place in (1..all).filter(|&place| costs[place] > original[place]) {
+        best[place].clone_from(&groups[place]);
     }
     best
 }
 
-/// Fewer operations in the first group, or as many there and fewer in all?
-fn is_shorter(dag: &Dag, old: &[Vec<ExprId>], new: &[Vec<ExprId>]) -> bool {
-    let of = |groups: &[Vec<ExprId>]| {
-        let costs: Vec<(usize, usize)> = groups.iter().map(|group| dag.costs(group)).collect();
-        (costs[0], costs.iter().fold((0, 0), |s, c| (s.0 + c.0, s.1 + c.1)))
-    };
+/// Operations of every evaluation, and those of `prepare()`.
+type Cost = (usize, usize);
+
+/// Fewer operations in the first group, or as many there and fewer in all.
+fn is_less(new: &[Cost], old: &[Cost]) -> bool {
+    let of = |costs: &[Cost]| (costs[0], costs.iter().fold((0, 0), |s, c| (s.0 + c.0, s.1 + c.1)));
     of(new) < of(old)
 }
 

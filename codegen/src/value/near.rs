@@ -10,7 +10,7 @@ use super::graph::{ClassId, Graph, Operation, Signed};
 use crate::id::Id;
 
 /// Number of neighbours that are tried.
-const NEAREST: usize = 12;
+const NEAREST: usize = 6;
 /// A class used by more definitions than this is near everything: its users do not count as neighbours.
 const CROWD: usize = 24;
 
