@@ -131,9 +131,8 @@ fn every_refusal_of_a_scene_has_its_cause_and_cure() {
         format!("{BALL}[run]\nstart = \"settled\""),
         format!("{CUBE}[run]\nstart = \"settled\""),
         format!("{CUBE}[run]\nstart = \"settled\"\nstep = 1e-7"),
-        format!(
-            "[parts.cube]\nshape = \"cube\"\nstart = {{ velocity = [1, 0, 0] }}\n[run]\nstart = \"settled\""
-        ),
+        "[parts.cube]\nshape = \"cube\"\nstart = { velocity = [1, 0, 0] }\n[run]\nstart = \"settled\""
+            .to_owned(),
         format!("{BALL}[sensors.s]\nof = \"ball.w\""),
         format!("{BALL}[sensors.s]\nof = \"ball.z\"\nperiod = \"1.5_ms\""),
         format!(
