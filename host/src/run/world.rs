@@ -166,7 +166,8 @@ fn record(arguments: &Arguments, assembly: &Assembly) -> Result<Done, Failure> {
             return Err(Failure::Wrong(format!("--save {file}: {message}")));
         }
         let (steps, step) = (assembly.run.steps(), assembly.run.step);
-        let checkpoint = Checkpoint { steps, step, start: total[0], state: engine.save(), seen };
+        let scene = assembly.fingerprint();
+        let checkpoint = Checkpoint { steps, step, scene, start: total[0], state: engine.save(), seen };
         output::write(file, checkpoint.text().as_bytes())?;
     }
     let note = noted(format!("{method}, step {} s", six_digits(assembly.run.step)), arguments);
@@ -178,7 +179,14 @@ fn record(arguments: &Arguments, assembly: &Assembly) -> Result<Done, Failure> {
         plot::write(file, &drawing)?;
     }
     let film = film.map(|film| film.data(&assembly.title, &note, &told(&events, assembly)));
-    let warnings = engine.warnings();
+    let mut warnings = engine.warnings();
+    if from.is_some_and(|from| !from.scene.is_empty() && from.scene != assembly.fingerprint()) {
+        warnings.push(
+            "the checkpoint was saved from another text of the scene or with other settings: the motion before it is not \
+             that of this scene"
+                .to_owned(),
+        );
+    }
     let method = if arguments.scalar == ScalarKind::F32 { method + ", in f32" } else { method };
     Ok(Done { method, names, last, events, film, rows, imbalance, total, warnings, health })
 }

@@ -2,6 +2,7 @@
 //!
 //! Parts are in the author's order; attachments and contacts refer to them by index.
 
+use crate::hash::hash;
 use crate::scene::Lists;
 use smartbed_codegen::model::Model;
 use smartbed_runtime::gas::Line;
@@ -31,6 +32,25 @@ pub struct Assembly {
     pub run: Run,
     /// Options of pictures.
     pub view: View,
+}
+
+impl Assembly {
+    /// Fingerprint of everything that decides the motion but for the length and step of the run: a checkpoint carries it, so
+    /// that a run that goes on with other masses, laws or gravity is told. Folders and titles do not enter.
+    #[must_use]
+    pub fn fingerprint(&self) -> String {
+        let parts = self.parts.iter().map(|part| match &part.kind {
+            Kind::Mechanism(mechanism) => {
+                let model = &mechanism.model;
+                let texts: Vec<&str> = model.source.files.iter().map(|file| file.text.as_str()).collect();
+                format!("{} {texts:?} {:?} {:?}", part.name, model.parameters, mechanism.place)
+            }
+            other => format!("{} {other:?}", part.name),
+        });
+        let parts: Vec<String> = parts.collect();
+        let between = (&self.attachments, &self.contacts, &self.sensors, &self.controllers);
+        hash(format!("{:?} {parts:?} {between:?}", self.gravity).as_bytes())
+    }
 }
 
 /// What pictures of a world leave out, and their colours.

@@ -63,6 +63,8 @@ pub struct Checkpoint {
     pub steps: usize,
     /// Their length (s).
     pub step: f64,
+    /// Fingerprint of the scene ([`Assembly::fingerprint`]); empty if the file has none.
+    pub scene: String,
     /// Energy at the very start (J).
     pub start: f64,
     /// Values of the engine.
@@ -84,9 +86,10 @@ impl Checkpoint {
     /// Text that preserves every bit of the numbers.
     #[must_use]
     pub fn text(&self) -> String {
-        let Self { steps, step, start, state, seen } = self;
-        let text =
-            serde_json::json!({"steps": steps, "step": step, "start": start, "state": state, "seen": seen});
+        let Self { steps, step, scene, start, state, seen } = self;
+        let text = serde_json::json!({
+            "steps": steps, "step": step, "scene": scene, "start": start, "state": state, "seen": seen,
+        });
         text.to_string() + "\n"
     }
 
@@ -100,6 +103,7 @@ impl Checkpoint {
         Some(Self {
             steps: usize::try_from(value["steps"].as_u64()?).ok()?,
             step: value["step"].as_f64()?,
+            scene: value["scene"].as_str().unwrap_or_default().to_owned(),
             start: value["start"].as_f64()?,
             state: numbers(&value["state"])?,
             // Optional: absent in files of runs without sensors and controllers.
