@@ -124,7 +124,7 @@ fn record(arguments: &Arguments, assembly: &Assembly) -> Result<Done, Failure> {
             }
             if let Some(sides) = &mut sides {
                 let picture = engine.picture().map_err(Failure::Wrong)?;
-                sides.push(row.t, stage::places(&picture, assembly), !picture.forces.is_empty());
+                sides.push(row.t, stage::places(&picture, assembly), row.events > 0);
             }
             if let Some(film) = &mut film {
                 let picture = engine.picture().map_err(Failure::Wrong)?;

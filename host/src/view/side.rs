@@ -39,7 +39,7 @@ impl Sides {
         Self { stage, start: None, touch: None, end: None }
     }
 
-    /// Looks at a row: its time, places, and whether parts touch.
+    /// Looks at a row: its time, places, and whether parts have touched so far.
     pub fn push(&mut self, time: f64, places: Vec<f64>, touches: bool) {
         let frame = Frame { time, places };
         if self.start.is_none() {

@@ -54,6 +54,8 @@ pub struct Row<'a> {
     pub readings: &'a [f64],
     /// Energy at the start (J).
     pub start: f64,
+    /// Number of events so far.
+    pub events: usize,
 }
 
 /// A checkpoint: the world after a whole number of steps, from which a run can be continued.
@@ -172,7 +174,15 @@ pub fn run<E: From<String>>(
             let (state, energies) = (engine.state(), engine.energies());
             let (state, energies) = (state.map_err(|why| at(t, why))?, energies.map_err(|why| at(t, why))?);
             let readings = feedback.readings(n as u64);
-            emit(&Row { t, state: &state, energies: &energies, readings: &readings, start }, engine)?;
+            let row = Row {
+                t,
+                state: &state,
+                energies: &energies,
+                readings: &readings,
+                start,
+                events: events.len(),
+            };
+            emit(&row, engine)?;
         }
         stepped(t)?;
     }
