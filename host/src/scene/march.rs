@@ -3,22 +3,16 @@
 //! In: a simulation, how many steps. Out: the same so many steps further; the runtime keeps the numbers of a sheet that
 //! nothing meets in rows over all of them, with the bits that they have one by one.
 
-use smartbed_runtime::contact::System;
 use smartbed_runtime::flexible::BodyError;
-use smartbed_runtime::flexible::grid::{Corner, Grid, Line};
 use smartbed_runtime::real::Scalar;
-use smartbed_runtime::scene::{Marching, can_march, march};
+use smartbed_runtime::scene::march;
 
-use super::Simulation;
+use super::simulation::Simulation;
 
 /// Steps at once at least: fewer are faster one by one (`docs/performance.md`).
 const FEWEST: usize = 6;
 /// Steps at once at most: one that is refused is found after as many.
 const AT_ONCE: usize = 256;
-/// Facets beside the cells at most: each is taken by itself in every step.
-const MOST_BESIDE: usize = 16;
-/// Forces of such facets on a node at most.
-const MOST_FORCES: usize = 2;
 
 impl<S: Scalar> Simulation<S> {
     /// Whether [`Simulation::advance`] gains from more than one step: nobody then has anything to see between them.
@@ -53,55 +47,4 @@ impl<S: Scalar> Simulation<S> {
         self.marcher = Some(marcher);
         taken == Ok(true)
     }
-}
-
-/// What a [`Marching`] borrows.
-#[derive(Clone, Debug)]
-pub struct Marcher<S> {
-    lines: Vec<Line<S>>,
-    beside: Vec<[Corner; 4]>,
-}
-
-impl<S: Scalar> Marcher<S> {
-    /// None where the body cannot be marched.
-    pub fn new(system: &System<S>) -> Option<Self> {
-        let body = &system.body;
-        let [grid] = body.grids else { return None };
-        if !can_march(system) {
-            return None;
-        }
-        let beside = beside(grid, body.facets, body.points())?;
-        let lines = (0..=grid.rows).map(|row| Line::new(grid, row, body.inverse_mass, &beside)).collect();
-        Some(Marcher { lines, beside })
-    }
-
-    /// The memory.
-    pub fn view(&mut self) -> Marching<'_, S> {
-        Marching { lines: &mut self.lines, beside: &self.beside }
-    }
-}
-
-/// Corners of the facets that are no cells; none where they, or the forces on one of their nodes, are too many.
-fn beside<S>(grid: &Grid<S>, facets: &[[usize; 4]], points: usize) -> Option<Vec<[Corner; 4]>> {
-    let mut places = vec![None; points];
-    for (row, range) in grid.starts.windows(2).enumerate() {
-        for run in grid.runs.get(range[0]..range[1])? {
-            for i in 0..run.length {
-                *places.get_mut(run.node + i)? = Some([row, run.column + i]);
-            }
-        }
-    }
-    let [first, end] = grid.facets;
-    let others = || facets[..first].iter().chain(&facets[end..]);
-    if first > 0 || others().count() > MOST_BESIDE {
-        return None;
-    }
-    let mut forces = vec![0; points];
-    let mut corner = |node: usize| {
-        let [row, column] = places[node]?;
-        let rank = forces[node];
-        forces[node] += 1;
-        (rank < MOST_FORCES).then_some(Corner { row, column, rank })
-    };
-    others().map(|[a, b, c, d]| Some([corner(*a)?, corner(*b)?, corner(*c)?, corner(*d)?])).collect()
 }

@@ -8,6 +8,7 @@ pub mod keys;
 pub mod lists;
 pub mod many;
 mod march;
+mod marcher;
 pub mod method;
 pub mod patches;
 pub mod read;

@@ -15,7 +15,7 @@ use smartbed_runtime::vec3::{self, Vec3};
 
 use super::grid::Woven;
 use super::lists::Lists;
-use super::march::Marcher;
+use super::marcher::Marcher;
 use super::patches::Patched;
 use crate::contact_force::ContactForce;
 

@@ -3,7 +3,7 @@
 //! In: the stage, and rows' places as it expects them. Out: lines in space for [`crate::plot::side`]. Springs between masses
 //! have the colour of their strain; mechanisms are their links, rigid parts their outlines.
 
-use super::Stage;
+use super::stage::Stage;
 use crate::plot::drawing::{Color, Drawing, INK};
 use crate::plot::side::{self, Ground, Moment, Stroke, strain_color};
 use serde_json::Value;

@@ -3,7 +3,7 @@
 //! An [`Ode`] writes the rates of x = [q, u]; the [`state`] is kept as compensated sums. Methods for any ode:
 //! [`runge_kutta`], [`shared_work`] and [`splitting`] (fixed steps), [`dormand_prince`] (steps controlled by the error,
 //! [`step_size`]). All coefficients stand in [`tableau`]; [`root`] locates an event within a step. [`Driven`] makes an
-//! ode of a mechanism and a control law; `nodes` has methods of its own for flexible bodies.
+//! ode of a mechanism and a control law; flexible bodies have methods of their own in a folder beside.
 //!
 //! One step: stages, trial state, a fixed number of projections onto the constraints, the check, and only
 //! then the commit. A refused step leaves the state as it was, bit for bit. Reasons to refuse: a pivot below
