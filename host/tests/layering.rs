@@ -7,12 +7,13 @@ use std::path::{Path, PathBuf};
 /// Folders of the library.
 const LIBRARY: [&str; 4] = ["scene", "world", "engine", "plan"];
 /// What it may use of this crate; of `firmware` how it runs other programs.
-const ALLOWED: [&str; 13] = [
+const ALLOWED: [&str; 14] = [
     "configuration",
     "contact_force",
     "engine",
     "failure",
     "firmware",
+    "hash",
     "input",
     "json",
     "limits",
