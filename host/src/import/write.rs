@@ -9,12 +9,12 @@ use std::fmt::Write as _;
 /// How the root link is held.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug, clap::ValueEnum)]
 pub enum Base {
-    /// It stands still.
+    /// Not at all.
     #[default]
     Fixed,
-    /// Six degrees of freedom.
+    /// Freely, with six degrees of freedom.
     Floating,
-    /// It slides on the plane across z and turns about z.
+    /// In the plane perpendicular to z, and by rotation about z.
     Planar,
 }
 
