@@ -12,6 +12,7 @@ mod rows;
 mod said;
 mod words;
 
+use crate::diagnostics;
 use crate::failure::Failure;
 use crate::interrupt;
 use crate::origin::{Meshes, Origin};
@@ -141,7 +142,9 @@ fn opened(does: &str, plan: &str, settings: &[String]) -> Result<(Origin, Read),
     let file = PlanFile::open(plan)?;
     let command = format!("smartbed bed {does} {plan}");
     let origin = Origin::new(command, &file, settings.to_vec(), &mut Meshes::new());
-    Ok((origin, file.read(settings)?))
+    let read = file.read(settings)?;
+    diagnostics::warn(&read.warnings);
+    Ok((origin, read))
 }
 
 fn history(read: &Read) -> Result<History, Failure> {

@@ -25,7 +25,7 @@ pub(super) fn read(
     let mut moves = Vec::new();
     for item in plan.array("move", found).map_or(&[][..], |(items, _)| items) {
         match item {
-            Value::Table(table) => moves.extend(change(table, layout, found)),
+            Value::Table(table) => moves.extend(change(table, layout, seconds, found)),
             other => found.push(wrong_kind("move", "tables, each under [[move]]", other)),
         }
     }
@@ -46,10 +46,16 @@ pub(super) fn read(
     Some(moves)
 }
 
-/// One `[[move]]`.
-fn change(table: &Table, layout: &Layout, found: &mut Diagnostics) -> Option<Move> {
+/// One `[[move]]`; a warning if it begins after the end of the run.
+fn change(table: &Table, layout: &Layout, seconds: f64, found: &mut Diagnostics) -> Option<Move> {
     let fields = Fields::of("move", table.span, table);
     let at = number(&fields, "at", "s", Bound::NotNegative, found).unwrap_or(0.0);
+    if at > seconds {
+        let warning =
+            Diagnostic::warning(format!("a move at {at} s has no effect: the run ends at {seconds} s"));
+        let span = fields.get("at").map_or(table.span, Value::span);
+        found.push(warning.label(span, "after the end").help("an earlier `at`, or a larger run.seconds"));
+    }
     let over = number(&fields, "over", "s", Bound::NotNegative, found).unwrap_or(0.0);
     let tiles = tiles(fields.need("tiles", "\"all\"", found)?, layout, found)?;
     let pressure = number(&fields, "pressure", "Pa", Bound::Any, found);

@@ -12,7 +12,7 @@ mod parquet;
 use crate::failure::Failure;
 use crate::plan_file::PlanFile;
 use crate::progress::Progress;
-use crate::{interrupt, output};
+use crate::{diagnostics, interrupt, output};
 use case::{Case, Table, cases};
 use smartbed_bed::equilibrium::side_by_side;
 use std::path::Path;
@@ -66,7 +66,9 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         return Err(Failure::Wrong("--cores 0: expected at least 1".to_owned()));
     }
     let plan = PlanFile::open(&arguments.plan)?;
-    let axes = plan.read(&arguments.set)?.axes;
+    let read = plan.read(&arguments.set)?;
+    diagnostics::warn(&read.warnings);
+    let axes = read.axes;
     let all = cases(&arguments.plan, &plan, &arguments.set, &axes)?;
     let folder = Path::new(&arguments.output);
     std::fs::create_dir_all(folder).map_err(|e| format!("cannot make {}: {e}", folder.display()))?;

@@ -2,6 +2,7 @@
 
 use crate::schema::holds;
 use crate::support::{command, file, smartbed, timed, written};
+use smartbed::plan::parse;
 use std::collections::BTreeMap;
 use std::path::Path;
 use std::process::Stdio;
@@ -168,6 +169,21 @@ fn a_planner_tells_nothing_that_exceeds_its_bounds_before_a_run_ends() {
     holds("bed", &json);
     let from = json["policy_from"].as_f64().expect("the ball lies");
     assert!((0.5..6.0).contains(&from) && json["motion"]["steps"] == 1500 && json["valid"] == true, "{json}");
+}
+
+#[test]
+fn a_move_after_the_end_of_the_run_is_named_with_its_place() {
+    let parsed = |at: &str| {
+        let text =
+            format!("format = 1\n[[move]]\ntiles = \"all\"\nat = {at}\nheave = 0\n[run]\nseconds = 60\n");
+        parse("plan.toml", &text, &[]).expect("a plan").warnings.to_string()
+    };
+    assert_eq!(parsed("60"), "", "the last moment shows what is commanded then");
+    let said = parsed("61");
+    let message = "warning: a move at 61 s has no effect: the run ends at 60 s";
+    assert!(said.starts_with(message) && said.contains(" --> plan.toml:4:6"), "{said}");
+    let done = smartbed(&["bed", "run", "ball_on_four", "--set", "run.seconds=0"]);
+    assert!(done.status == 0 && done.err.contains("has no effect: the run ends at 0 s"), "{done:?}");
 }
 
 #[test]
