@@ -200,7 +200,7 @@ fn plans_beyond_their_limits_are_refused_with_the_tile() {
     assert!(say("load.mass=2000_kg").contains("all bladders can carry"));
     let knee =
         smartbed(&["bed", "run", "alternating", "--set", "patient.joints={\"left knee\"=[\"30_deg\",0,0]}"]);
-    assert!(knee.message().contains("joint `left knee`: flexion of 30 deg, it allows -140 to 5"));
+    assert!(knee.message().contains("joint `left knee`: flexion is 30 deg, expected -140 to 5 deg"));
     assert!(smartbed(&["bed", "run", "no_such"]).message().contains("no plan `no_such`"));
     let map = smartbed(&["bed", "run", "ball_on_four", "--map", "map.txt"]);
     assert!(map.message().contains("expected a name that ends in .csv or .asf"));
