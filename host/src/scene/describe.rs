@@ -38,7 +38,7 @@ pub fn describe<S: Scalar>(error: &BodyError<S>) -> String {
             format!("the enclosed volume is {:.6e} m^3: the gas law has no pressure there", volume.to_f64())
         }
         BodyError::NotConverged { step } => {
-            format!("the implicit step of {:.6e} s did not settle; take a smaller step", step.to_f64())
+            format!("the implicit step of {:.6e} s did not converge; take a smaller step", step.to_f64())
         }
     }
 }
