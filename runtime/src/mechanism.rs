@@ -33,7 +33,7 @@ impl Fault {
             Self::NonFinite => "a value has become infinite or not a number",
             Self::StepSize => "the tolerance is not met even with the smallest step",
             Self::Unsettled => "the iteration of an implicit step does not converge",
-            Self::TooManyContacts => "there are more contacts at once than there is room for",
+            Self::TooManyContacts => "there are more contacts at once than the memory allows",
             Self::Jammed => "no contact forces were found: friction jams a sliding contact",
         }
     }

@@ -137,7 +137,7 @@ fn counts(model: &Model, program: &Program, rank: &Rank) -> Value {
 fn independent(model: &Model, program: &Program) -> Value {
     let free = model.speeds.iter().all(|s| s.independent);
     let reason = match (free, program.is_redundant()) {
-        (true, _) => "no constraint binds it",
+        (true, _) => "no constraint contains it",
         (_, true) => {
             "declared independent; the motion passes dead points of it, so that all speeds are state"
         }
@@ -206,7 +206,8 @@ fn numeric_warnings(model: &Model, program: &Program, rank: &Rank) -> Vec<String
     let mut warnings = Vec::new();
     if rank.smallest < rank.largest {
         warnings.push(format!(
-            "the constraints lose rank: {} at some samples, {} at others; near there the motion is not determined",
+            "the constraints lose rank: {} at some samples, {} at others; near the configurations of lower rank the \
+             motion is not determined",
             rank.smallest, rank.largest
         ));
     } else if rank.conditioning.is_lost(LOST, NEARLY_SINGULAR) {

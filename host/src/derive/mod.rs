@@ -231,8 +231,8 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let asks = |name: &str| functions.iter().flat_map(|f| &f.requests).any(|r| r.answer == name);
     if asks("drive") && program.drive.is_none() {
         return Err(Failure::Wrong(format!(
-            "--answers drive: nothing drives `{}`; expected a model in which time enters places or constraints, or a \
-             motion constraint has a part without speeds",
+            "--answers drive: `{}` has no prescribed motion; expected a model whose positions or constraints depend \
+             on time, or with a motion constraint that has a part without speeds",
             model.name
         )));
     }

@@ -76,7 +76,8 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     model_argument::print_warnings(&program);
     if program.drive.is_some() {
         return Err(Failure::Wrong(format!(
-            "{}: time drives this mechanism, so it rests nowhere; give the driven coordinates constant values",
+            "{}: a mechanism with prescribed motion has no equilibrium; give the prescribed coordinates constant \
+             values",
             arguments.model
         )));
     }

@@ -190,14 +190,14 @@ fn warn<S: EngineScalar>(number: usize, evaluated: &Evaluated, program: &Program
     if evaluated.residual > VIOLATED * program.assembly.size() {
         output::say(&format!(
             "warning: states[{number}]: the configuration does not satisfy the constraints: a residual of {:.1e} is \
-             left, and its accelerations are those of no mechanism",
+             left, and its accelerations have no meaning",
             evaluated.residual
         ));
     }
     if evaluated.pivot.abs() < S::ROOT_EPSILON.to_f64() {
         output::say(&format!(
-            "warning: states[{number}]: the configuration is singular or nearly so: the smallest pivot is {:.1e} of its \
-             nominal size, and half of the digits or more are lost; `run` takes no step from here",
+            "warning: states[{number}]: the configuration is singular or nearly so: the smallest pivot is {:.1e} of \
+             its nominal size, and half of the digits or more are lost; `run` refuses to step from it",
             evaluated.pivot
         ));
     }

@@ -147,14 +147,17 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     };
     let Some(figure) = FIGURES.iter().find(|f| f.number == number) else {
         return Err(Failure::Wrong(format!(
-            "figure {number}: the thesis has none of that number; `cargo smartbed figure --list` shows all"
+            "figure {number}: the thesis has no figure of this number; `cargo smartbed figure --list` shows all"
         )));
     };
     let file = arguments.output.clone().unwrap_or_else(|| format!("figure_{number}.svg"));
     plot::format_of(&file)?;
     match figure.recipe {
         recipe if recipe.is_scheme() && !arguments.set.is_empty() => {
-            return Err(Failure::Wrong(format!("figure {number} is a scheme: it has no settings")));
+            return Err(Failure::Wrong(format!(
+                "figure {number} is a schematic drawing without settings; leave --set \
+                                               out"
+            )));
         }
         Recipe::Tile(what) => plot::write(&file, &scheme::tile(what))?,
         Recipe::Platform => plot::write(&file, &scheme::platform())?,
@@ -214,7 +217,9 @@ fn list() -> String {
             Recipe::WorkImpulse => "a rod strikes the ground".to_owned(),
             Recipe::Soft => "plan soft_manipulation, stiff, deflated, tilted, both".to_owned(),
             Recipe::Human => "plan alternating at rest".to_owned(),
-            Recipe::Tile(_) | Recipe::Platform | Recipe::Array => "a scheme, not a result".to_owned(),
+            Recipe::Tile(_) | Recipe::Platform | Recipe::Array => {
+                "a schematic drawing, not a result".to_owned()
+            }
         };
         let _ = writeln!(text, "{number:<5} {caption:<44} {how}");
     }

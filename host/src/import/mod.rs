@@ -60,7 +60,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let text = input::text(robot).map_err(|e| Failure::Wrong(format!("cannot read {robot}: {e}")))?;
     let imported = import(robot, &text, *base)?;
     for line in &imported.left_out {
-        output::say(&format!("note: not carried over: {line}"));
+        output::say(&format!("note: not converted: {line}"));
     }
     output::write(output.as_deref().unwrap_or("-"), imported.model.as_bytes())
 }

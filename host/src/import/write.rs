@@ -53,7 +53,7 @@ pub fn write(path: &str, robot: &Robot, tree: &Tree, base: Base) -> Imported {
     let shown = |text: &str| text.chars().filter(|c| !c.is_control()).collect::<String>();
     let _ = writeln!(text, " from {}, robot {}.", shown(&file.unwrap_or_default()), shown(&robot.name));
     for line in &left_out {
-        let _ = writeln!(text, "# Not carried over: {}.", shown(line));
+        let _ = writeln!(text, "# Not converted: {}.", shown(line));
     }
     let _ = write!(
         text,

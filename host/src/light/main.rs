@@ -68,7 +68,9 @@ fn whole() -> ExitCode {
     process.arg("--").args(env::args_os().skip(1));
     match become_it(&mut process) {
         Ok(status) => ExitCode::from(status),
-        Err(e) => program::end(Err(Failure::Lacking(format!("the whole program is not built: cargo: {e}")))),
+        Err(e) => {
+            program::end(Err(Failure::Lacking(format!("the whole program could not be built: cargo: {e}"))))
+        }
     }
 }
 
