@@ -51,7 +51,7 @@ enum Command {
     Tile(tile::Arguments),
     /// Run a plan of the bed, write a page of it, or evaluate recorded pressure maps.
     Bed(bed::Arguments),
-    /// Run a plan of the bed for every combination of the values in its [sweep].
+    /// Run a plan of the bed for every combination of the values in its `[sweep]`.
     Sweep(sweep::Arguments),
     /// Print a script that completes this command line in a shell.
     Completions(manual::Completions),

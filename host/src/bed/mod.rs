@@ -65,7 +65,7 @@ pub struct Run {
     /// Write the pressure maps over time to this file: .csv in XSENSOR's format, .asf in Tekscan's.
     #[arg(long, value_name = "FILE")]
     pub map: Option<String>,
-    /// Write the readings of the plan's [instruments] as CSV to this file; - is standard output.
+    /// Write the readings of the plan's `[instruments]` as CSV to this file; - is standard output.
     #[arg(long, value_name = "FILE")]
     pub readings: Option<String>,
     /// Print the result as one JSON object.

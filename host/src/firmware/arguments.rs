@@ -52,7 +52,7 @@ pub struct Arguments {
     #[arg(long)]
     pub json: bool,
     /// Build the tile's controller for a real STM32F405 and check its image, as --elf does. It is not run, because
-    /// the emulator does not have the board's pins. It communicates over a serial line [default], or with
+    /// the emulator does not have the board's pins. It communicates over a serial line (the default), or with
     /// `--board=can` over a CAN bus.
     #[arg(long, value_name = "BUS", num_args = 0..=1, require_equals = true, default_missing_value = "serial",
         conflicts_with_all = ["model", "steps", "set", "everything", "small", "fast", "by_rows", "at_rest", "inject", "elf"])]

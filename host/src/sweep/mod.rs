@@ -19,7 +19,7 @@ use std::path::Path;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// Run a plan of the bed for every combination of the values in its [sweep].
+/// Run a plan of the bed for every combination of the values in its `[sweep]`.
 #[derive(clap::Args, Clone, Debug)]
 #[command(after_help = "Examples:
   cargo smartbed sweep ball_on_four -o sweep
@@ -48,7 +48,7 @@ pub struct Arguments {
     /// Number of processors to use [default: all].
     #[arg(long, value_name = "COUNT")]
     pub cores: Option<usize>,
-    /// Change a key of the plan; may be repeated. Keys that [sweep] varies are refused.
+    /// Change a key of the plan; may be repeated. Keys that `[sweep]` varies are refused.
     #[arg(long, value_name = "KEY=VALUE")]
     pub set: Vec<String>,
 }
