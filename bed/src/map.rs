@@ -161,7 +161,7 @@ impl fmt::Display for MapError {
         match self {
             MapError::Area { site, area } => write!(f, "site {site}: its area is {area} m^2, expected > 0"),
             MapError::Length { frame, found, expected } => {
-                write!(f, "frame {frame}: {found} values, expected {expected}, one a site")
+                write!(f, "frame {frame}: {found} values, expected {expected}, one for each site")
             }
             MapError::Value { frame, site } => {
                 write!(f, "frame {frame}, site {site}: expected finite numbers and a pressure >= 0")
@@ -169,7 +169,8 @@ impl fmt::Display for MapError {
             MapError::Time { frame } => {
                 write!(
                     f,
-                    "frame {frame}: its time must lie behind that of the frame before, its duration be > 0, of the last >= 0"
+                    "frame {frame}: expected a time later than that of the frame before, and a duration > 0 (of the \
+                     last frame >= 0)"
                 )
             }
         }

@@ -20,6 +20,13 @@ pub fn text(found: &Diagnostics, to: Stream) -> String {
     found.items.iter().map(one).collect::<Vec<String>>().join("\n")
 }
 
+/// Prints warnings to standard error.
+pub fn warn(found: &Diagnostics) {
+    if !found.items.is_empty() {
+        output::say(text(found, Stream::Error).trim_end());
+    }
+}
+
 /// Prints why a command has failed.
 pub fn fail(failure: &Failure) {
     match failure {

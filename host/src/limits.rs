@@ -70,7 +70,7 @@ impl Angles {
             None => Ok(()),
             Some((name, x)) => Err(format!(
                 "an angle of {x:.6e} rad (from {name}) is beyond the domain of sine and cosine, {:e} rad in this \
-                 precision; expected an angle less whole turns",
+                 precision; subtract whole turns from it",
                 self.largest
             )),
         }

@@ -14,7 +14,7 @@ mod closed_stdout;
 #[derive(Parser)]
 #[command(name = "smartbed", bin_name = "cargo smartbed", version, max_term_width = 100)]
 struct CommandLine {
-    /// When text has colours.
+    /// When to colour messages.
     #[arg(long, global = true, value_name = "WHEN", value_enum, default_value_t)]
     color: output::Colour,
     #[command(subcommand)]
@@ -25,37 +25,37 @@ struct CommandLine {
 enum Command {
     /// Write a commented starting file.
     New(new::Arguments),
-    /// Make a model of a robot in URDF.
+    /// Convert a robot from URDF to a model file.
     Import(import::Arguments),
-    /// Say what a model is: counts, degrees of freedom, rank, pivots, units, cost, warnings.
+    /// Analyse a model without running it: counts, degrees of freedom, rank, pivots, units, cost, warnings.
     Check(check::Arguments),
-    /// Derive the equations of motion and write them as Rust.
+    /// Derive a model's equations of motion and write them as Rust source code.
     Derive(derive::Arguments),
-    /// Evaluate the equations at given states.
+    /// Evaluate a model's equations of motion at given states.
     Eval(eval::Arguments),
-    /// Find where it rests or moves steadily, with its modes there.
+    /// Find a static equilibrium or a steady motion of a mechanism, and the modes of small motions about it.
     Equilibrium(equilibrium::Arguments),
-    /// Simulate, and write rows, plots or an animation.
+    /// Simulate a mechanism or a scene; write rows, plots or an animation.
     Run(run::Arguments),
-    /// Find where a world of several parts rests.
+    /// Find the static equilibrium of a scene of format 2.
     Settle(settle::Arguments),
-    /// Show the motion in a page that follows the file.
+    /// Show the motion in a browser; the page is updated whenever the file changes.
     View(view::Arguments),
-    /// Speed against error: tables, plots, one HTML page.
+    /// Measure computing time against error of all methods: tables, plots, one HTML page.
     Report(report::Arguments),
-    /// Make a figure of the thesis.
+    /// Draw a figure of the thesis anew.
     Figure(figure::Arguments),
-    /// Generate, build for the microcontroller, check, and run in the emulator.
+    /// Build the program of a model or scene for the microcontroller, check it, and run it in the emulator.
     Firmware(firmware::Arguments),
-    /// Talk to tile controllers, in the emulator or on this machine.
+    /// Send orders to tile controllers that run in the emulator or on this machine.
     Tile(tile::Arguments),
-    /// Run a plan of the bed, or make a page of it.
+    /// Run a plan of the bed, write a page of it, or evaluate recorded pressure maps.
     Bed(bed::Arguments),
-    /// Run a plan over all values of its [sweep].
+    /// Run a plan of the bed for every combination of the values in its `[sweep]`.
     Sweep(sweep::Arguments),
-    /// Print the completions of a shell.
+    /// Print a script that completes this command line in a shell.
     Completions(manual::Completions),
-    /// Write man pages.
+    /// Write man pages of all commands into a folder.
     Man(manual::Man),
 }
 

@@ -5,13 +5,13 @@ use crate::output;
 use clap::Command;
 use clap_complete::Shell;
 
-/// Print the completions of a shell.
+/// Print a script that completes this command line in a shell.
 #[derive(clap::Args, Clone, Debug)]
 #[command(after_help = "Examples:
   smartbed completions bash > ~/.local/share/bash-completion/completions/smartbed
   smartbed completions fish > ~/.config/fish/completions/smartbed.fish")]
 pub struct Completions {
-    /// The shell.
+    /// Shell that the script is for.
     #[arg(value_enum)]
     pub shell: Shell,
 }
@@ -21,7 +21,7 @@ pub struct Completions {
 #[command(after_help = "Example:
   smartbed man ~/.local/share/man/man1 && man smartbed-run")]
 pub struct Man {
-    /// The folder; it is made if it does not exist.
+    /// Folder for the pages; it is made if it does not exist.
     pub folder: String,
 }
 

@@ -143,7 +143,7 @@ pub enum Stream {
 #[derive(Clone, Copy, Default, PartialEq, Eq, Debug, clap::ValueEnum)]
 #[repr(u8)]
 pub enum Colour {
-    /// On a terminal, unless `NO_COLOR` is set.
+    /// On a terminal, unless the environment variable `NO_COLOR` is set.
     #[default]
     Auto,
     /// Always.

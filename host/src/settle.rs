@@ -7,20 +7,21 @@ use crate::run;
 use crate::world::run::engine;
 use std::fmt::Write as _;
 
-/// Find where a world rests.
+/// Find the static equilibrium of a scene of format 2.
 #[derive(clap::Args, Clone, Default, Debug)]
 #[command(after_help = "Example:
   cargo smartbed settle tile_with_bladder
   cargo smartbed settle tile_with_bladder --set parts.bladder.gas.gauge=2_kPa --json
 
-`start = \"settled\"` under [run] lets a run begin there. SI units.")]
+To begin a run in this equilibrium, write `start = \"settled\"` under [run] of the scene.
+Numbers are in SI units.")]
 pub struct Arguments {
     /// The scene: a path, or a name under models/scenes.
     pub scene: String,
-    /// Changes a key of the scene; may be repeated.
+    /// Change a key of the scene; may be repeated.
     #[arg(long, value_name = "KEY=VALUE")]
     pub set: Vec<String>,
-    /// Print one JSON object.
+    /// Print the result as one JSON object.
     #[arg(long)]
     pub json: bool,
 }

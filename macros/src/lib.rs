@@ -41,7 +41,7 @@ pub fn mechanism(input: TokenStream) -> TokenStream {
     match items.parse() {
         Ok(items) => items,
         Err(unread) => {
-            error(&format!("the emitted items are no Rust, please report the model: {unread}"), place)
+            error(&format!("the generated code is not valid Rust; please report the model: {unread}"), place)
         }
     }
 }

@@ -32,9 +32,9 @@ impl Fault {
             Self::Singular => "the configuration is singular: a pivot of the elimination has come to zero",
             Self::NonFinite => "a value has become infinite or not a number",
             Self::StepSize => "the tolerance is not met even with the smallest step",
-            Self::Unsettled => "the iteration of an implicit step does not settle",
-            Self::TooManyContacts => "there are more contacts at once than there is room for",
-            Self::Jammed => "forces of contacts that last were not found: friction jams what slides",
+            Self::Unsettled => "the iteration of an implicit step does not converge",
+            Self::TooManyContacts => "there are more contacts at once than the memory allows",
+            Self::Jammed => "no contact forces were found: friction jams a sliding contact",
         }
     }
 }

@@ -57,7 +57,7 @@ impl fmt::Display for FigureError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             FigureError::Range(joint, angle, found, [low, high]) => {
-                write!(f, "joint `{joint}`: {angle} of {found} deg, it allows {low} to {high}")
+                write!(f, "joint `{joint}`: {angle} is {found} deg, expected {low} to {high} deg")
             }
             FigureError::Unknown(joint) => {
                 let names: Vec<String> = links().into_iter().map(|l| l.name).collect();

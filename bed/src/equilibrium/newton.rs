@@ -57,23 +57,24 @@ impl fmt::Display for Fault {
             }
             Fault::Burst(tile, share) => write!(
                 f,
-                "the sheet of tile {} is too soft for its pressure: it has grown to {share:.0} times its area, and further \
-                 on bears less; expected stiffer sheets or less pressure",
+                "the sheet of tile {} is too soft for its pressure: its area has grown to {share:.0} times the \
+                 original, where it holds less pressure the more it grows; expected a larger `modulus` or less \
+                 pressure",
                 tile + 1
             ),
             Fault::Lost => f.write_str(
-                "the load touches no bladder: it lies beside them, or has slid or rolled off; expected another `place`, or \
-                 more friction",
+                "the load touches no bladder: it lies beside them, has slid or rolled off, or fits between the \
+                 nodes of a coarse grid; expected another `place`, more friction, or more `intervals`",
             ),
             Fault::Rounded(stiffest, [left, most]) => write!(
                 f,
-                "no equilibrium: springs of {stiffest:.1e} N/m are so stiff that rounding leaves {left:.1e} N on a node, \
-                 expected {most:.1e} N at most; softer sheets, or a softer foundation of the load"
+                "no equilibrium: springs of {stiffest:.1e} N/m are so stiff that rounding leaves {left:.1e} N on a \
+                 node, expected {most:.1e} N at most; take softer sheets, or a softer foundation under the load"
             ),
             Fault::NotFound(node, segment) => write!(
                 f,
-                "no equilibrium: {node:.1e} N are left over on a node and {segment:.1e} N on a segment; change less at a \
-                 time, or raise the pressure of slack bladders"
+                "no equilibrium: {node:.1e} N on a node and {segment:.1e} N on a segment of the load remain \
+                 unbalanced; command smaller changes, or raise the pressure of slack bladders"
             ),
         }
     }

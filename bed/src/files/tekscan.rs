@@ -91,7 +91,7 @@ pub fn read(text: &str) -> Result<Mapped, FileError> {
             continue;
         }
         let Some(frame) = frames.last_mut() else {
-            return Err(FileError::at(line, "expected `Frame` before the first row"));
+            return Err(FileError::at(line, "expected a line `Frame` before the first row"));
         };
         if frame.pressure.len() >= grid.sites() {
             return Err(FileError::at(line, format!("more than {} rows in this frame", grid.rows)));
@@ -100,7 +100,7 @@ pub fn read(text: &str) -> Result<Mapped, FileError> {
     }
     full(&grid, frames.last(), last)?;
     if frames.is_empty() {
-        return Err(FileError::at(0, "no frame behind `ASCII_DATA`"));
+        return Err(FileError::at(0, "no frame after `ASCII_DATA`"));
     }
     mapped(grid, frames)
 }
@@ -132,7 +132,7 @@ pub fn write(mapped: &Mapped) -> Result<String, FileError> {
     if let Some(index) = (0..frames.len()).find(|i| !even((*i, &frames[*i]))) {
         return Err(FileError::at(
             0,
-            format!("frame {index}: a Tekscan movie needs frames at one even pace"),
+            format!("frame {index}: a Tekscan movie needs equal times between frames"),
         ));
     }
     let mut text = String::from("DATA_TYPE MOVIE\nVERSION 1.0\n");

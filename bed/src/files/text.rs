@@ -122,7 +122,7 @@ pub(super) fn row(
     if found == columns {
         return Ok(());
     }
-    Err(FileError::at(line, format!("{found} values, expected {columns}, one a column")))
+    Err(FileError::at(line, format!("{found} values, expected {columns}, one for each column")))
 }
 
 /// A row as text: values in a unit, with as many digits as are needed to read back the same number.

@@ -84,7 +84,9 @@ fn of_tile(layout: &Layout, order: &Order) -> Result<(), String> {
     for (screw, height) in tile::heights(&order.command, layout.circle).into_iter().enumerate() {
         if height.abs() > limit * (1.0 + 1e-9) {
             let (screw, mm, most) = (screw + 1, 1e3 * height, 1e3 * limit);
-            return Err(format!("screw {screw} at {mm:.1} mm, its stroke allows {most:.1} mm up and down"));
+            return Err(format!(
+                "screw {screw} at {mm:.1} mm, expected at most {most:.1} mm up or down, its stroke"
+            ));
         }
     }
     if !(0.0..=layout.most_pressure).contains(&order.pressure) {
@@ -101,7 +103,7 @@ fn of_speed(layout: &Layout, old: &Order, new: &Order, seconds: f64) -> Result<(
         if speed > layout.speed * (1.0 + 1e-6) {
             let (screw, found, most) = (screw + 1, 1e3 * speed, 1e3 * layout.speed);
             return Err(format!(
-                "screw {screw} at {found:.2} mm/s, it goes {most:.2} mm/s; give the move longer"
+                "screw {screw} at {found:.2} mm/s, expected at most {most:.2} mm/s; give the move more time (`over`)"
             ));
         }
     }
@@ -126,7 +128,11 @@ fn between(layout: &Layout, tiles: [(usize, &Order); 2], is_beside: bool) -> Res
             return Err(format!("step of {found:.1} mm to tile {next}, expected {most:.1} mm at most"));
         }
         if gap < 0.0 {
-            return Err(format!("its rim runs {:.1} mm into that of tile {}", -1e3 * gap, tiles[1].0 + 1));
+            return Err(format!(
+                "its rim would overlap by {:.1} mm with that of tile {}",
+                -1e3 * gap,
+                tiles[1].0 + 1
+            ));
         }
     }
     Ok(())

@@ -18,7 +18,7 @@ impl std::fmt::Display for NotMonotone {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         write!(
             f,
-            "pair {} of a table: expected two or more, each column rising or falling throughout",
+            "pair {} of a table: expected two pairs or more, and each column either rising or falling throughout",
             self.0 + 1
         )
     }

@@ -279,7 +279,7 @@ fn a_sheet_too_soft_for_its_pressure_is_refused_by_name() {
     assert!(say(250.0, 3200.0, true).is_err() && say(250.0, 3200.0, false).is_ok());
     let said = say(300.0, 4500.0, false).expect_err("too soft").to_string();
     assert!(
-        said.starts_with("the sheet of tile ") && said.contains("stiffer sheets or less pressure"),
+        said.starts_with("the sheet of tile ") && said.contains("a larger `modulus` or less pressure"),
         "{said}"
     );
 }

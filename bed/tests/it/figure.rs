@@ -43,11 +43,11 @@ fn joints_meet_and_refuse_what_they_do_not_allow() {
     };
     assert_eq!(
         make("left knee", [30.0, 0.0, 0.0]),
-        "joint `left knee`: flexion of 30 deg, it allows -140 to 5"
+        "joint `left knee`: flexion is 30 deg, expected -140 to 5 deg"
     );
     assert_eq!(
         make("right hip", [0.0, 60.0, 0.0]),
-        "joint `right hip`: spread of 60 deg, it allows -30 to 45"
+        "joint `right hip`: spread is 60 deg, expected -30 to 45 deg"
     );
     assert!(
         make("tail", [0.0; 3]).starts_with("no joint `tail`; there are waist, chest, neck, left shoulder")

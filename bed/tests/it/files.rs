@@ -91,14 +91,14 @@ fn a_movie_as_the_maker_writes_it() {
 fn refusals_name_the_line() {
     for (from, to, message) in [
         ("UNITS mmHg", "UNITS RAW", "line 7: unit of pressure `RAW`: expected kPa, Pa, mmHg, PSI or N/cm2"),
-        ("1,2\n", "1,2,3\n", "line 10: 3 values, expected 2, one a column"),
+        ("1,2\n", "1,2,3\n", "line 10: 3 values, expected 2, one for each column"),
         ("3,4\n", "", "line 10: the frame ends after 1 rows, expected 2"),
         ("3,4\n", "3,4\n5,6\n", "line 12: more than 2 rows in this frame"),
         ("1,2\n", "1,-2\n", "line 10: expected a pressure >= 0, found `-2`"),
         ("1,2\n", "1,B\n", "line 10: expected a number, found `B`"),
         ("ROWS 2", "ROWS 0", "line 2: expected a count from 1, found `0`"),
         ("COLS 2\n", "", "line 7: `COLS` is missing before the data"),
-        ("Frame 1\n", "", "line 9: expected `Frame` before the first row"),
+        ("Frame 1\n", "", "line 9: expected a line `Frame` before the first row"),
         ("10.16 mm", "10.16 ft", "line 4: unit of length `ft`: expected mm, cm, m or in"),
         ("FRAME 0.1", "FRAME -1", "line 6: expected seconds >= 0, found `-1`"),
     ] {
@@ -121,6 +121,6 @@ fn uneven_frames_are_no_movie() {
     frames[1].time = 0.4;
     map.recording = Recording::new(map.grid.all(), frames).expect("sound");
     let message = tekscan::write(&map).expect_err("uneven").to_string();
-    assert_eq!(message, "frame 1: a Tekscan movie needs frames at one even pace");
+    assert_eq!(message, "frame 1: a Tekscan movie needs equal times between frames");
     assert_same(&read(&xsensor::write(&map)).expect("read back"), &map);
 }

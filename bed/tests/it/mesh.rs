@@ -359,7 +359,7 @@ fn a_surface_that_runs_through_itself_is_refused_with_the_place() {
         panic!()
     };
     assert!(norm(sub(place, [0.1, 0.03, -0.02])) < 0.02, "{place:?}");
-    assert!(fault(both(&whole, &whole)).to_string().starts_with("the mesh runs through itself at ("));
+    assert!(fault(both(&whole, &whole)).to_string().starts_with("the mesh intersects itself at ("));
 }
 
 #[test]

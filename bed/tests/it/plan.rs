@@ -59,7 +59,7 @@ fn limits_are_refused_with_the_tile() {
     let refuse = |moves: Vec<Move>| check(&plan(2, 2, moves)).expect_err("refused").to_string();
     assert_eq!(
         refuse(vec![Move { heave: Some(0.05), ..change(&[0, 1, 2, 3]) }]),
-        "tile 1 at 30.0000 s: screw 1 at 50.0 mm, its stroke allows 30.0 mm up and down"
+        "tile 1 at 30.0000 s: screw 1 at 50.0 mm, expected at most 30.0 mm up or down, its stroke"
     );
     assert_eq!(
         refuse(vec![Move { pressure: Some(13e3), ..change(&[2]) }]),
@@ -71,7 +71,7 @@ fn limits_are_refused_with_the_tile() {
     );
     assert_eq!(
         refuse(vec![Move { heave: Some(0.02), over: 1.0, ..change(&[0, 1, 2, 3]) }]),
-        "tile 1 at 11.0000 s: screw 1 at 20.00 mm/s, it goes 6.70 mm/s; give the move longer"
+        "tile 1 at 11.0000 s: screw 1 at 20.00 mm/s, expected at most 6.70 mm/s; give the move more time (`over`)"
     );
     let low = refuse(vec![Move { pressure: Some(100.0), ..change(&[0, 1, 2, 3]) }]);
     assert!(low.contains("all bladders can carry") && low.contains("118 N"), "{low}");
@@ -85,7 +85,7 @@ fn limits_are_refused_with_the_tile() {
     };
     let narrow = |degrees: f64| check(&plan(1, 2, lean(degrees)));
     assert!(narrow(1.25).is_ok() && narrow(1.4).is_err());
-    assert!(narrow(1.4).expect_err("touch").to_string().contains("into that of tile 2"));
+    assert!(narrow(1.4).expect_err("touch").to_string().contains("with that of tile 2"));
     assert!(check(&plan(2, 2, Vec::new())).is_ok());
 }
 

@@ -284,14 +284,16 @@ fn redundant(k: &Kinematics, kept: &[usize], suspect: usize, residual: f64) -> D
         true => ("", "remove it: the others imply it"),
         false => (
             "a component of ",
-            "nothing is lost; to state only what matters, write dot(vector, axis) = 0 for the axes that do",
+            "the result is the same; to state only the independent components, write dot(vector, axis) = 0 for each \
+             of them",
         ),
     };
     Diagnostic::warning(format!("{what}`{}` follows from the other constraints and is dropped", place.name))
         .label(
             place.span,
             format!(
-                "still satisfied (to {residual:.0e} of its terms) after a move of {MOVE} along the others"
+                "still satisfied (to {residual:.0e} of its terms) after a displacement of {MOVE} that the other \
+                 constraints allow"
             ),
         )
         .help(help)
@@ -354,14 +356,17 @@ fn singular(k: &Kinematics, equations: &mut Equations, suspect: usize, residual:
         names.join(", ")
     ))
     .help(
-        "its rate vanishes or follows from the others, yet it does not: no speed can be solved from it. State it in \
-         another form (unit vectors at mutual angles of 120 degrees, for example: their sum is zero), \
-         or, if the mechanism is singular only there, give another nominal configuration",
+        "the rate of a constraint vanishes or follows from the other constraints, although the constraint itself \
+         does not, so that no speed can be solved from it. State it in another form (unit vectors at mutual angles \
+         of 120 degrees, for example: their sum is zero), or, if the mechanism is singular only there, give another \
+         nominal configuration",
     );
     for (i, (_, span)) in places.iter().enumerate() {
         let text = match i {
-            0 if residual.is_infinite() => "the others leave no way to move".to_owned(),
-            0 => format!("violated by {residual:.1e} after a move of {MOVE} along the others"),
+            0 if residual.is_infinite() => "the other constraints allow no motion".to_owned(),
+            0 => format!(
+                "violated by {residual:.1e} after a displacement of {MOVE} that the other constraints allow"
+            ),
             _ => "involved".to_owned(),
         };
         error = error.label(*span, text);

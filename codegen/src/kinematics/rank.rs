@@ -68,8 +68,8 @@ pub(super) fn explain(
 pub(super) fn contradiction(model: &Model, name: &str) -> Diagnostics {
     let error = Diagnostic::error(format!("`{name}` prescribes a motion that the other constraints do not allow"))
         .help(
-            "what time, or the part of a motion constraint without speeds, makes the mechanism do must be the same by \
-             every constraint, and some coordinate must be able to follow: correct it, or remove one of them",
+            "constraints that depend on time, or have a part without speeds, must not contradict one another, and \
+             some coordinate must be free to follow them: correct this constraint, or remove one of them",
         );
     Diagnostics::one(model.source.clone(), label_constraints(model, error))
 }
@@ -83,7 +83,7 @@ fn wrong_dof(model: &Model, dof: usize, declared: usize, unknowns: usize, extra:
         unknowns - dof
     );
     let mut error = match extra {
-        Some(name) if dof < declared => Diagnostic::error(format!("{message}: `{name}` ties them together"))
+        Some(name) if dof < declared => Diagnostic::error(format!("{message}: `{name}` makes them dependent"))
             .help(match model.motion_constraints.is_empty() {
                 true => "declare fewer coordinates `independent`, or remove the constraint",
                 false => "say which speeds the constraints give: `speed = { independent = false }` at the coordinate, or `independent = false` in [speeds]; or remove the constraint",

@@ -298,8 +298,10 @@ fn affine(speed: &Speed, expression: &Expr) -> Diagnostic {
 }
 
 fn not_invertible(model: &Model) -> Diagnostics {
-    let mut error = Diagnostic::error("the rates of the coordinates do not follow from the speeds")
-        .help("at the nominal configuration the speeds, as combinations of rates, must be independent: as many as coordinates, none a combination of the others");
+    let mut error = Diagnostic::error("the rates of the coordinates do not follow from the speeds").help(
+        "at the nominal configuration the speeds, as combinations of rates, must be independent: as many as \
+               there are coordinates, and none a combination of the others",
+    );
     for speed in model.speeds.iter() {
         if let SpeedMeaning::Combination(expression) = &speed.meaning {
             error = error.label(expression.span, "one of the combinations");

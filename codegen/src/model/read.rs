@@ -117,7 +117,7 @@ fn chain(path: &str, text: &str, load: Loader<'_>) -> (Source, Vec<Table>, Diagn
         if let Some(message) = excess {
             items.push(
                 Diagnostic::error(message)
-                    .label(Span { start: 0, end: 1, file }, "a model is a text that people can read"),
+                    .label(Span { start: 0, end: 1, file }, "split the model by `extends`, or use [repeat]"),
             );
             break;
         }

@@ -159,18 +159,21 @@ impl<'m> Sides<'m> {
             let why = if point.velocity.is_some() {
                 "its velocity is stated"
             } else {
-                "it is reached several ways"
+                "its position is given by several legs"
             };
-            return Err(Diagnostic::error(format!("no joint can be cut at `{}`", point.name))
+            return Err(Diagnostic::error(format!("no reaction can be computed at `{}`", point.name))
                 .label(point.span, why)
-                .help("cut where one way ends: at a point that is the end of one leg"));
+                .help("name a point that is the end of one leg only"));
         }
         if let Some(frame) = cut.frame.map(|frame| &model.frames[frame])
             && frame.orientation.parent().is_none()
         {
-            return Err(Diagnostic::error(format!("`{}` is no outer side of a joint", frame.name))
-                .label(frame.span, "it is not turned from another frame")
-                .help("cut at a frame with `rotations` or `euler`; of what is given by directions cut the points that carry it"));
+            return Err(Diagnostic::error(format!("`{}` is not the outer side of a joint", frame.name))
+                .label(frame.span, "it is not given by rotations from another frame")
+                .help(
+                    "name a frame with `rotations` or `euler`; for a frame given by directions, ask for the \
+                       reactions at the points that carry it",
+                ));
         }
         let mut sides = Self {
             model,
@@ -194,7 +197,7 @@ impl<'m> Sides<'m> {
         if sides.swept[cut.point] {
             return Err(Diagnostic::error(format!("`{}` moves with `{}`", point.name, sides.frame_name()))
                 .label(point.span, "the joint's point must stand still while the frame turns about it")
-                .help("cut at the point about which the frame turns against what carries it"));
+                .help("name the point about which the frame turns relative to its parent"));
         }
         if let Some(stray) = sides.stray.map(|stray| &model.points[stray]) {
             return Err(sides.elsewhere(&format!("the point `{}`", stray.name), stray.span));
@@ -391,11 +394,14 @@ impl<'m> Sides<'m> {
 
     fn elsewhere(&self, what: &str, span: Span) -> Diagnostic {
         let (frame, point) = (self.frame_name(), &self.model.points[self.cut.point].name);
-        Diagnostic::error(format!("{what} turns with `{frame}` but does not hang on `{point}`"))
-            .label(span, format!("reached without `{point}`"))
-            .help(format!(
-                "cut at the point from which everything that turns with `{frame}` is reached, or reach this from `{point}`, by its name"
-            ))
+        Diagnostic::error(format!(
+            "{what} turns with `{frame}`, but its position does not start from `{point}`"
+        ))
+        .label(span, format!("reached without `{point}`"))
+        .help(format!(
+            "name the point from which the positions of everything that turns with `{frame}` start, or write \
+                 this position relative to `{point}`, by that name"
+        ))
     }
 }
 

@@ -158,8 +158,8 @@ fn implausible(model: &Model, k: &Kinematics) -> Result<Diagnostics, Diagnostics
         let moves = !k.velocities[body.centre].partials.is_empty();
         if !moves && !turns {
             found.push(
-                Diagnostic::warning(format!("`{}` is tied to nothing that moves", body.name))
-                    .label(body.span, "its centre and its frame stay where they are")
+                Diagnostic::warning(format!("`{}` does not move", body.name))
+                    .label(body.span, "neither its centre nor its frame depends on a coordinate")
                     .help("let its centre or frame depend on coordinates, or leave it out: it changes no equation"),
             );
         }

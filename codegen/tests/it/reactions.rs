@@ -300,13 +300,13 @@ fn cuts_that_part_nothing_are_refused() {
         found.expect_err(of).to_string()
     };
     for (model, of, message) in [
-        ("arm6", "link2", "a joint is cut at a point"),
+        ("arm6", "link2", "a reaction needs the joint's point"),
         ("arm6", "link2@C2", "moves with `link2`"),
-        ("arm6", "link2@J1", "does not hang on `J1`"),
+        ("arm6", "link2@J1", "does not start from `J1`"),
         ("fourbar", "crank@A", "moves with `crank`"),
-        ("tile", "platform", "no joint can be cut at `G`"),
-        ("tile", "connectorA@PB", "does not hang on `PB`"),
-        ("tile_minimal", "PA", "closed form, which holds only while no joint is open"),
+        ("tile", "platform", "no reaction can be computed at `G`"),
+        ("tile", "connectorA@PB", "does not start from `PB`"),
+        ("tile_minimal", "PA", "closed form, which does not hold once a joint is released"),
     ] {
         let found = refused(model, of);
         assert!(found.contains(message), "{model} {of}: {found}");

@@ -128,5 +128,8 @@ fn constraints_that_do_not_hang_on_the_joint_are_refused() {
         &asked,
     );
     let found = found.map(|program| program.name).expect_err("refused").to_string();
-    assert!(found.contains("the constraint `along` turns with `rod` but does not hang on `A`"), "{found}");
+    assert!(
+        found.contains("the constraint `along` turns with `rod`, but its position does not start from `A`"),
+        "{found}"
+    );
 }

@@ -19,18 +19,18 @@ const ALIKE: f64 = 1e-6;
 /// What `bed map` takes.
 #[derive(clap::Args, Clone, Debug)]
 pub struct Map {
-    /// Maps over time: Tekscan's ASCII movie or XSENSOR's CSV; - is standard input.
+    /// Pressure maps over time: a Tekscan ASCII movie or an XSENSOR CSV file; - is standard input.
     pub file: String,
-    /// Other maps of the same sensels, frame by frame.
+    /// Also print the differences from these maps, frame by frame; they must have the same sensels.
     #[arg(long, value_name = "FILE")]
     pub against: Option<String>,
-    /// Length of a cycle for metrics over time, in s.
+    /// Length of a pressure cycle in s, for metrics over time.
     #[arg(long, value_name = "SECONDS", default_value_t = 600.0)]
     pub cycle: f64,
-    /// Metrics as CSV; - is standard output.
+    /// Write the metrics as CSV to this file; - is standard output.
     #[arg(long, value_name = "FILE")]
     pub csv: Option<String>,
-    /// The same maps: .csv as XSENSOR's, .asf as Tekscan's.
+    /// Write the maps to this file: .csv in XSENSOR's format, .asf in Tekscan's.
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<String>,
 }

@@ -12,6 +12,7 @@ mod rows;
 mod said;
 mod words;
 
+use crate::diagnostics;
 use crate::failure::Failure;
 use crate::interrupt;
 use crate::origin::{Meshes, Origin};
@@ -25,7 +26,7 @@ use smartbed_bed::files::Mapped;
 use smartbed_bed::plan::history::{History, RunError};
 use smartbed_bed::plan::readings::Reading;
 
-/// Run a plan of the bed, make a page of it, or read recorded maps.
+/// Run a plan of the bed, write a page of it, or evaluate recorded pressure maps.
 #[derive(clap::Args, Clone, Debug)]
 pub struct Arguments {
     #[command(subcommand)]
@@ -34,16 +35,16 @@ pub struct Arguments {
 
 #[derive(clap::Subcommand, Clone, Debug)]
 enum Command {
-    /// Run a plan: equilibria over time, then all metrics.
+    /// Run a plan: the bed's equilibria (or its motion) over time; print all metrics.
     #[command(after_help = "Examples:
   cargo smartbed bed run alternating
   cargo smartbed bed run ball_on_four --set load.mass=8_kg --csv metrics.csv --map map.csv")]
     Run(Run),
-    /// Run a plan and write a page: pressure map, tiles, time slider, metrics.
+    /// Run a plan and write a page for the browser: pressure map, tiles, time slider, metrics.
     #[command(after_help = "Example:
   cargo smartbed bed report alternating -o alternating.html")]
     Report(Page),
-    /// All metrics of maps that were recorded elsewhere: Tekscan's ASCII or XSENSOR's CSV.
+    /// Compute all metrics of pressure maps that were recorded elsewhere: Tekscan's ASCII or XSENSOR's CSV.
     #[command(after_help = "Examples:
   cargo smartbed bed map session.asf
   cargo smartbed bed map session.asf --against simulated.csv -o session.csv")]
@@ -55,19 +56,19 @@ enum Command {
 pub struct Run {
     /// The plan: a path, or a name under models/plans.
     pub plan: String,
-    /// Changes a key of the plan; may be repeated.
+    /// Change a key of the plan; may be repeated.
     #[arg(long, value_name = "KEY=VALUE")]
     pub set: Vec<String>,
-    /// Metrics as CSV; - is standard output.
+    /// Write the metrics as CSV to this file; - is standard output.
     #[arg(long, value_name = "FILE")]
     pub csv: Option<String>,
-    /// Pressure maps over time: .csv as XSENSOR's, .asf as Tekscan's.
+    /// Write the pressure maps over time to this file: .csv in XSENSOR's format, .asf in Tekscan's.
     #[arg(long, value_name = "FILE")]
     pub map: Option<String>,
-    /// What the tiles' instruments read, as CSV; - is standard output.
+    /// Write the readings of the plan's `[instruments]` as CSV to this file; - is standard output.
     #[arg(long, value_name = "FILE")]
     pub readings: Option<String>,
-    /// Print one JSON object.
+    /// Print the result as one JSON object.
     #[arg(long)]
     pub json: bool,
 }
@@ -77,10 +78,10 @@ pub struct Run {
 pub struct Page {
     /// The plan: a path, or a name under models/plans.
     pub plan: String,
-    /// Changes a key of the plan; may be repeated.
+    /// Change a key of the plan; may be repeated.
     #[arg(long, value_name = "KEY=VALUE")]
     pub set: Vec<String>,
-    /// The page.
+    /// File for the page.
     #[arg(short, long, value_name = "FILE", default_value = "bed.html")]
     pub output: String,
 }
@@ -141,7 +142,9 @@ fn opened(does: &str, plan: &str, settings: &[String]) -> Result<(Origin, Read),
     let file = PlanFile::open(plan)?;
     let command = format!("smartbed bed {does} {plan}");
     let origin = Origin::new(command, &file, settings.to_vec(), &mut Meshes::new());
-    Ok((origin, file.read(settings)?))
+    let read = file.read(settings)?;
+    diagnostics::warn(&read.warnings);
+    Ok((origin, read))
 }
 
 fn history(read: &Read) -> Result<History, Failure> {

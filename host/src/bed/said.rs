@@ -117,8 +117,8 @@ fn motion_text(watched: &Watched) -> String {
         |time| format!("slower than 1 mm/s from {time:.2} s on"),
     );
     format!(
-        "motion: {} steps of {:.4} ms; the largest force over 10 ms is {:.0} N at {:.3} s; {rest}; {} touches \
-         hand on {:.3} J; {:.3} J are lost, {:.1e} J left over\n",
+        "motion: {} steps of {:.4} ms; the largest force over 10 ms is {:.0} N at {:.3} s; {rest}; {} impacts pass \
+         on {:.3} J; {:.3} J are dissipated, {:.1e} J are in no account\n",
         watched.steps,
         1e3 * watched.step,
         watched.peak,
@@ -135,7 +135,8 @@ pub(super) fn text(read: &Read, history: &History, report: &RunReport) -> String
     let RunReport { sensed, gate, .. } = report;
     let [imbalance, felt] = worst(gate);
     let mut text = format!(
-        "{}: {} {} over {} s; contact forces carry the weight to {imbalance:.0e}, sensels feel it to {:.2} %\n",
+        "{}: {} {} over {} s; contact forces balance the weight within {imbalance:.0e}, sensels measure it within \
+         {:.2} %\n",
         read.plan.title,
         history.moments.len(),
         moments(history),
@@ -147,11 +148,11 @@ pub(super) fn text(read: &Read, history: &History, report: &RunReport) -> String
     }
     if let Some(policy) = read.policy {
         let through =
-            if read.is_supervised { ", let through by the tiles' controller and its supervisor" } else { "" };
+            if read.is_supervised { ", accepted by the tiles' controller and its supervisor" } else { "" };
         let asked = match history.lay {
             Some(0.0) => String::new(),
-            Some(time) => format!(", asked from {time} s on, when the load lay"),
-            None => ", never asked: the load never lay still".to_owned(),
+            Some(time) => format!(", which began at {time} s, when the load had come to rest"),
+            None => ", which never began: the load did not come to rest".to_owned(),
         };
         let _ = writeln!(text, "policy {}: {} moves{through}{asked}", policy.name, history.moves.len());
     }

@@ -21,12 +21,13 @@ use smartbed_codegen::expr::Dependence;
 use smartbed_codegen::model::{Model, SpeedMeaning};
 use smartbed_codegen::{Effort, Optimise, ParameterChoice, Program, kinematics, program};
 
-/// A warning is given if the conditioning of the constraints falls below this fraction of its nominal value somewhere.
+/// A warning is given if the conditioning of the constraints falls below this fraction of its nominal value
+/// somewhere.
 const LOST: f64 = 0.02;
 /// A configuration is nearly singular if the smallest singular value is below this fraction of the largest.
 const NEARLY_SINGULAR: f64 = 1e-4;
 
-/// Say what a model is: counts, degrees of freedom, rank, pivots, units, cost, warnings.
+/// Analyse a model without running it: counts, degrees of freedom, rank, pivots, units, cost, warnings.
 #[derive(clap::Args, Clone, Debug)]
 #[command(after_help = "Example:
   cargo smartbed check tile
@@ -34,13 +35,15 @@ const NEARLY_SINGULAR: f64 = 1e-4;
 pub struct Arguments {
     /// The model: a path, or a name under models/.
     pub model: String,
-    /// Also say what f32 costs each output, and which operation costs most.
+    /// Also print the rounding error of each output in single precision (f32), relative to the output's largest
+    /// value, and the operation that causes most of it.
     #[arg(long)]
     pub rounding: bool,
-    /// Show every warning and every row; without it what is alike is told once, and of long lists the worst.
+    /// Print every warning and every row. By default similar warnings are merged into one, and of a long list only
+    /// the worst rows are printed.
     #[arg(long)]
     pub all: bool,
-    /// Print one JSON object.
+    /// Print the result as one JSON object.
     #[arg(long)]
     pub json: bool,
 }
@@ -134,7 +137,7 @@ fn counts(model: &Model, program: &Program, rank: &Rank) -> Value {
 fn independent(model: &Model, program: &Program) -> Value {
     let free = model.speeds.iter().all(|s| s.independent);
     let reason = match (free, program.is_redundant()) {
-        (true, _) => "no constraint binds it",
+        (true, _) => "no constraint contains it",
         (_, true) => {
             "declared independent; the motion passes dead points of it, so that all speeds are state"
         }
@@ -203,7 +206,8 @@ fn numeric_warnings(model: &Model, program: &Program, rank: &Rank) -> Vec<String
     let mut warnings = Vec::new();
     if rank.smallest < rank.largest {
         warnings.push(format!(
-            "the constraints lose rank: {} at some samples, {} at others; near there the motion is not determined",
+            "the constraints lose rank: {} at some samples, {} at others; near the configurations of lower rank the \
+             motion is not determined",
             rank.smallest, rank.largest
         ));
     } else if rank.conditioning.is_lost(LOST, NEARLY_SINGULAR) {

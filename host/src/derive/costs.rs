@@ -119,7 +119,7 @@ fn text(program: &Program, rows: &[Row]) -> String {
         ]);
     }
     let mut text = format!(
-        "{} in f32 on a Cortex-M4F: what each answer adds = what its function then takes\n\n",
+        "{} in f32 on a Cortex-M4F: what each answer adds = total of its function so far\n\n",
         program.name
     );
     let width = |column: usize| table.iter().map(|row| row[column].len()).max().unwrap_or(0);
@@ -132,7 +132,7 @@ fn text(program: &Program, rows: &[Row]) -> String {
         text.push('\n');
     }
     if any_loops {
-        text += "\n* Something in it goes round, as what copies or clears many numbers: counted once.\n";
+        text += "\n* It contains a loop, such as one that copies or clears many numbers: counted once.\n";
     }
     text
 }

@@ -16,56 +16,65 @@ use smartbed_codegen::{
 };
 use std::path::Path;
 
-/// Derive the equations of motion and write them as no_std Rust.
+/// Derive a model's equations of motion and write them as `no_std` Rust.
 #[derive(clap::Args, Clone, Debug)]
 #[command(after_help = examples())]
 pub struct Arguments {
     /// The model: a path, or a name under models/.
     pub model: String,
-    /// Where the file goes; - is standard output.
+    /// File for the Rust code; - is standard output.
     #[arg(short, long, value_name = "FILE", default_value = "-")]
     pub output: String,
-    /// Write a crate without dependency on this project into this folder instead; files there that this command did
-    /// not write, or that were changed since, are left alone.
+    /// Write a crate into this folder instead of one file. The crate does not depend on this project. Files in the
+    /// folder that this command did not write, or that were changed since, are never overwritten. Not together with
+    /// --output.
     #[arg(long = "crate", value_name = "DIR", conflicts_with = "output")]
     pub folder: Option<String>,
-    /// The crate carries the runtime's integrators too: it steps its mechanism under a law of its inputs.
+    /// Add the integration methods to the crate, so that it can step the mechanism in time. Only with --crate and
+    /// --form reduced, and not with --answers.
     #[arg(long, requires = "folder", conflicts_with = "answers")]
     pub integrator: bool,
-    /// The scalar of the emitted code.
+    /// Number type of the code.
     #[arg(long, value_enum, default_value_t)]
     pub scalar: EmittedScalar,
-    /// The form of the equations.
+    /// Form of the equations.
     #[arg(long, value_enum, default_value_t)]
     pub form: Form,
-    /// How hard to look for fewer operations; all takes some tenths of a second.
+    /// How much work goes into reducing the number of operations; `all` takes about ten times as long as
+    /// `default`.
     #[arg(long, value_enum, default_value_t)]
     pub effort: EffortChoice,
-    /// What the choice between forms that give the same accelerations goes by.
+    /// What to minimise when several forms of the equations give the same accelerations.
     #[arg(long, value_enum, default_value_t)]
     pub optimise: OptimiseFor,
-    /// What runs the code, which decides the order of its statements; without it a host for f64, else the chip.
+    /// Processor that the order of statements is chosen for [default: `host` for f64, else the order for
+    /// microcontrollers]. The results are the same to the bit.
     #[arg(long, value_enum)]
     pub core: Option<CoreChoice>,
-    /// Only these answers, without the struct that joins them to the runtime; those listed together are one function
-    /// that shares what they have in common: [NAME=]ANSWER,ANSWER... May be repeated, for several functions.
+    /// Write only these answers (listed below), without the struct that connects them to the runtime. The answers
+    /// of one option become one function, which computes common parts once: [NAME=]ANSWER,ANSWER... May be
+    /// repeated; each option gives one more function.
     #[arg(long, value_parser = crate::answers::entry, value_name = "LIST")]
     pub answers: Vec<String>,
-    /// Keep these fixed parameters as fields.
+    /// Keep these `fixed` parameters changeable in the code, as fields of its `Parameters`; by default their values
+    /// are inserted into the equations.
     #[arg(long, value_delimiter = ',', value_name = "NAME")]
     pub keep: Vec<String>,
-    /// Changes a parameter's default, or the folded value of a fixed one; may be repeated.
+    /// Change the value of a parameter: the default of a tunable one, the inserted value of a fixed one. May be
+    /// repeated.
     #[arg(long, value_name = "NAME=VALUE")]
     pub set: Vec<String>,
-    /// Two functions more, `begin_step` and `rates_near`, for steps whose evaluations share sines and eliminations; see
-    /// `ode::rk4_shared` of the runtime.
+    /// Also write the functions `begin_step` and `rates_near`, with which the evaluations of one Runge-Kutta step
+    /// share sines, cosines and an elimination (`ode::rk4_shared` of the runtime). Only with --form reduced; not
+    /// together with --answers, --crate or --costs.
     #[arg(long, conflicts_with_all = ["answers", "folder", "costs"])]
     pub shared_work: bool,
-    /// Print what each answer adds instead of writing code: operations and values alive in f32, ordered for the chip
-    /// unless `--core` says otherwise; code, stack and instructions there, where a toolchain for it is found.
+    /// Print the cost that each answer adds, instead of code: operations and values alive at once, in f32 and in
+    /// the order for a Cortex-M4 unless --core is given; also bytes of code and stack, and instructions, on a
+    /// Cortex-M4F, if its toolchain is installed. Not together with --output, --crate or --scalar.
     #[arg(long, conflicts_with_all = ["output", "folder", "scalar"])]
     pub costs: bool,
-    /// Print one JSON object about what was derived.
+    /// Print one JSON object: file and operations, or with --costs the table.
     #[arg(long)]
     pub json: bool,
 }
@@ -83,8 +92,10 @@ fn examples() -> String {
   cargo smartbed derive arm6 --answers inverse_dynamics,pose:tool --answers rates
   cargo smartbed derive tile --answers rates,energy,linearisation --costs
 
-Answers: {}; of a port, a point or a frame: {}; of a joint that is cut: reaction:FRAME@POINT; {} is all of a port \
-         and takes its wrench as six inputs.",
+Answers of the mechanism: {}.
+Answers of a port, a point or a frame: {}.
+Answer of a joint: reaction:FRAME@POINT, the force and moment that it transmits.
+{} gives all answers of a port, and adds the wrench on it as six inputs.",
         named(|about| about == About::Mechanism, ""),
         named(|about| about == About::Place, ":NAME"),
         named(|about| about == About::Port, ":NAME"),
@@ -99,9 +110,9 @@ pub enum EmittedScalar {
     /// 64-bit floating point.
     #[default]
     F64,
-    /// Eight mechanisms side by side in f32.
+    /// Eight mechanisms at once in f32, one in each lane of a vector register.
     F32x8,
-    /// Four mechanisms side by side in f64.
+    /// Four mechanisms at once in f64, one in each lane of a vector register.
     F64x4,
 }
 
@@ -119,12 +130,12 @@ impl EmittedScalar {
 /// How hard to look for fewer operations.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default, ValueEnum)]
 pub enum EffortChoice {
-    /// The equations as derived.
+    /// Leave the equations as derived.
     None,
-    /// Equal values merged, common factors taken out.
+    /// Merge equal values, take out common factors, share subexpressions.
     #[default]
     Default,
-    /// Every rule and the search over pairs of values.
+    /// All rules, and a search over all pairs of values, in several rounds.
     All,
 }
 
@@ -141,9 +152,9 @@ impl EffortChoice {
 /// What runs the emitted code.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
 pub enum CoreChoice {
-    /// A microcontroller: few values wait at a time.
+    /// A microcontroller: as few values as possible are held at once.
     CortexM4,
-    /// A host: the longest chain of operations comes first, sines are computed two at a time.
+    /// A desktop processor: the longest chain of dependent operations comes first, sines are computed in pairs.
     Host,
 }
 
@@ -159,27 +170,27 @@ impl CoreChoice {
 /// Forms of the equations.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default, ValueEnum)]
 pub enum Form {
-    /// All coordinates, independent speeds, dependent ones eliminated.
+    /// State: all coordinates and the independent speeds. Dependent speeds are eliminated.
     #[default]
     Reduced,
-    /// As reduced, but refused unless the model needs no dependent coordinates as state.
+    /// As `reduced`, with independent coordinates only. Refused unless every dependent coordinate has a closed form.
     Minimal,
-    /// Before the elimination: mass matrix, Jacobian, forcing and bias over all speeds and the
-    /// twists of bodies that close loops, for a solver with multipliers.
+    /// Before the elimination: mass matrix, constraint Jacobian, forcing and bias over all speeds and the twists of
+    /// bodies that close loops, for a solver with Lagrange multipliers.
     Augmented,
-    /// Only what needs no mass: speeds, outputs, projection. The model may go without bodies.
+    /// Only answers that need no mass: speeds, outputs, projection. Also for models without bodies.
     Kinematic,
 }
 
 /// What the choice between equal forms goes by.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default, ValueEnum)]
 pub enum OptimiseFor {
-    /// Fewest operations.
+    /// The number of operations.
     #[default]
     Operations,
-    /// Least estimated time on a host.
+    /// The estimated time on a desktop processor.
     Time,
-    /// Least rounding near singular configurations.
+    /// Rounding errors near singular configurations.
     Accuracy,
 }
 
@@ -220,8 +231,8 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let asks = |name: &str| functions.iter().flat_map(|f| &f.requests).any(|r| r.answer == name);
     if asks("drive") && program.drive.is_none() {
         return Err(Failure::Wrong(format!(
-            "--answers drive: nothing drives `{}`; expected a model in which time enters places or constraints, or a \
-             motion constraint has a part without speeds",
+            "--answers drive: `{}` has no prescribed motion; expected a model whose positions or constraints depend \
+             on time, or with a motion constraint that has a part without speeds",
             model.name
         )));
     }

@@ -8,10 +8,10 @@ use smartbed_runtime::real::Scalar;
 /// Which engine.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default, ValueEnum)]
 pub enum EngineKind {
-    /// At once, no compiler in between.
+    /// Interpret the equations: starts at once, needs no compiler.
     #[default]
     Interpreter,
-    /// The emitted Rust, compiled once per model into a cache.
+    /// Compile the equations as Rust code, once per model, into a cache: faster in long runs, needs cargo.
     Compiled,
 }
 

@@ -16,33 +16,36 @@ use crate::{model_argument, output, run, suggest};
 use search::{Search, Unknown};
 use smartbed_codegen::{Asked, Function, Program, Request, program};
 
-/// Find where a mechanism rests or moves steadily, and its modes there.
+/// Find a static equilibrium or a steady motion of a mechanism, and the modes of small motions about it.
 #[derive(clap::Args, Clone, Default, Debug)]
 #[command(after_help = "Examples:
   cargo smartbed equilibrium pendulum3
-  cargo smartbed equilibrium cart_pole                        # with the model's own law: the closed loop
-  cargo smartbed equilibrium bicycle --hold u_thR=-16.67      # steady motion at this speed of the rear wheel
-  cargo smartbed equilibrium tile --trim                      # the inputs that hold it where it starts
+  cargo smartbed equilibrium cart_pole                    # with the model's law: the closed loop
+  cargo smartbed equilibrium bicycle --hold u_thR=-16.67  # steady motion, rear wheel at this speed
+  cargo smartbed equilibrium tile --trim                  # the inputs that hold it where it starts
 
-The search starts at the model's [start], changed by --set. Without --hold all speeds are 0. Inputs with a law follow it,
-others are 0 or as --input says. SI units. A steady motion keeps every coordinate that the equations depend on; others, such as the
-heading of a bicycle, may go on.")]
+The search starts at the model's [start], changed by --set. Without --hold all speeds are 0.
+Inputs with a law in the model follow it; others are 0, or as --input says. SI units.
+In a steady motion every coordinate that the equations depend on is constant; others, such as the
+heading of a bicycle, may change.")]
 pub struct Arguments {
     /// The model: a path, or a name under models/.
     pub model: String,
-    /// Changes a parameter or a value where the search starts; may be repeated.
+    /// Change a parameter, or the value of a coordinate or speed at which the search starts; may be repeated.
     #[arg(long, value_name = "NAME=VALUE")]
     pub set: Vec<String>,
-    /// Holds an independent coordinate or speed at this value; a held speed makes it a steady motion. May be repeated.
+    /// Keep an independent coordinate or speed at this value. With a speed other than 0 a steady motion is searched
+    /// for. May be repeated. Not with --trim.
     #[arg(long, value_name = "NAME=VALUE")]
     pub hold: Vec<String>,
-    /// Holds an input without a law at this value; may be repeated.
+    /// Keep an input at this value; inputs with a law in the model are refused. May be repeated.
     #[arg(long, value_name = "NAME=VALUE")]
     pub input: Vec<String>,
-    /// Keeps coordinates and speeds as they start, and looks for inputs that balance them.
+    /// Keep coordinates and speeds as they start, and search for the inputs with which nothing accelerates. Not with
+    /// --hold.
     #[arg(long, conflicts_with = "hold")]
     pub trim: bool,
-    /// Print one JSON object.
+    /// Print the result as one JSON object.
     #[arg(long)]
     pub json: bool,
 }
@@ -73,7 +76,8 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     model_argument::print_warnings(&program);
     if program.drive.is_some() {
         return Err(Failure::Wrong(format!(
-            "{}: time drives this mechanism, so it rests nowhere; give the driven coordinates constant values",
+            "{}: a mechanism with prescribed motion has no equilibrium; give the prescribed coordinates constant \
+             values",
             arguments.model
         )));
     }

@@ -92,7 +92,7 @@ impl Answer<'_> {
         }
         let neutral = self.modes.iter().filter(|mode| mode.is_neutral()).count();
         if neutral > 0 {
-            let what = "where nothing brings back or drives away";
+            let what = "directions without restoring or driving force";
             let _ =
                 writeln!(text, "  {:>30}  {:>22}  {} of 0: {what}", "0", "", count(neutral, "eigenvalue"));
         }

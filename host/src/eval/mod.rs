@@ -22,35 +22,42 @@ use write::Evaluated;
 /// A residual above this fraction of the size of the constraints' terms is more than rounding in any scalar.
 const VIOLATED: f64 = 1e-4;
 
-/// Evaluate the equations of motion at given states.
+/// Evaluate a model's equations of motion at given states.
 #[derive(clap::Args, Clone, Debug)]
 #[command(after_help = "Example:
   cargo smartbed eval tile --states in.json -o out.json
   with in.json: {\"states\": [{\"q\": {\"hA\": 0.01, \"hB\": 0, \"hC\": 0}, \"u\": {\"u_hA\": 0.1},
                               \"inputs\": {\"FA\": 30}, \"parameters\": {\"M\": 8}}]}
 
-SI units. Beside \"q\" a state may have the time \"t\", else it is 0. Independent coordinates must be given; dependent ones are solved for where left out, and
-those in closed form follow from the others (given all the same, they must agree). Left-out speeds and inputs are 0, left-out parameters are the model's. Answers that take accelerations read \"u_dot\", by the names of the speeds.")]
+All numbers are in SI units. Of each state:
+  t           time; 0 if left out
+  q           independent coordinates must be given; dependent ones may be left out and are then
+              solved for; those with a closed form are computed, and if given must agree with it
+  u           independent speeds; 0 if left out
+  inputs      0 if left out
+  parameters  the model's values if left out
+  u_dot       accelerations by the names of the speeds, for answers that need them")]
 pub struct Arguments {
     /// The model: a path, or a name under models/.
     pub model: String,
-    /// JSON file of states; - is standard input.
+    /// JSON file with the states; - is standard input.
     #[arg(long, value_name = "IN.json")]
     pub states: String,
-    /// Where the answers go; - is standard output.
+    /// File for the answers; - is standard output.
     #[arg(short, long, value_name = "OUT.json", default_value = "-")]
     pub output: String,
-    /// What evaluates.
+    /// How the equations are evaluated.
     #[arg(long, value_enum, default_value_t)]
     pub engine: EngineKind,
-    /// What it computes with.
+    /// Number type of the computation.
     #[arg(long, value_enum, default_value_t)]
     pub scalar: ScalarKind,
-    /// Only these, with commas between; `derive --help` lists them [default: rates, energy, outputs, projection,
-    /// drive].
+    /// Compute only these answers, separated by commas; `derive --help` lists all [default: rates, energy, outputs,
+    /// projection, drive].
     #[arg(long, value_parser = answers::entry, value_name = "LIST")]
     pub answers: Vec<String>,
-    /// Print one JSON object about what was done (the answers are JSON in any case).
+    /// With --output FILE: print one JSON object with model, number of states and file. The answers are JSON in any
+    /// case.
     #[arg(long)]
     pub json: bool,
 }
@@ -183,14 +190,14 @@ fn warn<S: EngineScalar>(number: usize, evaluated: &Evaluated, program: &Program
     if evaluated.residual > VIOLATED * program.assembly.size() {
         output::say(&format!(
             "warning: states[{number}]: the configuration does not satisfy the constraints: a residual of {:.1e} is \
-             left, and its accelerations are those of no mechanism",
+             left, and its accelerations have no meaning",
             evaluated.residual
         ));
     }
     if evaluated.pivot.abs() < S::ROOT_EPSILON.to_f64() {
         output::say(&format!(
-            "warning: states[{number}]: the configuration is singular or nearly so: the smallest pivot is {:.1e} of its \
-             nominal size, and half of the digits or more are lost; `run` takes no step from here",
+            "warning: states[{number}]: the configuration is singular or nearly so: the smallest pivot is {:.1e} of \
+             its nominal size, and half of the digits or more are lost; `run` refuses to step from it",
             evaluated.pivot
         ));
     }

@@ -182,7 +182,7 @@ pub(super) fn human(settings: &[String]) -> Result<Drawing, Failure> {
             plan.load.body.mass(),
             plan.load.body.segments.len()
         ),
-        format!("contact forces carry the weight to {:.0e}", moment.imbalance),
+        format!("contact forces balance the weight within {:.0e}", moment.imbalance),
     ];
     for (n, words) in words.iter().enumerate() {
         items.push(text((480.0, 480.0 + 24.0 * n as f64), words, SMALL, Anchor::Start));

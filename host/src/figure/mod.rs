@@ -16,7 +16,7 @@ use scheme::Tile;
 use setting::name_of;
 use std::fmt::Write as _;
 
-/// Make a figure of the thesis.
+/// Draw a figure of the thesis anew: from a run, or as a schematic drawing of the design.
 #[derive(clap::Args, Clone, Debug)]
 #[command(after_help = "Examples:
   cargo smartbed figure 5.8
@@ -24,20 +24,21 @@ use std::fmt::Write as _;
   cargo smartbed figure 4.2 --set e=1
   cargo smartbed figure --list")]
 pub struct Arguments {
-    /// Its number, for example 5.8.
+    /// Number of the figure, for example 5.8.
     #[arg(required_unless_present = "list")]
     pub number: Option<String>,
-    /// The picture; .svg or .png [default: figure_N.M.svg].
+    /// File for the picture, .svg or .png [default: figure_N.M.svg].
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<String>,
-    /// Changes a setting of the scene or plan; of figure 4.1: e, height (m), mass (kg); of 4.2: e, mu, angle (deg), speed, slip
-    /// (m/s).
+    /// Change a key of the scene or plan behind the figure; may be repeated. Figure 4.1 has e, height (m) and mass
+    /// (kg); figure 4.2 has e, mu, angle (deg), speed (m/s) and slip (m/s). Schematic drawings refuse it.
     #[arg(long, value_name = "NAME=VALUE")]
     pub set: Vec<String>,
-    /// List all figures and what each shows.
+    /// List all figures, and how each is made.
     #[arg(long)]
     pub list: bool,
-    /// For machines: after the run's line one of the figure; with --list one line of all.
+    /// Print JSON: the run's object if there is a run, then one with the figure's file; with --list one object with
+    /// all figures.
     #[arg(long)]
     pub json: bool,
 }
@@ -146,14 +147,17 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     };
     let Some(figure) = FIGURES.iter().find(|f| f.number == number) else {
         return Err(Failure::Wrong(format!(
-            "figure {number}: the thesis has none of that number; `cargo smartbed figure --list` shows all"
+            "figure {number}: the thesis has no figure of this number; `cargo smartbed figure --list` shows all"
         )));
     };
     let file = arguments.output.clone().unwrap_or_else(|| format!("figure_{number}.svg"));
     plot::format_of(&file)?;
     match figure.recipe {
         recipe if recipe.is_scheme() && !arguments.set.is_empty() => {
-            return Err(Failure::Wrong(format!("figure {number} is a scheme: it has no settings")));
+            return Err(Failure::Wrong(format!(
+                "figure {number} is a schematic drawing without settings; leave --set \
+                                               out"
+            )));
         }
         Recipe::Tile(what) => plot::write(&file, &scheme::tile(what))?,
         Recipe::Platform => plot::write(&file, &scheme::platform())?,
@@ -213,7 +217,9 @@ fn list() -> String {
             Recipe::WorkImpulse => "a rod strikes the ground".to_owned(),
             Recipe::Soft => "plan soft_manipulation, stiff, deflated, tilted, both".to_owned(),
             Recipe::Human => "plan alternating at rest".to_owned(),
-            Recipe::Tile(_) | Recipe::Platform | Recipe::Array => "a scheme, not a result".to_owned(),
+            Recipe::Tile(_) | Recipe::Platform | Recipe::Array => {
+                "a schematic drawing, not a result".to_owned()
+            }
         };
         let _ = writeln!(text, "{number:<5} {caption:<44} {how}");
     }

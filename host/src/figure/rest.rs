@@ -119,7 +119,8 @@ impl Ball {
             },
         ];
         let note = format!(
-            "rigid ball of {} kg from {} m, e = {}; impacts are impulses, the force is what lasts: at rest the weight, {weight:.4} N",
+            "rigid ball of {} kg from {} m, e = {}; impacts are impulses and not shown; the force is that of \
+             lasting contact, at rest the weight, {weight:.4} N",
             self.mass, self.height, self.restitution
         );
         Ok(chart::draw(&Chart {

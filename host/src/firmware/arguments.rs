@@ -11,7 +11,8 @@ pub enum Bus {
     Can,
 }
 
-/// Generate, build for the microcontroller, check, and run in the emulator.
+/// Build the program of a model or scene for the microcontroller, check its image, run it in the emulator, and
+/// compare the result with the host's, bit for bit.
 #[derive(clap::Args, Clone, Default, PartialEq, Eq, Debug)]
 #[command(
     after_help = "Example:\n  cargo smartbed firmware\n  cargo smartbed firmware tile --steps 1000 --set M=8 --json\n  cargo smartbed firmware truss --set K=4000\n  cargo smartbed firmware tile_with_bladder\n  cargo smartbed firmware single_spring --fast\n  cargo smartbed firmware two_cubes --small\n  cargo smartbed firmware stiff_bladder --by-rows\n  cargo smartbed firmware stiff_bladder --at-rest --set T=1\n  cargo smartbed firmware --elf target/thumbv7em-none-eabihf/release/mine\n  cargo smartbed firmware --board\n  cargo smartbed firmware --board=can"
@@ -19,38 +20,45 @@ pub enum Bus {
 pub struct Arguments {
     /// The model or scene: a path, or a name under models/ or models/scenes/ [default: tile].
     pub model: Option<String>,
-    /// Number of steps: of 1 ms [default: 10000], of a scene its own [default: all].
+    /// Number of steps. Of a mechanism: steps of 1 ms [default: 10000]; of a scene: steps as its file says
+    /// [default: all of the run].
     #[arg(long, value_name = "N")]
     pub steps: Option<u32>,
-    /// Changes a parameter, on the chip and on the host; may be repeated.
+    /// Change a parameter of a model or a key of a scene, on the chip and on the host; may be repeated.
     #[arg(long, value_name = "NAME=VALUE")]
     pub set: Vec<String>,
-    /// Every parameter of a mechanism tunable, every answer computed in every step: what leaving out saves.
+    /// Build a mechanism with every parameter changeable and every answer computed in every step, to compare its cost
+    /// with that of the usual image, which has only what it needs.
     #[arg(long)]
     pub everything: bool,
-    /// Optimise for size: a scene takes little more than half of the flash, and up to two fifths more instructions. A scene
-    /// of fewer than 16 nodes is, without being asked: it loses less than 3 %.
+    /// Optimise the image for size: a scene takes little more than half of the flash, and up to two fifths more
+    /// instructions per step. This is the default for scenes of fewer than 16 nodes. Not with --fast.
     #[arg(long)]
     pub small: bool,
-    /// Optimise for speed, however small the scene.
+    /// Optimise the image for speed, which is the default except for scenes of fewer than 16 nodes. Not with --small.
     #[arg(long, conflicts_with = "small")]
     pub fast: bool,
-    /// Step the sheet of a scene row by row, dampers by predicted speeds: a tenth of the instructions.
+    /// Step the sheet of a scene of format 1 in one pass over its rows, with a tenth of the instructions; damping
+    /// forces are computed from predicted speeds. Other scenes and models are refused, with the reason.
     #[arg(long)]
     pub by_rows: bool,
-    /// The sheet of a scene at rest at each pressure, from half of the scene's to all of it and back, found beforehand: a
-    /// thousandth of the time, for pressures that change slowly.
+    /// For a sheet of a scene of format 1 whose pressure changes slowly: compute its equilibria between half of the
+    /// scene's pressure and all of it on the host; the chip only interpolates between them, which takes about a
+    /// thousandth of the time. The test run goes through these pressures and back. Not with --by-rows; other scenes
+    /// and models are refused, with the reason.
     #[arg(long, conflicts_with = "by_rows")]
     pub at_rest: bool,
-    /// Print one JSON object.
+    /// Print the result as one JSON object.
     #[arg(long)]
     pub json: bool,
-    /// Build the controller for a real STM32F405 and judge its image; the emulator lacks the board's pins. It talks
-    /// over a serial line, with `--board=can` over a CAN bus.
+    /// Build the tile's controller for a real STM32F405 and check its image, as --elf does. It is not run, because
+    /// the emulator does not have the board's pins. It communicates over a serial line (the default), or with
+    /// `--board=can` over a CAN bus.
     #[arg(long, value_name = "BUS", num_args = 0..=1, require_equals = true, default_missing_value = "serial",
         conflicts_with_all = ["model", "steps", "set", "everything", "small", "fast", "by_rows", "at_rest", "inject", "elf"])]
     pub board: Option<Bus>,
-    /// Judge this image instead of building one: size, stack bound, and every rule of an image.
+    /// Check this image (an ELF file) instead of building one: flash, RAM, a bounded stack, and no recursion,
+    /// indirect calls, panics, formatting, heap, double precision or fused multiply-add.
     #[arg(long, value_name = "FILE", conflicts_with_all = ["model", "steps", "set", "everything", "small", "fast", "by_rows", "at_rest", "inject"])]
     pub elf: Option<PathBuf>,
     /// Build a defect into the image, which the checks must then find.

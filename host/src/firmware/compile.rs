@@ -106,8 +106,8 @@ impl Settings {
         };
         let steps = arguments.steps.unwrap_or(steps);
         if arguments.everything && subject != Subject::Mechanism {
-            let why = "--everything: a scene has no parameters or answers that were left out";
-            return Err(Failure::Wrong(format!("{why}; turn on what it lacks with --set")));
+            let why = "--everything: it is for mechanisms; the image of a scene leaves no parameters or answers out";
+            return Err(Failure::Wrong(format!("{why}; leave it out")));
         }
         let (set, inject) = (arguments.set.clone(), arguments.inject.clone());
         let small = arguments.small || (has_few_nodes && !arguments.fast);

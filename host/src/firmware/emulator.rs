@@ -104,7 +104,7 @@ pub fn count_option(plugin: &Path, counts: &Path, image: &Image, names: &[&str])
 /// [`Failure::Wrong`] if it wrote no counts.
 pub fn read_counts(counts: &Path) -> Result<(u64, Vec<Count>), Failure> {
     let text = fs::read_to_string(counts)
-        .map_err(|e| Failure::Wrong(format!("the plug-in left no counts in {}: {e}", counts.display())))?;
+        .map_err(|e| Failure::Wrong(format!("the plug-in wrote no counts to {}: {e}", counts.display())))?;
     parse(&text).ok_or_else(|| Failure::Wrong(format!("the plug-in's counts are not readable:\n{text}")))
 }
 

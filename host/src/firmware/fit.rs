@@ -84,7 +84,7 @@ impl Fitted {
             world.settle().map_err(wrong)?;
         }
         if !assembly.sensors.is_empty() {
-            output::say("note: the image leaves out sensors: they change no bit of the motion");
+            output::say("note: the image has no sensors: they do not affect the motion");
         }
         let (all, whole) = (assembly.run.steps(), |n: usize| assembly.run.length(n) == assembly.run.step);
         let steps = if all > 0 && !whole(all) { all - 1 } else { all };

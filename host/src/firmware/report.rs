@@ -146,7 +146,7 @@ impl Report {
         line("  deepest path", path.join(" > "));
         if let Subject::World(world) = &self.settings.subject {
             let sheets = world.rows.map_or(String::new(), |rows| {
-                format!(", in sheets of {rows} x {rows}: the finest that {} KB of RAM carry", RAM / 1024)
+                format!(", in sheets of {rows} x {rows}: the finest that fit into {} KB of RAM", RAM / 1024)
             });
             line("nodes", format!("{}{sheets}", world.demand.nodes));
             if world.demand.contacts() > 0 {
@@ -159,7 +159,8 @@ impl Report {
             line(
                 "at rest",
                 format!(
-                    "{low} to {high} Pa and back: {terms}, {off:.1e} of the way from rest, {behind:.1e} from the motion"
+                    "{low} to {high} Pa and back: {terms}, error {off:.1e} of the displacement against equilibria, \
+                     {behind:.1e} against the moving sheet"
                 ),
             );
         }

@@ -78,7 +78,7 @@ pub fn announce(target: &str) {
             "note: apt-get will install {}{size}; nothing else is changed, and rustup is not called; Ctrl-C now to stop",
             packages.join(" ")
         )),
-        None => say("note: nothing can be installed here; what to run is said below"),
+        None => say("note: nothing can be installed here; the commands to run are listed below"),
     }
 }
 

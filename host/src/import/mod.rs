@@ -15,21 +15,23 @@ pub use write::{Base, Imported};
 use crate::failure::Failure;
 use crate::{input, output};
 
-/// A robot of URDF as a model.
+/// Convert a robot from URDF to a model file.
 #[derive(clap::Args, Clone, Debug)]
 #[command(after_help = "Examples:
   cargo smartbed import robot.urdf -o robot.toml
   cargo smartbed import robot.urdf --base floating | less
 
-Joints become words under [joints], links bodies, `tau_...` inputs. Fixed joints are merged, mimic joints follow theirs. What is
-not carried over (meshes, transmissions, limits of speed and effort, friction) is said.")]
+Links become bodies and joints entries of [joints]; a joint with one coordinate has an input
+`tau_JOINT` as its drive. Links connected by fixed joints become one body; a mimic joint follows
+its joint. What is not converted (meshes, transmissions, limits of speed and effort, friction) is
+listed in notes.")]
 pub struct Arguments {
-    /// The robot: a path, or - for standard input.
+    /// The robot: the path of a URDF file, or - for standard input.
     pub robot: String,
-    /// Where the model goes; standard output if left out.
+    /// File for the model [default: standard output].
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<String>,
-    /// How the root link is held.
+    /// How the root link may move.
     #[arg(long, value_enum, default_value_t)]
     pub base: Base,
 }
@@ -58,7 +60,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let text = input::text(robot).map_err(|e| Failure::Wrong(format!("cannot read {robot}: {e}")))?;
     let imported = import(robot, &text, *base)?;
     for line in &imported.left_out {
-        output::say(&format!("note: not carried over: {line}"));
+        output::say(&format!("note: not converted: {line}"));
     }
     output::write(output.as_deref().unwrap_or("-"), imported.model.as_bytes())
 }

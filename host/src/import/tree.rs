@@ -55,7 +55,7 @@ pub fn build(robot: &Robot) -> Result<Tree, String> {
     let find = |joint: &Joint, name: &str| {
         link.get(name).copied().ok_or_else(|| {
             format!(
-                "joint `{}` names the link `{name}`, which is not there; expected one of the <link>s",
+                "joint `{}` names the link `{name}`, which does not exist; expected the name of a <link>",
                 joint.name
             )
         })
@@ -76,8 +76,11 @@ pub fn build(robot: &Robot) -> Result<Tree, String> {
     let [root] = roots[..] else {
         let names: Vec<&str> = roots.iter().map(|&l| robot.links[l].name.as_str()).collect();
         return Err(match names.is_empty() {
-            true => "every link hangs on another: expected one link that is no joint's child".to_owned(),
-            false => format!("the links {} are no joint's child; expected one root", names.join(", ")),
+            true => "every link is the child of a joint; expected one root link that is not".to_owned(),
+            false => format!(
+                "the links {} are not children of any joint; expected only one such root link",
+                names.join(", ")
+            ),
         });
     };
     let none = Place { carrier: usize::MAX, turn: IDENTITY, at: [0.0; 3] };
@@ -113,7 +116,7 @@ pub fn build(robot: &Robot) -> Result<Tree, String> {
     }
     if let Some(lost) = tree.places.iter().position(|p| p.carrier == usize::MAX) {
         let name = &robot.links[lost].name;
-        return Err(format!("the link `{name}` hangs on itself through its joints; expected a tree"));
+        return Err(format!("the link `{name}` belongs to a closed chain of joints; expected a tree"));
     }
     for (n, carrier) in tree.carriers.iter_mut().enumerate() {
         let links = robot.links.iter().zip(&tree.places).filter(|(_, place)| place.carrier == n);
@@ -172,8 +175,15 @@ fn leader(robot: &Robot, joint: &Joint) -> Result<Option<Leader>, String> {
         };
         (factor, offset) = (factor * times, factor * plus + offset);
         at = robot.joints.iter().find(|j| j.name == *name).ok_or_else(|| {
-            format!("joint `{}` mimics `{name}`, which is not there; expected a <joint>", at.name)
+            format!(
+                "joint `{}` mimics `{name}`, which does not exist; expected the name of a <joint>",
+                at.name
+            )
         })?;
     }
-    Err(format!("joint `{}` mimics itself through others; expected one that moves by itself", joint.name))
+    Err(format!(
+        "joint `{}` mimics itself through a chain of mimic joints; expected a chain that ends at a joint \
+                 without <mimic>",
+        joint.name
+    ))
 }

@@ -9,12 +9,12 @@ use std::fmt::Write as _;
 /// How the root link is held.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug, clap::ValueEnum)]
 pub enum Base {
-    /// It stands still.
+    /// Not at all.
     #[default]
     Fixed,
-    /// Six degrees of freedom.
+    /// Freely, with six degrees of freedom.
     Floating,
-    /// It slides on the plane across z and turns about z.
+    /// In the plane perpendicular to z, and by rotation about z.
     Planar,
 }
 
@@ -53,7 +53,7 @@ pub fn write(path: &str, robot: &Robot, tree: &Tree, base: Base) -> Imported {
     let shown = |text: &str| text.chars().filter(|c| !c.is_control()).collect::<String>();
     let _ = writeln!(text, " from {}, robot {}.", shown(&file.unwrap_or_default()), shown(&robot.name));
     for line in &left_out {
-        let _ = writeln!(text, "# Not carried over: {}.", shown(line));
+        let _ = writeln!(text, "# Not converted: {}.", shown(line));
     }
     let _ = write!(
         text,

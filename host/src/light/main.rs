@@ -16,7 +16,7 @@ mod closed_stdout;
 #[derive(Parser)]
 #[command(name = "smartbed", bin_name = "cargo smartbed", version, max_term_width = 100)]
 struct CommandLine {
-    /// When text has colours.
+    /// When to colour messages.
     #[arg(long, global = true, value_name = "WHEN", value_enum, default_value_t)]
     color: output::Colour,
     #[command(subcommand)]
@@ -27,9 +27,9 @@ struct CommandLine {
 enum Command {
     /// Write a commented starting file.
     New(new::Arguments),
-    /// Simulate, and write rows, plots or an animation.
+    /// Simulate a mechanism or a scene; write rows, plots or an animation.
     Run(Box<run::Arguments>),
-    /// Show the motion in a page that follows the file.
+    /// Show the motion in a browser; the page is updated whenever the file changes.
     View(view::Arguments),
 }
 
@@ -68,7 +68,9 @@ fn whole() -> ExitCode {
     process.arg("--").args(env::args_os().skip(1));
     match become_it(&mut process) {
         Ok(status) => ExitCode::from(status),
-        Err(e) => program::end(Err(Failure::Lacking(format!("the whole program is not built: cargo: {e}")))),
+        Err(e) => {
+            program::end(Err(Failure::Lacking(format!("the whole program could not be built: cargo: {e}"))))
+        }
     }
 }
 

@@ -8,12 +8,12 @@ use std::path::Path;
 const MECHANISM: &str = include_str!("mechanism.toml");
 const SCENE: &str = include_str!("scene.toml");
 
-/// What is started.
+/// Kinds of starting files.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, clap::ValueEnum)]
 pub enum Kind {
-    /// Rigid bodies, coordinates, loads.
+    /// A mechanism: rigid bodies, coordinates, loads.
     Mechanism,
-    /// An elastic body that falls.
+    /// A scene: an elastic body that falls on the ground.
     Scene,
 }
 
@@ -23,14 +23,14 @@ pub enum Kind {
   cargo smartbed new mechanism press
   cargo smartbed new scene drop
 
-Writes NAME.toml into this folder; what exists is left alone.")]
+Writes NAME.toml into the current folder. A file of that name is never overwritten.")]
 pub struct Arguments {
-    /// What is started.
+    /// What the file describes.
     #[arg(value_enum)]
     pub kind: Kind,
-    /// Its name: letters, digits and _.
+    /// Name of the model: letters, digits and _, a letter first.
     pub name: String,
-    /// Print one JSON object.
+    /// Print the name of the file as one JSON object.
     #[arg(long)]
     pub json: bool,
 }

@@ -52,11 +52,14 @@ pub(super) fn read(table: &Table, seconds: f64, is_fallen: bool, found: &mut Dia
     };
     if tissue.at_once < 1.0 {
         let what = format!("`tissue_at_once` is {}, expected 1 or more", tissue.at_once);
-        return refuse(what, "it is the stiffness of tissue at once over that at last; 1 does not relax");
+        return refuse(
+            what,
+            "ratio of the tissue's initial stiffness to that after relaxation; 1: no relaxation",
+        );
     }
     let is_at_rest = start?;
     if is_at_rest && drop.is_some() && !is_fallen {
-        return refuse("`drop` beside a start at rest".to_owned(), "leave one of the two out");
+        return refuse("`drop` has no effect on a start at rest".to_owned(), "leave one of the two out");
     }
     if seconds / step > MOST_STEPS {
         return refuse(format!("more than {MOST_STEPS} steps"), "a longer `step`");

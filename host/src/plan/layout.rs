@@ -62,7 +62,7 @@ pub(super) fn read(table: &Table, found: &mut Diagnostics) -> Option<(Layout, f6
         let [least, most] = [EXPONENTS.start(), EXPONENTS.end()];
         return refuse(
             format!("`exponent` is {}, expected {least} to {most}: n of p V^n", layout.exponent),
-            "1 where the gas keeps its temperature, 1.4 where air has no time to",
+            "1 for isothermal changes, 1.4 for adiabatic changes of air",
         );
     }
     let tiles = layout.rows.saturating_mul(layout.columns);
@@ -71,7 +71,7 @@ pub(super) fn read(table: &Table, found: &mut Diagnostics) -> Option<(Layout, f6
     }
     if layout.size().iter().any(|s| *s <= 0.0) {
         return refuse(
-            "a gap as wide as the pitch leaves no tile".to_owned(),
+            "`gap` is not smaller than `pitch`: no room is left for a tile".to_owned(),
             "pitch = [\"225_mm\", \"285.7_mm\"]",
         );
     }

@@ -34,7 +34,7 @@ pub(super) fn read(plan: &Fields<'_>, path: &str, found: &mut Diagnostics) -> Op
         (None, Some(table)) => Some((solid(table, path, found)?, None)),
         (None, None) => Some((Load { body: Body::default(), poses: Vec::new(), figure: None }, None)),
         (Some(_), Some(table)) => {
-            let error = Diagnostic::error("a bed bears a patient or a load, not both");
+            let error = Diagnostic::error("[patient] and [load] are both given; expected one of them");
             found.push(error.label(table.span, "the second").help("leave one of them out"));
             None
         }
@@ -80,7 +80,7 @@ fn patient(table: &Table, found: &mut Diagnostics) -> Option<(Load, Option<Brade
         Ok(figure) => figure,
         Err(error) => {
             let error = Diagnostic::error(error.to_string()).label(table.span, "of this patient");
-            found.push(error.help("docs/bed.md lists joints and what they allow"));
+            found.push(error.help("docs/bed.md lists the joints and their ranges"));
             return None;
         }
     };

@@ -54,6 +54,8 @@ pub struct Read {
     pub braden: Option<Braden>,
     /// Parameters of the metrics.
     pub thresholds: Thresholds,
+    /// What can be run, but is probably not what its author meant.
+    pub warnings: Diagnostics,
 }
 
 impl Read {
@@ -105,8 +107,8 @@ pub fn parse(path: &str, text: &str, settings: &[String]) -> Result<Read, Diagno
     };
     let table = settings::apply(table, settings, &mut found);
     match read(path, &table, &mut found) {
-        Some(read) => found.finish(read),
-        None => Err(found),
+        Some(read) if !found.has_errors() => Ok(Read { warnings: found, ..read }),
+        _ => Err(found),
     }
 }
 
@@ -177,5 +179,6 @@ fn read(path: &str, table: &Table, found: &mut Diagnostics) -> Option<Read> {
     let axes = fields.table("sweep", found).map_or_else(Vec::new, |table| moves::axes(table, found));
     fields.finish(found);
     let plan = Plan { title, layout, pressure, load, moves, seconds, every, cycle, clock, laying };
-    Some(Read { plan, axes, sensors, instruments, policy, is_supervised, braden, thresholds })
+    let warnings = Diagnostics::default();
+    Some(Read { plan, axes, sensors, instruments, policy, is_supervised, braden, thresholds, warnings })
 }

@@ -25,7 +25,7 @@ pub(super) fn read(
     let mut moves = Vec::new();
     for item in plan.array("move", found).map_or(&[][..], |(items, _)| items) {
         match item {
-            Value::Table(table) => moves.extend(change(table, layout, found)),
+            Value::Table(table) => moves.extend(change(table, layout, seconds, found)),
             other => found.push(wrong_kind("move", "tables, each under [[move]]", other)),
         }
     }
@@ -37,7 +37,7 @@ pub(super) fn read(
     let asked = moves.len() as f64 * (seconds / every + 2.0 * moves.len() as f64);
     if asked > MOST_ORDERS {
         let error = Diagnostic::error(format!(
-            "moves times equilibria are {asked:.1e}, expected at most {MOST_ORDERS:.0e}"
+            "the number of moves times the number of equilibria is {asked:.1e}, expected at most {MOST_ORDERS:.0e}"
         ));
         found.push(error.label(span, "of these").help("fewer cycles, or a longer `every`"));
         return None;
@@ -46,10 +46,16 @@ pub(super) fn read(
     Some(moves)
 }
 
-/// One `[[move]]`.
-fn change(table: &Table, layout: &Layout, found: &mut Diagnostics) -> Option<Move> {
+/// One `[[move]]`; a warning if it begins after the end of the run.
+fn change(table: &Table, layout: &Layout, seconds: f64, found: &mut Diagnostics) -> Option<Move> {
     let fields = Fields::of("move", table.span, table);
     let at = number(&fields, "at", "s", Bound::NotNegative, found).unwrap_or(0.0);
+    if at > seconds {
+        let warning =
+            Diagnostic::warning(format!("a move at {at} s has no effect: the run ends at {seconds} s"));
+        let span = fields.get("at").map_or(table.span, Value::span);
+        found.push(warning.label(span, "after the end").help("an earlier `at`, or a larger run.seconds"));
+    }
     let over = number(&fields, "over", "s", Bound::NotNegative, found).unwrap_or(0.0);
     let tiles = tiles(fields.need("tiles", "\"all\"", found)?, layout, found)?;
     let pressure = number(&fields, "pressure", "Pa", Bound::Any, found);
@@ -57,8 +63,8 @@ fn change(table: &Table, layout: &Layout, found: &mut Diagnostics) -> Option<Mov
     let tilt = fields.get("tilt").map(|value| list::<2>(value, "tilt", "", found));
     fields.finish(found);
     if pressure.is_none() && heave.is_none() && tilt.is_none() {
-        let error = Diagnostic::error("a move changes nothing").label(table.span, "this one");
-        found.push(error.help("give it pressure, heave or tilt"));
+        let error = Diagnostic::error("a move without pressure, heave or tilt").label(table.span, "this one");
+        found.push(error.help("give it one of them"));
         return None;
     }
     let slope = match tilt {
@@ -89,7 +95,9 @@ fn tiles(value: &Value, layout: &Layout, found: &mut Diagnostics) -> Option<Vec<
     };
     match value {
         Value::Text(text) if text.text == "all" => Some((0..most).collect()),
-        Value::Array(items, span) if items.is_empty() => refuse(*span, "no tile is told".to_owned()),
+        Value::Array(items, span) if items.is_empty() => {
+            refuse(*span, "the list of tiles is empty".to_owned())
+        }
         Value::Array(items, _) => {
             let mut tiles = Vec::new();
             for item in items {
@@ -140,7 +148,7 @@ pub(super) fn axes(table: &Table, found: &mut Diagnostics) -> Axes {
         match texts {
             Some(texts) => axes.push((key.name.clone(), texts)),
             None if matches!(value, Value::Array(items, _) if items.is_empty()) => {
-                let error = Diagnostic::error(format!("`{}` has no values to sweep", key.name));
+                let error = Diagnostic::error(format!("`{}` in [sweep] has no values", key.name));
                 found.push(error.label(value.span(), "an empty list").help("give at least one"));
             }
             None => found.push(

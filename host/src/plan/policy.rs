@@ -67,7 +67,7 @@ pub(super) fn read(table: &Table, found: &mut Diagnostics) -> Option<Chosen> {
     fields.finish(found);
     if 2.0 * goal.ramp + goal.hold > goal.cycle / goal.slots as f64 {
         let error =
-            Diagnostic::error("a slot of the cycle is shorter than letting down, holding and filling");
+            Diagnostic::error("a slot of the cycle is too short to deflate, hold and refill a bladder");
         found.push(
             error.label(table.span, "of this policy").help("fewer `slots`, or a shorter `ramp` or `hold`"),
         );

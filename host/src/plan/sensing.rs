@@ -85,14 +85,14 @@ pub(super) fn read(table: &Table, bed: f64, found: &mut Diagnostics) -> Option<S
     // The two substrates and the gap are stacked.
     if site.thickness < site.gap + site.shear.height + site.moisture.height {
         return refuse(
-            "sensors thinner than what is in them".to_owned(),
+            "`thickness` is less than the gap and two substrates of a sensor".to_owned(),
             "thickness = \"10_mm\", or a smaller `gap`",
         );
     }
     if is_mounted && pitch.is_some_and(|pitch| pitch < site.side) {
         let side = 1e3 * site.side;
         return refuse(
-            format!("mounted sensors of {side} mm stand closer than they are wide"),
+            format!("mounted sensors are {side} mm wide, which is more than their `pitch`"),
             "pitch = \"5_mm\", or more; or mounted = false",
         );
     }
@@ -105,9 +105,10 @@ pub(super) fn read(table: &Table, bed: f64, found: &mut Diagnostics) -> Option<S
     }
     match Reader::new(&site, quality) {
         Ok(reader) => Some(Sensing { site, reader, seed, pitch, skin, is_mounted }),
-        Err(_) => {
-            refuse("these sensors do not tell loads apart".to_owned(), "a softer spacer: a lower `modulus`")
-        }
+        Err(_) => refuse(
+            "these sensors read nearly the same at every load".to_owned(),
+            "a softer spacer: a lower `modulus`",
+        ),
     }
 }
 

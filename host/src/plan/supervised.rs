@@ -134,7 +134,7 @@ impl Tiles<'_> {
         if takes > told.over + f64::from(TICK) {
             let over = told.over;
             return Err(format!(
-                "its controller takes {takes:.1} s for a move of {over:.1} s; give the move longer"
+                "its controller needs {takes:.1} s for a move of {over:.1} s; give the move more time (`over`)"
             ));
         }
         let (place, columns) = (self.place(tile), self.plan.layout.columns);
@@ -170,12 +170,14 @@ fn denied(why: Denied) -> String {
     let most = match why {
         Denied::Step => {
             format!(
-                ": an edge would stand more than {:.1} mm beside a neighbour's, where it is or goes",
+                ": the height step to a neighbour, where that is or will be, would exceed {:.1} mm",
                 1e3 * STEP_LIMIT
             )
         }
-        Denied::Power => format!(": {MOST_MOVING} tiles move at once, as many as may"),
+        Denied::Power => {
+            format!(": {MOST_MOVING} tiles are moving already, which is the largest number allowed")
+        }
         _ => String::new(),
     };
-    format!("the supervisor denies it: {why:?}{most}")
+    format!("the supervisor refuses: {why:?}{most}")
 }

@@ -46,14 +46,14 @@ pub(super) fn read(plan: &Fields<'_>, is_empty: bool, found: &mut Diagnostics) -
     let told = dynamics::read(motion, in_motion, fall.is_some(), found)?;
     if fall.is_some() && is_motion && told.dynamics.start != Start::AtRest {
         let (what, help) = (
-            "`fall` beside a motion that begins with one".to_owned(),
+            "`fall` has no effect on a motion in which the load is dropped".to_owned(),
             "leave `fall` out, or dynamics.start = \"at_rest\" after it",
         );
         return refuse(found, table.span, what, "of this run", help);
     }
     if told.dynamics.is_f32 && !is_empty {
         let (what, help) = (
-            "a bed moves in f32 only where nothing lies on it".to_owned(),
+            "`dynamics.scalar` f32 is for a bed without a load".to_owned(),
             "scalar = \"f64\", or neither [patient] nor [load]",
         );
         return refuse(found, motion.span, what, "of this motion", help);
@@ -75,11 +75,11 @@ fn wrong_times(
 ) -> Option<(String, &'static str, String)> {
     let of_run = "of this run";
     if parts > MOST_PARTS {
-        let what = format!("a weight laid on in {parts} parts, expected 1 to {MOST_PARTS}");
+        let what = format!("`parts` is {parts}, expected 1 to {MOST_PARTS}");
         return Some((what, of_run, "parts = 8".to_owned()));
     }
     if fall.is_some() && parts > 1 {
-        let what = "a load that falls is not laid on in `parts`".to_owned();
+        let what = "`fall` and `parts` are both given; expected one of them".to_owned();
         return Some((what, of_run, "leave one of the two out".to_owned()));
     }
     if seconds / every > MOST_EQUILIBRIA {
@@ -90,7 +90,7 @@ fn wrong_times(
     if (seconds - count * every).abs() > 1e-6 * every {
         let what = format!("`seconds` is {seconds} s, no multiple of `every`, {every} s");
         let help = format!("every = {}, or seconds = {}", seconds / count.max(1.0), count.max(1.0) * every);
-        return Some((what, "of this run: its end would not be looked at", help));
+        return Some((what, "of this run: its end would appear in no map", help));
     }
     None
 }

@@ -84,7 +84,7 @@ pub fn format_of(file: &str) -> Result<Format, Failure> {
     match ending.as_deref() {
         Some("svg") => Ok(Format::Svg),
         Some("png") => Ok(Format::Png),
-        _ => Err(Failure::Wrong(format!("--plot {file}: expected a name that ends in .svg or .png"))),
+        _ => Err(Failure::Wrong(format!("{file}: expected a name that ends in .svg or .png"))),
     }
 }
 
@@ -99,7 +99,7 @@ pub fn write(file: &str, drawing: &Drawing) -> Result<(), Failure> {
         Format::Png => Err(Failure::not_built("a plot as PNG")),
         #[cfg(feature = "whole")]
         Format::Png => {
-            let bytes = png::bytes(drawing).map_err(|e| Failure::Wrong(format!("--plot {file}: {e}")))?;
+            let bytes = png::bytes(drawing).map_err(|e| Failure::Wrong(format!("{file}: {e}")))?;
             output::write(file, &bytes)
         }
     }

@@ -47,7 +47,7 @@ impl Chip {
             return Err(why.clone());
         }
         if Instant::now() > self.end {
-            self.lacking = Some("the time for images was up".to_owned());
+            self.lacking = Some("the time limit for building images had passed".to_owned());
         }
         let arguments = firmware::Arguments {
             model: Some(name.to_owned()),

@@ -51,49 +51,54 @@ use subject::{Kind, Method, Subject};
 /// Images for the chip are built until so much time has passed since the report's begin.
 const CHIP_TIME: Duration = Duration::from_secs(1080);
 
-/// Speed against error: tables, plots, one HTML page.
+/// Measure computing time against error of all methods: tables, plots, one HTML page.
 #[derive(clap::Args, Clone, Default, Debug)]
 #[command(after_help = "Examples:
   cargo smartbed report --quick
   cargo smartbed report single_spring tile --out target/report
   cargo smartbed report single_spring --seconds 3 --method verlet --step 1e-4 --scalar f64
 
-The last one makes one row of a table again. Written are report.md, report.csv, report.json, report.html and
-a plot per subject as SVG.")]
+The last example measures one row of a table again. The command writes report.md, report.csv,
+report.json, report.html and one plot for each scene or mechanism (SVG). docs/report.md explains
+the numbers.")]
 pub struct Arguments {
-    /// Scenes and mechanisms: paths, or names under models/ [default: all].
+    /// Scenes and mechanisms: paths, or names under models/ [default: all that are shipped].
     pub subjects: Vec<String>,
-    /// In a minute: fewer steps, shorter runs, mechanisms by the interpreter.
+    /// Take about a minute instead of some ten: fewer steps, shorter runs, mechanisms interpreted, no costs on the
+    /// chip.
     #[arg(long)]
     pub quick: bool,
-    /// Folder for the files.
+    /// Folder for the files; it is made if it does not exist.
     #[arg(long, value_name = "DIR", default_value = "target/report")]
     pub out: String,
-    /// Simulated time (s); else the model's own, cut to where two references agree.
+    /// Simulated time in s [default: the file's, shortened to the time over which two reference solutions agree].
     #[arg(long, value_name = "T")]
     pub seconds: Option<f64>,
-    /// Only this method.
+    /// Measure only this method.
     #[arg(long, value_name = "M")]
     pub method: Option<String>,
-    /// Only this step (s), of methods of fixed step.
+    /// Measure only this step in s, with methods of fixed step. Not with --tolerance.
     #[arg(long, value_name = "H", conflicts_with = "tolerance")]
     pub step: Option<f64>,
-    /// Only this error per step, of adaptive methods.
+    /// Measure only this error allowed per step, with adaptive methods. Not with --step.
     #[arg(long, value_name = "E")]
     pub tolerance: Option<f64>,
-    /// Only this scalar.
+    /// Measure only this number type [default: both].
     #[arg(long, value_enum)]
     pub scalar: Option<ScalarKind>,
-    /// What evaluates mechanisms [default: compiled, with --quick or a single row the interpreter].
+    /// How the equations of mechanisms are evaluated [default: compiled; interpreter with --quick, --step or
+    /// --tolerance].
     #[arg(long, value_enum)]
     pub engine: Option<EngineKind>,
-    /// Leave out costs on the chip.
+    /// Do not measure costs on the microcontroller.
     #[arg(long)]
     pub no_chip: bool,
-    /// More points and tables, from other simulators; may be repeated.
+    /// Add points and tables of other simulators from this file, as `tests/peers/motions.py` writes them; may be
+    /// repeated.
     #[arg(long, value_name = "FILE.json")]
     pub points: Vec<String>,
-    /// Write the summary, and the points of the fronts, as DIR/PROCESSOR.md and .json too.
+    /// Also write the summary as DIR/PROCESSOR.md, and the points that no other point beats in both time and error as
+    /// DIR/PROCESSOR.json.
     #[arg(long, value_name = "DIR")]
     pub results: Option<String>,
     /// Print the report as JSON.

@@ -110,7 +110,7 @@ fn explain(
     points: &[Point],
 ) -> String {
     let over = if truth.seconds < subject.seconds() {
-        format!("the first {} s of {} s; nothing is said about the rest", truth.seconds, subject.seconds())
+        format!("the first {} s of {} s; the rest was not examined", truth.seconds, subject.seconds())
     } else {
         format!("all {} s", truth.seconds)
     };

@@ -46,9 +46,8 @@ pub fn make(subject: &dyn Subject, seconds: f64, cut: bool, limit: Duration) -> 
                 continue;
             }
             Err(late @ Stop::Late { .. }) => {
-                let help =
-                    "shorter --seconds, or --method and --step of your own, need no reference of this kind";
-                return Err(format!("the reference is not there in time: {late}; {help}"));
+                let help = "give fewer --seconds, or --method and --step instead";
+                return Err(format!("the reference solution was not finished in time: {late}; {help}"));
             }
             Err(Stop::Refused(why)) => return Err(why),
         };

@@ -34,7 +34,9 @@ const HEIGHTS: usize = 7;
 /// Status 1 for a wrong scene or setting and for a motion that cannot go on.
 pub(super) fn simulate(arguments: &Arguments, path: &Path) -> Result<Outcome, Failure> {
     if arguments.engine == EngineKind::Compiled {
-        return Err(Failure::Wrong("--engine compiled: a scene is stepped by the runtime itself".to_owned()));
+        return Err(Failure::Wrong(
+            "--engine compiled: it is for mechanisms; leave it out for a scene".to_owned(),
+        ));
     }
     let scene = read::open(&path.display().to_string(), &settings(arguments)).map_err(Failure::Wrong)?;
     scene.warnings.iter().for_each(|warning| output::say(&format!("warning: {warning}")));
@@ -120,8 +122,9 @@ impl Done {
             return String::new();
         }
         format!(
-            "warning: {} held more than {MAX_EVENTS} touches and releases (or {MAX_SUBSTEPS} tries): from there each \
-             ended without locating more, every touch plastic (Moreau, e = 0); take a smaller step\n",
+            "warning: {} held more than {MAX_EVENTS} touches and releases (or {MAX_SUBSTEPS} tries): the rest of \
+             each was computed without locating touches, all of them plastic (Moreau, e = 0); take a smaller \
+             step\n",
             count(self.cut_short, "step")
         )
     }

@@ -42,8 +42,7 @@ pub(super) fn resolve(arguments: &Arguments, path: &Path) -> Result<Arguments, F
     let (subject, interval): (Box<dyn Subject>, f64) = if model_argument::is_world(path) {
         if arguments.scalar == ScalarKind::F32 {
             return Err(Failure::Wrong(
-                "--scalar f32: the step of a world for an error or a time is picked in f64; give --step instead of --error \
-                 and --budget"
+                "--scalar f32: --error and --budget choose the step of a world in f64; give --step instead"
                     .to_owned(),
             ));
         }

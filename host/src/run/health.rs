@@ -121,8 +121,8 @@ impl Health {
         let is_balanced = self.imbalance <= allowed;
         (!is_balanced).then(|| {
             format!(
-                "energy: {:.1e} J of the {:.1e} J that moved are in no account (allowed: {IMBALANCE:e} of them); the \
-                 motion is not to be trusted: take a smaller --step or another --method",
+                "energy: {:.1e} J of the {:.1e} J that were converted are in no account (allowed: {IMBALANCE:e} of \
+                 them); the motion is not to be trusted: take a smaller --step or another --method",
                 self.imbalance, self.moved
             )
         })
@@ -149,8 +149,8 @@ impl Health {
         let is_regular = self.pivot >= NEARLY_SINGULAR;
         (!is_regular).then(|| {
             format!(
-                "the motion passed a configuration that is nearly singular (a pivot of {:.1e} of nominal): which way it \
-                 goes from there the equations hardly say; `smartbed check` finds such configurations",
+                "the motion passed a configuration that is nearly singular (a pivot of {:.1e} of nominal): near it \
+                 the equations hardly determine the motion; `smartbed check` finds such configurations",
                 self.pivot
             )
         })

@@ -43,7 +43,7 @@ pub(super) fn open(arguments: &Arguments, path: &Path) -> Result<Assembly, Failu
     ];
     if let Some((option, _)) = refused.iter().find(|(_, given)| *given) {
         return Err(Failure::Wrong(format!(
-            "{option}: a scene of format 2 does not take it: it takes fixed steps, interpreted"
+            "{option}: a scene of format 2 is interpreted and takes fixed steps; leave the option out"
         )));
     }
     let mut settings = Vec::new();

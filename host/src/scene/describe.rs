@@ -13,24 +13,29 @@ pub fn describe<S: Scalar>(error: &BodyError<S>) -> String {
             format!("a list has {}, expected {expected}", count(found, "entry"))
         }
         BodyError::UnknownPoint { point, points } => {
-            format!("point {point} is named, but the points are 0 to {}", points - 1)
+            format!("point {point} does not exist: the points are 0 to {}", points - 1)
         }
         BodyError::Negative { index } => format!("entry {index} of the masses or springs is negative"),
         BodyError::Scratch { needed, given } => {
             format!("scratch memory: {given} vectors given, {needed} needed")
         }
         BodyError::NotFinite { point } => {
-            format!("point {point} left the numbers; take a smaller step or a smaller load")
+            format!(
+                "the position or velocity of point {point} is not finite; take a smaller step or a smaller load"
+            )
         }
         BodyError::BelowGround { point, depth } => format!(
-            "point {point} starts {:.6e} m below the ground, which no law of touches can undo; raise the body (drop_height) or lower the floor, or take a ground that gives way: penalty, hunt_crossley",
+            "point {point} starts {:.6e} m below the ground; raise the body (drop_height), lower the floor, or take \
+             a law of compliant ground: penalty, hunt_crossley",
             depth.to_f64()
         ),
         BodyError::ThroughGround { point } => format!(
-            "point {point} has mass and went through the ground, which keeps off massless points alone; name it in `massless`, or take another law"
+            "point {point} has mass and went through the ground, which holds massless points only; name it in \
+             `massless`, or take another law"
         ),
         BodyError::PressureTooHigh { pressure, spring } => format!(
-            "a gauge pressure of {:.6} Pa is too much: spring {spring} grew beyond {} rest lengths and no equilibrium holds it; lower the pressure or let the gas follow p V^n",
+            "a gauge pressure of {:.6} Pa is too much: spring {spring} was stretched beyond {} rest lengths, and no \
+             equilibrium exists; lower the pressure or let the gas follow p V^n",
             pressure.to_f64(),
             smartbed_runtime::flexible::spring::STRETCH_LIMIT
         ),
@@ -38,7 +43,7 @@ pub fn describe<S: Scalar>(error: &BodyError<S>) -> String {
             format!("the enclosed volume is {:.6e} m^3: the gas law has no pressure there", volume.to_f64())
         }
         BodyError::NotConverged { step } => {
-            format!("the implicit step of {:.6e} s did not settle; take a smaller step", step.to_f64())
+            format!("the implicit step of {:.6e} s did not converge; take a smaller step", step.to_f64())
         }
     }
 }

@@ -41,18 +41,20 @@ pub struct Row {
 
 /// Splitting off the dampers does not help: above order 2 every splitting has substeps of negative length (Goldman and
 /// Kaper 1996), in which a damper adds energy.
-const SPEEDS: Entry =
-    Err("is made for forces of positions alone: with dampers, air or a ground that dissipates it \
-                           has order 1; take rk4 or verlet");
+const SPEEDS: Entry = Err(
+    "is for forces that depend on positions only: with dampers, air or a dissipative ground it has order 1; \
+         take rk4 or verlet",
+);
 const STATICS: Entry = Err(
-    "loses energy with law = \"massless_point\": it gives springs their mean force, for \
-                            which a point placed by statics has no work to show; take verlet or blanes_moan4",
+    "loses energy with law = \"massless_point\": it gives springs their mean force, but the work on a point placed \
+     by statics is then missing; take verlet or blanes_moan4",
 );
 const GROUND: Entry =
     Err("solves for forces that are linear in the speeds, which those of law = \"hunt_crossley\" \
                            are not; take verlet or rk4");
-const OWN: Entry = Err("is the stepping of law = \"moreau\" and of no other");
-const NONE: Entry = Err("is not for law = \"moreau\", which steps by itself; leave `method` out");
+const OWN: Entry = Err("is for law = \"moreau\" only");
+const NONE: Entry =
+    Err("cannot be used with law = \"moreau\", which has its own time step; leave `method` out");
 
 /// Touches are located and split the step, so that every method keeps its order. Of Newton's infinite sequence of
 /// bounces those shorter than a hundredth of a step are left out, an error of order 2. The force of a compliant ground,

@@ -73,7 +73,9 @@ impl Found {
                 return Ok(found);
             }
         }
-        Err(format!("{MOST} terms do not reach {EXACT} of the motion"))
+        Err(format!(
+            "polynomials of {MOST} terms do not approximate the shapes to {EXACT} of the displacement"
+        ))
     }
 
     /// Equilibrium positions by the polynomials (m).
@@ -124,7 +126,7 @@ impl Bladder {
                 energy = now;
             }
         }
-        Err(format!("no rest at {pressure} Pa within {PATIENCE} steps"))
+        Err(format!("the sheet is not at rest at {pressure} Pa within {PATIENCE} steps"))
     }
 
     /// Coefficients from the values at the Chebyshev points.

@@ -228,7 +228,7 @@ fn counted(row: &Row) -> Result<(), String> {
 /// The message for an energy that is not finite.
 #[must_use]
 pub fn no_number(energy: &str) -> String {
-    format!("the {energy} energy left the numbers; take smaller masses, stiffnesses or heights")
+    format!("the {energy} energy is not finite; take smaller masses, stiffnesses or heights")
 }
 
 pub(crate) fn open_ledger<S: Scalar>(simulation: &Simulation<S>) -> Ledger<S> {

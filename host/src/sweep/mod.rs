@@ -12,14 +12,14 @@ mod parquet;
 use crate::failure::Failure;
 use crate::plan_file::PlanFile;
 use crate::progress::Progress;
-use crate::{interrupt, output};
+use crate::{diagnostics, interrupt, output};
 use case::{Case, Table, cases};
 use smartbed_bed::equilibrium::side_by_side;
 use std::path::Path;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// Run a plan for every value of what it sweeps.
+/// Run a plan of the bed for every combination of the values in its `[sweep]`.
 #[derive(clap::Args, Clone, Debug)]
 #[command(after_help = "Examples:
   cargo smartbed sweep ball_on_four -o sweep
@@ -28,25 +28,27 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 pub struct Arguments {
     /// The plan: a path, or a name under models/plans.
     pub plan: String,
-    /// The folder of the results.
+    /// Folder for the results, one file per case. A case whose file exists is not computed again.
     #[arg(short, long, value_name = "FOLDER", default_value = "sweep")]
     pub output: String,
-    /// Which of how many shards, from 1: every n-th case.
+    /// Compute only shard I of N (1 <= I <= N), which is every N-th case, to spread a sweep over several machines
+    /// [default: all cases].
     #[arg(long, value_name = "I/N")]
     pub shard: Option<String>,
-    /// Put the table together from the cases that are there; compute nothing.
+    /// Compute nothing; write the table from the results in the folder. Refused while cases are missing.
     #[arg(long)]
     pub merge: bool,
-    /// A page that compares all cases, once all are there.
+    /// Write a page for the browser that compares all cases, once all are computed.
     #[arg(long, value_name = "FILE.html")]
     pub page: Option<String>,
-    /// The table also as Parquet, once all cases are there.
+    /// Also write the table as Parquet, once all cases are computed. Only in a program built with the feature
+    /// `parquet`.
     #[arg(long, value_name = "FILE.parquet")]
     pub parquet: Option<String>,
-    /// Processors to use; all unless given.
+    /// Number of processors to use [default: all].
     #[arg(long, value_name = "COUNT")]
     pub cores: Option<usize>,
-    /// Changes a key of the plan; may be repeated.
+    /// Change a key of the plan; may be repeated. Keys that `[sweep]` varies are refused.
     #[arg(long, value_name = "KEY=VALUE")]
     pub set: Vec<String>,
 }
@@ -64,7 +66,9 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         return Err(Failure::Wrong("--cores 0: expected at least 1".to_owned()));
     }
     let plan = PlanFile::open(&arguments.plan)?;
-    let axes = plan.read(&arguments.set)?.axes;
+    let read = plan.read(&arguments.set)?;
+    diagnostics::warn(&read.warnings);
+    let axes = read.axes;
     let all = cases(&arguments.plan, &plan, &arguments.set, &axes)?;
     let folder = Path::new(&arguments.output);
     std::fs::create_dir_all(folder).map_err(|e| format!("cannot make {}: {e}", folder.display()))?;

@@ -132,7 +132,7 @@ impl Bus {
             other => *other,
         };
         let body = self.tiles[self.current].1.command(&command, self.now, 0);
-        let body = body.ok_or_else(|| Failure::Wrong("the tile has not said who it is".to_owned()))?;
+        let body = body.ok_or_else(|| Failure::Wrong("the tile has not identified itself".to_owned()))?;
         let sequence = match read(&body) {
             Ok(received) => received.header.sequence,
             Err((header, _)) => header.sequence,
@@ -176,7 +176,7 @@ impl Bus {
             }
             self.tick(1, listen)?;
         }
-        Err(Failure::Wrong("a tile has not said who it is".to_owned()))
+        Err(Failure::Wrong("a tile has not identified itself".to_owned()))
     }
 
     /// Runs until the current tile has come to rest.

@@ -239,7 +239,7 @@ fn wait_for(listener: &UnixListener) -> Result<std::os::unix::net::UnixStream, F
             Err(e) if e.kind() == std::io::ErrorKind::WouldBlock && start.elapsed() < PATIENCE => {
                 std::thread::sleep(Duration::from_millis(2));
             }
-            Err(e) => return Err(Failure::Wrong(format!("the emulator does not call: {e}"))),
+            Err(e) => return Err(Failure::Wrong(format!("the emulator did not connect: {e}"))),
         }
     }
 }

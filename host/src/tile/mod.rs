@@ -23,30 +23,32 @@ use std::collections::VecDeque;
 use std::io::{BufRead, IsTerminal};
 use std::sync::mpsc::{Receiver, channel};
 
-/// Talk to tile controllers: move, tilt, inflate, ask.
+/// Send orders to tile controllers that run in the emulator or on this machine.
 #[derive(clap::Args, Clone, Default, PartialEq, Eq, Debug)]
 #[command(
-    after_help = "Orders: enable, home, move HEAVE [TILT_X TILT_Y], inflate PRESSURE, flatten, stop, clear, status, log, identify,\nwait TIME, tile N, break DEFECT. A motion is waited for, unless `&` stands behind its order; typed on a terminal,\n`stop` is taken while it goes on.\n\nExample:\n  cargo smartbed tile 'enable; home; move 5_mm 2_deg 0_deg; inflate 4_kPa; log'\n  cargo smartbed tile --native --plot 'enable; move -10_mm; status'\n  cargo smartbed tile --budget"
+    after_help = "Orders: enable, home, move HEAVE [TILT_X TILT_Y], inflate PRESSURE, flatten, stop, clear, status,\nlog, identify, wait TIME, tile N, break DEFECT.\nThe next order is sent when a motion has ended, or at once if `&` follows the order of the motion.\nOn a terminal, `stop` may be typed during a motion.\n\nExample:\n  cargo smartbed tile 'enable; home; move 5_mm 2_deg 0_deg; inflate 4_kPa; log'\n  cargo smartbed tile --native --plot 'enable; move -10_mm; status'\n  cargo smartbed tile --budget"
 )]
 pub struct Arguments {
-    /// Orders, with `;` between them; read from standard input if left out.
+    /// Orders, separated by `;` [default: read from standard input].
     pub orders: Option<String>,
-    /// Run the tiles as programs of this machine instead of emulated chips: the same bytes, at once.
+    /// Run the tiles as programs of this machine instead of emulated chips: the same output to the byte, much sooner.
+    /// Not with --machine.
     #[arg(long)]
     pub native: bool,
-    /// The emulated chip: a Cortex-M4F as on the board, an M7 or an M33.
+    /// Emulated processor: a Cortex-M4F as on the board, a Cortex-M7 or a Cortex-M33.
     #[arg(long, value_name = "CORE", default_value = "m4", value_parser = ["m4", "m7", "m33"], conflicts_with = "native")]
     pub machine: String,
-    /// Tiles on the bus.
+    /// Number of tiles on the bus, 1 to 28.
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u8).range(1..=28))]
     pub tiles: u8,
-    /// Draw the heights while a tile moves.
+    /// Draw the heights of a tile's legs in the terminal while it moves.
     #[arg(long)]
     pub plot: bool,
-    /// Print what tiles say as JSON, an object a line; telemetry too.
+    /// Print the reports of the tiles as JSON, one object per line, and their telemetry.
     #[arg(long)]
     pub json: bool,
-    /// Hold what the controller costs on the chip against its limits: flash, RAM, stack, instructions of a tick.
+    /// Build the controller and compare its cost on the chip with the limits: flash, RAM, stack, instructions per
+    /// tick. Takes no other option.
     #[arg(long, conflicts_with_all = ["orders", "native", "machine", "tiles", "plot", "json"])]
     pub budget: bool,
 }

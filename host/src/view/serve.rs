@@ -33,7 +33,7 @@ pub fn serve(arguments: &Arguments) -> Result<(), Failure> {
     output::print(&match arguments.json {
         true => format!("{{\"address\": \"http://{address}/\"}}\n"),
         false => format!(
-            "open http://{address}/ in a browser; edits of {} follow; end with Ctrl-C\n",
+            "open http://{address}/ in a browser; the page is updated when {} changes; end with Ctrl-C\n",
             subject.path.display()
         ),
     })?;

@@ -56,7 +56,7 @@ impl Controllers {
                         .to_owned(),
                     false => crate::suggest::help(&own.drives, inputs.iter().map(String::as_str)),
                 };
-                format!("controllers.{name}: nothing takes `{}`{known}", own.drives)
+                format!("controllers.{name}: `{}` is no valve and no free input{known}", own.drives)
             })?;
             let both = |other: &&Controller| {
                 let [one, two] = [&other.own.drives, &own.drives];

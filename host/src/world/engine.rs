@@ -101,7 +101,7 @@ pub struct Settled {
 /// The message for a checkpoint of another world.
 #[must_use]
 pub fn other_world() -> String {
-    "the checkpoint is of another world: it has other parts than the scene".to_owned()
+    "the checkpoint belongs to another scene: it has other parts".to_owned()
 }
 
 /// The interface of an engine.
@@ -140,7 +140,8 @@ pub trait Engine {
     /// # Errors
     /// A message if there is none or it is not found.
     fn settle(&mut self) -> Result<Settled, String> {
-        Err("settle: rigid parts alone come to rest by running: impact = \"plastic\" lets no bounce remain"
+        Err("settle: scenes of rigid parts alone are not supported; `run` it until it rests, with impact = \
+             \"plastic\" against bouncing"
             .to_owned())
     }
     /// All values that a checkpoint needs.

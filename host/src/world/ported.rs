@@ -85,8 +85,11 @@ impl<S: Scalar> Ported<S> {
         let program = program::derive_asked(model, &choice, program::Settings::default(), &asked)
             .map_err(|found| found.to_string())?;
         if program.is_redundant() {
-            return Err("its motion passes dead points of its independent speeds; such mechanisms run alone"
-                .to_owned());
+            return Err(
+                "its motion passes dead points of its independent speeds, so that it cannot be part of a \
+                        world; `run` its model instead"
+                    .to_owned(),
+            );
         }
         let observers = Observers::derive(model, &choice).map_err(|found| found.to_string())?;
         let first = answers(&program)?;

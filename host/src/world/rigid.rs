@@ -244,7 +244,8 @@ impl Engine for RigidWorld {
             return Vec::new();
         }
         vec![format!(
-            "{} held more events than a step is split at: the rest of each went with e = 0; take a smaller step",
+            "{} contained more events than a step may be split at: the rest of each was computed with e = 0; take a \
+             smaller step",
             smartbed_codegen::words::count(self.forced, "step")
         )]
     }
@@ -256,10 +257,10 @@ impl Engine for RigidWorld {
 
 fn said(fault: Fault) -> String {
     match fault {
-        Fault::TooManyContacts => "more contacts at once than there is room for".to_owned(),
-        Fault::WrongSizes => "the parts do not fit together".to_owned(),
+        Fault::TooManyContacts => "more contacts at once than the memory allows".to_owned(),
+        Fault::WrongSizes => "the lists of the parts have different lengths".to_owned(),
         Fault::Jammed => {
-            "friction jams a sliding body (Painleve's paradox): no contact force goes on; take less friction"
+            "friction jams a sliding body (Painleve's paradox): no contact force exists; take less friction"
                 .to_owned()
         }
         Fault::TooFast => "a part turns too far in one step; take a smaller step".to_owned(),

@@ -31,12 +31,14 @@ pub fn engine(assembly: &Assembly) -> Result<Box<dyn Engine>, String> {
 pub fn single_engine(assembly: &Assembly) -> Result<Box<dyn Engine>, String> {
     // A ball that struck a bladder stood 3e-3 elsewhere after 0.1 s than in f64 (1e-6 with moreau): not understood.
     if assembly.is_rigid() || assembly.contacts.iter().any(|contact| matches!(contact.law, Law::Located(_))) {
-        return Err("--scalar f32: touches are located in f64 alone; leave it out, or take impact = \"moreau\" for all contacts"
-            .to_owned());
+        return Err(
+            "--scalar f32: touches are located in f64 only; leave it out, or take impact = \"moreau\" for \
+                    all contacts"
+                .to_owned(),
+        );
     }
     if assembly.run.sleep.is_some() {
-        return Err("--scalar f32: run.sleep lets parts go and stand by themselves, in f64 alone; leave one of the two out"
-            .to_owned());
+        return Err("--scalar f32: run.sleep is available in f64 only; leave one of the two out".to_owned());
     }
     rounded::engine(assembly)
 }
@@ -131,7 +133,7 @@ pub fn run<E: From<String>>(
         Some(checkpoint) => {
             if checkpoint.steps > assembly.run.steps() {
                 return Err(E::from(format!(
-                    "the checkpoint stands behind {} steps, the run ends with {}; give more seconds",
+                    "the checkpoint was saved after {} steps, but the run ends after {}; give more --seconds",
                     checkpoint.steps,
                     assembly.run.steps()
                 )));

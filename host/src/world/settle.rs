@@ -92,8 +92,8 @@ pub(super) fn relax(world: &mut impl Relaxing) -> Result<Settled, String> {
             let fastest =
                 speeds.max_by(|a, b| a.0.abs().total_cmp(&b.0.abs())).map_or(0, |(_, owner)| *owner);
             return Err(format!(
-                "settle: `{}` has gone {far:.0} m (or rad) and rests nowhere: nothing holds it, or it slides or rolls off; hold it, or give what \
-                 it lies on friction",
+                "settle: `{}` has moved {far:.0} m (or rad) and does not come to rest: nothing holds it, or it \
+                 slides or rolls off; hold it, or give its support friction",
                 world.name(fastest)
             ));
         }
@@ -102,7 +102,8 @@ pub(super) fn relax(world: &mut impl Relaxing) -> Result<Settled, String> {
         }
     }
     Err(format!(
-        "settle: after {MOST_STEPS} steps something still accelerates at {left:.1e} m/s^2; is every part held or carried?"
+        "settle: after {MOST_STEPS} steps an acceleration of {left:.1e} m/s^2 is left; expected every part to be \
+         held or supported"
     ))
 }
 

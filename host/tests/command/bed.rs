@@ -2,6 +2,7 @@
 
 use crate::schema::holds;
 use crate::support::{command, file, smartbed, timed, written};
+use smartbed::plan::parse;
 use std::collections::BTreeMap;
 use std::path::Path;
 use std::process::Stdio;
@@ -171,6 +172,21 @@ fn a_planner_tells_nothing_that_exceeds_its_bounds_before_a_run_ends() {
 }
 
 #[test]
+fn a_move_after_the_end_of_the_run_is_named_with_its_place() {
+    let parsed = |at: &str| {
+        let text =
+            format!("format = 1\n[[move]]\ntiles = \"all\"\nat = {at}\nheave = 0\n[run]\nseconds = 60\n");
+        parse("plan.toml", &text, &[]).expect("a plan").warnings.to_string()
+    };
+    assert_eq!(parsed("60"), "", "the last moment shows what is commanded then");
+    let said = parsed("61");
+    let message = "warning: a move at 61 s has no effect: the run ends at 60 s";
+    assert!(said.starts_with(message) && said.contains(" --> plan.toml:4:6"), "{said}");
+    let done = smartbed(&["bed", "run", "ball_on_four", "--set", "run.seconds=0"]);
+    assert!(done.status == 0 && done.err.contains("has no effect: the run ends at 0 s"), "{done:?}");
+}
+
+#[test]
 fn plans_beyond_their_limits_are_refused_with_the_tile() {
     let say =
         |setting: &str| smartbed(&["bed", "run", "ball_on_four", "--set", setting]).message().to_owned();
@@ -184,7 +200,7 @@ fn plans_beyond_their_limits_are_refused_with_the_tile() {
     assert!(say("load.mass=2000_kg").contains("all bladders can carry"));
     let knee =
         smartbed(&["bed", "run", "alternating", "--set", "patient.joints={\"left knee\"=[\"30_deg\",0,0]}"]);
-    assert!(knee.message().contains("joint `left knee`: flexion of 30 deg, it allows -140 to 5"));
+    assert!(knee.message().contains("joint `left knee`: flexion is 30 deg, expected -140 to 5 deg"));
     assert!(smartbed(&["bed", "run", "no_such"]).message().contains("no plan `no_such`"));
     let map = smartbed(&["bed", "run", "ball_on_four", "--map", "map.txt"]);
     assert!(map.message().contains("expected a name that ends in .csv or .asf"));

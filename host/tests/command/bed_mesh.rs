@@ -160,7 +160,7 @@ fn a_plan_with_a_mesh_runs_on_both_clocks_and_a_turned_one_lies_as_told() {
 #[test]
 fn a_file_whose_surface_runs_through_itself_is_refused() {
     let said = said("through.obj", crossed().as_bytes());
-    assert!(said.contains("through.obj: the mesh runs through itself at ("), "{said}");
+    assert!(said.contains("through.obj: the mesh intersects itself at ("), "{said}");
 }
 
 #[test]

@@ -43,12 +43,12 @@ fn each_limit_is_the_controllers_and_holds_where_it_begins() {
     let quick = lift(0.015, 5.4).expect_err("too quick");
     assert_eq!(
         quick,
-        "tile 13 at 10.0000 s: its controller takes 5.5 s for a move of 5.4 s; give the move longer"
+        "tile 13 at 10.0000 s: its controller needs 5.5 s for a move of 5.4 s; give the move more time (`over`)"
     );
     assert_eq!(lift(0.0199, 20.0), Ok(()));
     let step = lift(0.0201, 20.0).expect_err("a step");
     assert!(
-        step.contains("tile 13 at 10.0000 s: the supervisor denies it: Step") && step.contains("20.0 mm"),
+        step.contains("tile 13 at 10.0000 s: the supervisor refuses: Step") && step.contains("20.0 mm"),
         "{step}"
     );
     let high = lift(0.0291, 20.0).expect_err("beyond the stroke");
@@ -74,7 +74,8 @@ fn tiles_are_judged_by_where_all_of_them_are_and_go() {
     let nine = say(&[lift(&eight, 10.0, 0.01), lift(&[27], 12.0, 0.01)]).expect_err("too many");
     assert_eq!(
         nine,
-        "tile 28 at 12.0000 s: the supervisor denies it: Power: 8 tiles move at once, as many as may"
+        "tile 28 at 12.0000 s: the supervisor refuses: Power: 8 tiles are moving already, which is the largest \
+         number allowed"
     );
     assert_eq!(say(&[lift(&eight, 10.0, 0.01), lift(&[27], 20.0, 0.01)]), Ok(()));
     // One order at a time; a pressure may change meanwhile.
@@ -89,7 +90,7 @@ fn tiles_are_judged_by_where_all_of_them_are_and_go() {
     assert!(
         say(&apart)
             .expect_err("24 mm in the end")
-            .contains("tile 7 at 15.0000 s: the supervisor denies it: Step")
+            .contains("tile 7 at 15.0000 s: the supervisor refuses: Step")
     );
     // Rows run from the head, y runs to it: edges meet where the lower tile leans up to the raised one.
     let slope = 0.012 / 0.142_857;
@@ -98,7 +99,7 @@ fn tiles_are_judged_by_where_all_of_them_are_and_go() {
         say(&[lift(&[4], 10.0, 0.012), lean])
     };
     assert_eq!(meet(-1.0), Ok(()));
-    assert!(meet(1.0).expect_err("24 mm").contains("tile 9 at 30.0000 s: the supervisor denies it: Step"));
+    assert!(meet(1.0).expect_err("24 mm").contains("tile 9 at 30.0000 s: the supervisor refuses: Step"));
 }
 
 /// Tells one move.
@@ -124,7 +125,7 @@ fn a_policy_that_is_denied_ends_by_name() {
         panic!("not refused")
     };
     assert_eq!((refusal.tile, refusal.time), (Some(9), 10.0));
-    assert!(refusal.what.contains("the supervisor denies it: Power"), "{refusal}");
+    assert!(refusal.what.contains("the supervisor refuses: Power"), "{refusal}");
     let some = Move { heave: Some(0.01), ..told(&[0, 1, 2, 3], 20.0) };
     assert_eq!(under(&read.plan, some).expect("let through").moves.len(), 1);
 }
@@ -135,7 +136,7 @@ fn plans_say_whether_orders_go_through_the_controller() {
     assert!(!plan(3, 3, &format!("{lifted}supervised = false\n")).expect("a plan").is_supervised);
     for asked in ["", "supervised = true\n"] {
         let said = plan(3, 3, &format!("{lifted}{asked}")).expect_err("nine at once");
-        assert!(said.contains("plan.toml: tile 9 at 5.0000 s: the supervisor denies it: Power"), "{said}");
+        assert!(said.contains("plan.toml: tile 9 at 5.0000 s: the supervisor refuses: Power"), "{said}");
     }
     assert!(plan(2, 4, &format!("{lifted}supervised = true\n")).expect("eight").is_supervised);
     let policy = "[policy]\nkind = \"alternating\"\n";

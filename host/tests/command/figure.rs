@@ -22,7 +22,11 @@ fn the_list_and_the_documentation_say_the_same() {
     for (row, line) in rows.iter().zip(listed.lines()) {
         assert!(line.starts_with(&format!("{:<5} {}", row[0], row[1])), "{line}");
         assert!(row[2].contains(&format!("figure {}", row[0])), "{line}");
-        assert_eq!(row[3].starts_with("a scheme"), line.contains("a scheme, not a result"), "{line}");
+        assert_eq!(
+            row[3].starts_with("a scheme"),
+            line.contains("a schematic drawing, not a result"),
+            "{line}"
+        );
     }
 }
 
@@ -51,9 +55,9 @@ fn figures_are_made_or_refused_by_name() {
         assert!(text.starts_with("<svg") && text.contains(told), "{number} tells of {told}");
     }
     for (arguments, expected) in [
-        (vec!["figure", "2.2", "--set", "x=1"], "it has no settings"),
+        (vec!["figure", "2.2", "--set", "x=1"], "a schematic drawing without settings"),
         (vec!["figure", "2.6", "--set", "patient.mass=5"], "expected 20 to 350 kg"),
-        (vec!["figure", "7.1"], "none of that number"),
+        (vec!["figure", "7.1"], "no figure of this number"),
         (vec!["figure", "4.2", "--set", "e=2"], "e from 0 to 1"),
         (vec!["figure", "4.1", "--set", "height=-1"], "height from 0 to 1"),
         (vec!["figure", "4.2", "-o", "x.gif"], ".svg or .png"),

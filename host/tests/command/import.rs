@@ -208,9 +208,9 @@ fn robots_that_are_none_are_refused_with_place_and_cure() {
         (&robot(""), "expected at least one"),
         (&robot("<link/>"), "line 2, column 1 has no `name`"),
         (&robot("<x:macro xmlns:x=\"http://www.ros.org/wiki/xacro\"/>"), "expand it first"),
-        (&robot(&[link("a"), link("b")].concat()), "expected one root"),
+        (&robot(&[link("a"), link("b")].concat()), "expected only one such root"),
         (&robot(&[link("a"), link("a")].concat()), "a second link `a`"),
-        (&robot(&[link("a"), joint("j", "a", "c", "")].concat()), "names the link `c`, which is not there"),
+        (&robot(&[link("a"), joint("j", "a", "c", "")].concat()), "names the link `c`, which does not exist"),
         (
             &robot(&[link("a"), link("b"), joint("j", "a", "b", "<axis xyz=\"0 0\"/>")].concat()),
             "expected 3 numbers",
@@ -227,7 +227,7 @@ fn robots_that_are_none_are_refused_with_place_and_cure() {
         ),
         (
             &robot(&[link("a"), link("b"), joint("j", "a", "b", "<mimic joint=\"k\"/>")].concat()),
-            "mimics `k`, which is not there",
+            "mimics `k`, which does not exist",
         ),
         (
             &robot(&[link("a"), link("b"), joint("j", "a", "b", "<mimic joint=\"j\"/>")].concat()),
@@ -242,7 +242,7 @@ fn robots_that_are_none_are_refused_with_place_and_cure() {
                 &[link("a"), link("b"), link("c"), joint("j", "b", "c", ""), joint("k", "c", "b", "")]
                     .concat(),
             ),
-            "hangs on itself",
+            "belongs to a closed chain of joints",
         ),
         (
             &robot(&[link("a"), link("b"), joint("j", "a", "b", "").replace("revolute", "screw")].concat()),

@@ -179,12 +179,15 @@ fn what_controllers_and_lines_cannot_do_is_refused_by_name() {
     says(&["--set", "parts.bladder.gas.supply.critical_ratio=1"], "must be below 1");
     says(&["--set", "parts.bladder.gas.supply.gauge=\"-200_kPa\""], "the supply has no pressure");
     let wide = ["--set", "parts.bladder.gas.vent={ conductance = 1000, opening = 1 }"];
-    says(&[&wide[..], &["--set", "controllers.air.limits=[-1, -0.5]"]].concat(), "meets that of a line");
+    says(
+        &[&wide[..], &["--set", "controllers.air.limits=[-1, -0.5]"]].concat(),
+        "could adapt to that of a line",
+    );
     let saved =
         std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("air_saved.state").display().to_string();
     super::support::run(&["run", &file, "--seconds", "0.05", "--save", &saved]);
     let blind = scene("blind", &format!("{BLADDER}[run]\nseconds = 0.1\nstep = \"0.5_ms\"\n"));
-    assert!(fails(&["run", &blind, "--resume", &saved]).contains("of another world"));
+    assert!(fails(&["run", &blind, "--resume", &saved]).contains("belongs to another scene"));
     // Gas that keeps its pressure has no lines.
     says(&["--set", "parts.bladder.gas.sealed=false"], "supply");
     let chip = fails(&["firmware", &file]);

@@ -119,7 +119,7 @@ fn every_method_of_a_world_comes_to_the_same_motion() {
         }
     }
     let said = fails(&["run", "damper_mass_fixed_end", "--method", "verlett"]);
-    assert!(said.contains("no method of worlds") && said.contains("verlet"), "{said}");
+    assert!(said.contains("there is no such method for worlds") && said.contains("verlet"), "{said}");
 }
 
 /// Three heights in motion, each its own: the rim lies in a plane parallel to that through the three connectors.

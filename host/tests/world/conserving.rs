@@ -59,7 +59,7 @@ fn a_method_that_the_contacts_cannot_have_is_refused_by_name() {
     };
     says(
         &["ball_on_bladder", "--method", "rk4"],
-        "act over whole steps; leave the key out, or take energy_momentum",
+        "need a method of whole steps; leave the key out, or take energy_momentum",
     );
     says(&["tile_with_bladder", "--method", "moreau"], "this world has no contacts");
     let changed = |name: &str, old: &str, new: &str| {
@@ -67,8 +67,8 @@ fn a_method_that_the_contacts_cannot_have_is_refused_by_name() {
         support::scene(&format!("conserving_{name}"), &text.replace(old, new))
     };
     let located = changed("ball_on_bladder", "\"moreau\"", "\"compensation\"");
-    says(&[&located, "--method", "energy_momentum"], "located touches cut them");
+    says(&[&located, "--method", "energy_momentum"], "steps are split at located touches");
     let file = changed("tile_with_bladder", "[run]", "[run]\nmethod = \"energy_momentum\"");
     let chip = fails(&["firmware", &file]);
-    assert!(chip.contains("the chip takes verlet, rk4"), "{chip}");
+    assert!(chip.contains("the chip has verlet, rk4"), "{chip}");
 }

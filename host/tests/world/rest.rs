@@ -50,7 +50,7 @@ fn what_falls_away_is_named_instead_of_settled() {
         [("two_cubes", "gravity=[0, 0, -9.81]", "`"), ("ball_on_tilted_bladder", "run.every=1", "`ball`")]
     {
         let said = fails(&["settle", scene, "--set", set]);
-        assert!(said.contains("rests nowhere") && said.contains(part), "{scene}: {said}");
+        assert!(said.contains("does not come to rest") && said.contains(part), "{scene}: {said}");
     }
 }
 

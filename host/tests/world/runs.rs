@@ -56,7 +56,7 @@ fn a_run_that_is_resumed_goes_on_bit_for_bit() {
         // What presses already is no event.
         assert_eq!(late(&whole), late(&resumed), "{scene}");
         let said = fails(&["run", "closed_loop_hung", "--resume", &file]);
-        assert!(said.contains("of another world"), "{said}");
+        assert!(said.contains("belongs to another scene"), "{said}");
         let said = fails(&["run", scene, "--step", "1e-4", "--resume", &file]);
         assert!(said.contains("was reached by steps of") && said.contains("give --step"), "{said}");
         let said = fails(&["run", scene, "--error", "1e-3", "--resume", &file]);

@@ -69,7 +69,7 @@ fn what_single_precision_cannot_do_is_refused_by_name() {
     let ball = std::fs::read_to_string(ball).expect("a scene").replace("moreau", "compensation");
     for located in ["box_bounce", &scene("single_located", &ball)] {
         let said = fails(&["run", located, "--scalar", "f32"]);
-        assert!(said.contains("--scalar f32: touches are located in f64 alone"), "{said}");
+        assert!(said.contains("--scalar f32: touches are located in f64 only"), "{said}");
     }
     let said = fails(&["run", "bed", "--scalar", "f32", "--set", "run.sleep=1e-3_m/s"]);
     assert!(said.contains("--scalar f32: run.sleep"), "{said}");

@@ -63,7 +63,7 @@ impl fmt::Display for MeshFault {
                 write!(f, "a coordinate of corner {corner} of the mesh is not a number")
             }
             MeshFault::NoCorner(triangle) => {
-                write!(f, "triangle {triangle} of the mesh names a corner that is not there")
+                write!(f, "triangle {triangle} of the mesh refers to a corner that does not exist")
             }
             MeshFault::Size(longest) => write!(
                 f,
@@ -84,18 +84,25 @@ impl fmt::Display for MeshFault {
                 )
             }
             MeshFault::Turned(place) => {
-                write!(f, "triangles beside each other {} are seen from opposite sides", at(place))
+                write!(
+                    f,
+                    "neighbouring triangles {} have opposite orientations; expected corners in the same sense",
+                    at(place)
+                )
             }
             MeshFault::Pinched(place) => {
                 write!(f, "the mesh is not a manifold: parts of it meet {} in one corner only", at(place))
             }
-            MeshFault::Crossed(place) => write!(f, "the mesh runs through itself {}", at(place)),
+            MeshFault::Crossed(place) => write!(f, "the mesh intersects itself {}", at(place)),
             MeshFault::InsideOut(place) => write!(
                 f,
-                "the part of the mesh {} faces the other way than the rest: expected outwards, cavities inwards",
+                "the part of the mesh {} is oriented opposite to the rest: expected normals outwards, of cavities \
+                 inwards",
                 at(place)
             ),
-            MeshFault::Hollow(volume) => write!(f, "the mesh encloses {volume:.1e} m^3, expected more"),
+            MeshFault::Hollow(volume) => {
+                write!(f, "the mesh encloses {volume:.1e} m^3, expected more than 0")
+            }
         }
     }
 }

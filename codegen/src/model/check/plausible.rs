@@ -66,11 +66,12 @@ fn wrong_moments(body: &Body, moments: [Option<f64>; 3]) -> Option<Diagnostic> {
     let others = |i: usize| value((i + 1) % 3) + value((i + 2) % 3);
     let i = (0..3).find(|&i| value(i) > others(i) * (1.0 + ROUNDING))?;
     Some(
-        Diagnostic::warning(format!("the moments of inertia of `{}` are those of no body", body.name))
+        Diagnostic::warning(format!("the moments of inertia of `{}` cannot be those of a body", body.name))
             .label(
                 span(i),
-                format!("{} = {} kg m^2 is more than the two others together", NAMES[i], value(i)),
+                format!("{} = {} kg m^2 is more than the sum of the other two", NAMES[i], value(i)),
             )
-            .help("Ixx + Iyy >= Izz, and so on around: correct the moments, or leave out those that do not matter"),
+            .help("each moment is at most the sum of the other two, such as Izz <= Ixx + Iyy: correct the moments, \
+                   or leave out those that have no effect"),
     )
 }

@@ -83,7 +83,7 @@ pub fn wrong_kind(what: &str, expected: &str, value: &Value) -> Diagnostic {
         }
         "speed" => "speed = \"u1\", or speed = { name = \"u1\", independent = false }, or speed = false",
         "seconds" | "step" => "a time above 0, such as 0.001",
-        "every" => "every so many steps one is shown: a whole number from 1",
+        "every" => "the number of steps from one row to the next: a whole number from 1",
         _ => {
             "correct the kind: text stands in quotes, numbers and true or false do not, tables in { }, lists in [ ]"
         }

@@ -199,7 +199,7 @@ impl Builder<'_> {
                 self.found.push(
                     Diagnostic::error(format!("unknown axis `{letter}`"))
                         .label(value.span(), "expected \"x\", \"y\" or \"z\"")
-                        .help("rotations = [[\"z\", \"angle\"]]; about another axis: turn to it first by angles that are constant"),
+                        .help("rotations = [[\"z\", \"angle\"]]; for another axis, rotate by constant angles first"),
                 );
                 None
             }

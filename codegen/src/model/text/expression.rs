@@ -62,7 +62,7 @@ pub fn parse(text: &Text, scope: &Scope, found: &mut Diagnostics) -> Option<Expr
         Err(Fault::Broken(why, range)) => {
             found.push(
                 Diagnostic::error(format!("not an expression: {why}"))
-                    .label(text.place(range), "the notation breaks here")
+                    .label(text.place(range), "this is not understood")
                     .help("expressions follow Rust's notation: 2*(a + b)*sin(q) - x.powi(2), with * in every product and units as in 20_deg"),
             );
             None

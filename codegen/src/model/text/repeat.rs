@@ -177,7 +177,7 @@ fn repeat(name: &Key, body: &Value, sections: &mut Sections, found: &mut Diagnos
     let Value::Table(body) = body else { return found.push(wrong_kind(&name.name, "a table", body)) };
     let Some(Value::Array(each, each_span)) = body.get("each") else {
         return found.push(
-            Diagnostic::error(format!("repeat `{}` does not say for what", name.name))
+            Diagnostic::error(format!("repeat `{}` has no list `each`", name.name))
                 .label(name.span, "`each` is missing or no array")
                 .help("write each = [{ leg = \"A\" }, { leg = \"B\" }]: one copy per entry"),
         );

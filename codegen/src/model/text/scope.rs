@@ -114,13 +114,13 @@ pub(super) fn check_name(name: &str, span: Span, found: &mut Diagnostics) {
     check_word(name, span, found);
     if RESERVED.contains(&name) {
         found.push(
-            Diagnostic::error(format!("`{name}` has a meaning of its own"))
+            Diagnostic::error(format!("`{name}` is a reserved name"))
                 .label(span, "cannot be declared")
                 .help("t is time, pi the number, deg the factor pi/180: choose another name"),
         );
     } else if is_keyword(name) {
         found.push(
-            Diagnostic::error(format!("`{name}` is a word of Rust"))
+            Diagnostic::error(format!("`{name}` is a reserved word of Rust"))
                 .label(span, "cannot be a name in expressions")
                 .help("choose another name: expressions follow Rust's notation"),
         );

@@ -32,7 +32,8 @@ pub(super) fn reaction(stages: &mut Stages, target: &Target) -> Result<Vec<Part>
     let left: Vec<String> = asked.iter().filter(|c| !determined.contains(c)).map(name).collect();
     let Some(forces) = forces.filter(|forces| !forces.is_empty()) else {
         return Err(Diagnostic::error(format!("`{}`: no component is determined", target.request)).help(
-            "other joints hold every component as well: give some of them the freedom that they really have, or cut there",
+            "other joints transmit every component as well: give some of them their real freedom, or ask for the \
+             reaction there",
         ));
     };
     let axes = cut.frame.map_or("N", |frame| &stages.model.frames[frame].name);
@@ -50,15 +51,16 @@ fn cut_of(model: &Model, target: &Target) -> Result<Cut, Diagnostic> {
         |(id, c): &(CoordinateId, &Coordinate)| c.closed_form.is_some() && !model.is_prescribed(*id);
     if let Some((_, coordinate)) = model.coordinates.enumerate().find(follows) {
         return Err(Diagnostic::error(format!(
-            "`{request}`: `{}` follows from other coordinates by its closed form, which holds only while no joint is open",
+            "`{request}`: `{}` follows from other coordinates by its closed form, which does not hold once a joint \
+             is released",
             coordinate.name
         ))
         .label(coordinate.span, "given in closed form")
-        .help("ask a model in which constraints alone close the loops"));
+        .help("use a model without closed forms, whose loops are closed by constraints"));
     }
     let marker = target.marker.and_then(|marker| Some((marker.point?, marker.frame)));
     marker.map(|(point, frame)| Cut { point, frame }).ok_or_else(|| {
-        Diagnostic::error(format!("`{request}`: a joint is cut at a point"))
+        Diagnostic::error(format!("`{request}`: a reaction needs the joint's point"))
             .help("name it behind the frame on its outer side: `reaction:frame@point`")
     })
 }

@@ -35,10 +35,9 @@ pub fn read(fields: &Fields) -> Result<Lists, String> {
     let stretch = fields.positive("stretch", 1.0)?;
     lists.rest_lengths.iter_mut().for_each(|l| *l /= stretch);
     if let Some(point) = (0..n).find(|p| lists.masses[*p] <= 0.0 && !lists.fixed[*p]) {
-        let message = format!(
-            "point {point} has mass 0; expected > 0 (points that touch without mass: law = \"massless_point\")"
+        return Err(
+            fields.error("mass", &format!("point {point} has mass 0; expected > 0, or the point in `fixed`"))
         );
-        return Err(fields.error("mass", &message));
     }
     refuse_overflow(fields, &lists)?;
     Ok(lists)

@@ -265,8 +265,8 @@ fn choose_anchor(fields: &Fields, scene: &mut Scene) -> Result<(), String> {
         return Ok(());
     };
     if *anchor && damped {
-        let message =
-            "a damped body has no energy to be anchored to; set C = 0 and air_drag = 0, or anchor = false";
+        let message = "`anchor` restores the total energy of the start, which a damped body loses; set C = 0 and air_drag = \
+             0, or anchor = false";
         return Err(fields.error("anchor", message));
     }
     if fields.get("anchor").is_none() {

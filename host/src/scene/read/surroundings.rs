@@ -96,9 +96,8 @@ fn first_receiver(fields: &Fields, lists: &Lists) -> Result<usize, String> {
     match (fields.word("receivers", "all")?, lists.first_centre) {
         ("all", _) => Ok(0),
         ("centres", Some(first)) => Ok(first),
-        ("centres", None) => {
-            Err(fields.error("receivers", "this body has no masses in its middle; `cubes` and `ball` have"))
-        }
+        ("centres", None) => Err(fields
+            .error("receivers", "this body has no masses in its middle; expected shape `cubes` or `ball`")),
         (word, _) => {
             Err(fields.error("receivers", &format!("expected \"all\" or \"centres\", found \"{word}\"")))
         }

@@ -102,12 +102,13 @@ fn gas_words<S: Scalar>(fault: GasFault<S>) -> String {
         }
         GasFault::Empty(mass) => {
             format!(
-                "more gas flowed out in a step than was there ({:.2e} kg is left); take a smaller step",
+                "more gas would flow out in a step than there is ({:.2e} kg is left); take a smaller step",
                 mass.to_f64()
             )
         }
         GasFault::TooFast(times) => format!(
-            "its pressure meets that of a line {:.0} times within a step; take a smaller step, or less conductance",
+            "within a step its pressure could adapt to that of a line {:.0} times; take a smaller step, or less \
+             conductance",
             times.to_f64()
         ),
     }

@@ -114,7 +114,11 @@ impl CarriedWorld {
         for (number, (part, place)) in assembly.parts.iter().zip(&mut self.places).enumerate() {
             let Kind::Flexible(body) = &part.kind else { continue };
             if drag.is_some_and(|drag| drag != body.air_drag) {
-                return Err(format!("`{}`: flexible parts of one scene have one air_drag", part.name));
+                return Err(format!(
+                    "`{}`: air_drag differs from that of another flexible part; expected the same \
+                                    for all",
+                    part.name
+                ));
             }
             drag = Some(body.air_drag);
             let (first, first_facet, fixed) =

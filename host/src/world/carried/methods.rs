@@ -77,18 +77,20 @@ impl Contacts {
             (_, None) => {
                 let known = self.methods().map(|(known, ..)| known).collect::<Vec<_>>();
                 return Err(format!(
-                    "run.method = \"{name}\": no method of worlds{}",
+                    "run.method = \"{name}\": there is no such method for worlds{}",
                     suggest::help(name, known)
                 ));
             }
             (Contacts::None, _) => {
-                "it is the step of contacts whose touches are not located; this world has no contacts, leave the key out"
+                "it is for contacts with impact = \"moreau\", and this world has no contacts; leave the key out"
             }
             (Contacts::Located, _) => {
-                "it acts over whole steps, and located touches cut them; take impact = \"moreau\" for all contacts, or another method"
+                "it needs whole steps, but steps are split at located touches; take impact = \"moreau\" for all \
+                 contacts, or another method"
             }
             (Contacts::Unlocated, _) => {
-                "contacts with impact = \"moreau\" act over whole steps; leave the key out, or take energy_momentum"
+                "contacts with impact = \"moreau\" need a method of whole steps; leave the key out, or take \
+                 energy_momentum"
             }
         };
         Err(format!("run.method = \"{name}\": {why}"))

@@ -109,7 +109,7 @@ pub struct CarriedWorld<S: Scalar = f64> {
 }
 
 fn words(fault: Fault) -> String {
-    format!("{}; take a smaller step, or look at the load", fault.reason())
+    format!("{}; take a smaller step or a smaller load", fault.reason())
 }
 
 impl<S: Scalar> CarriedWorld<S> {

@@ -27,7 +27,7 @@ impl Settle for f64 {
 
 impl Settle for f32 {
     fn settle(_: &mut CarriedWorld<f32>) -> Result<Settled, String> {
-        Err("settle: rest is found in f64, whose rounding is far below what counts as at rest".to_owned())
+        Err("settle: the search for rest needs f64, because rounding in f32 exceeds its tolerance".to_owned())
     }
 }
 

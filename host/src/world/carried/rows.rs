@@ -229,12 +229,14 @@ impl<S: Settle> Engine for CarriedWorld<S> {
         let mut said = Vec::new();
         if self.unsettled > 0 {
             let count = steps(self.unsettled);
-            said.push(format!("{count}: the sweeps over the contacts were cut short; take a smaller step"));
+            said.push(format!(
+                "{count}: the iteration over the contacts did not converge; take a smaller step"
+            ));
         }
         if self.forced > 0 {
             said.push(format!(
-                "{} held more events than a step is split at: the rest of each went with e = 0 and nothing located; take a \
-                 smaller step, or impact = \"moreau\"",
+                "{} contained more events than a step may be split at: the rest of each was computed with e = 0, \
+                 without locating events; take a smaller step, or impact = \"moreau\"",
                 steps(self.forced)
             ));
         }

@@ -90,7 +90,8 @@ impl CarriedWorld {
             Stepping::Ode(method) => Ok(Some(method)),
             Stepping::Moreau => Ok(None),
             Stepping::Conserving => Err(format!(
-                "run.method = \"{}\": the chip takes verlet, rk4 and their like, or moreau with contacts; take one of them",
+                "run.method = \"{}\": the chip has verlet, rk4 and other methods of fixed step, and with contacts \
+                 moreau; take one of them",
                 self.method.0
             )),
         }

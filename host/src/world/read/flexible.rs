@@ -70,7 +70,7 @@ pub(super) fn read(
     for (key, value) in table.entries.iter().filter(|(key, _)| !OWN.contains(&key.name.as_str())) {
         if !allowed.iter().any(|a| *a == key.name) {
             let help = crate::suggest::help(&key.name, allowed.iter().copied().chain(OWN));
-            let error = Diagnostic::error(format!("nothing of `{}` reads `{}`", name.0, key.name));
+            let error = Diagnostic::error(format!("part `{}` has no key `{}`", name.0, key.name));
             let help = help.trim_start_matches("; ").to_owned();
             found.push(error.label(key.span, "unknown key of this part").help(help));
             return None;

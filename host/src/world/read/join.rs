@@ -98,7 +98,7 @@ fn nodes(
     let value = match (fields.get("nodes"), fields.get("facets")) {
         (Some(value), None) | (None, Some(value)) => value,
         _ => {
-            let error = Diagnostic::error("an attachment names its nodes or its facets");
+            let error = Diagnostic::error("an attachment needs either `nodes` or `facets`");
             found.push(
                 error
                     .label(table.span, "one of the two")
@@ -191,7 +191,7 @@ fn target(
         }
         (Kind::Mechanism(mechanism), None) => {
             let known: Vec<&str> = mechanism.model.ports.iter().map(|p| p.name.as_str()).collect();
-            let error = Diagnostic::error(format!("`{name}` is a mechanism: which of its ports?"));
+            let error = Diagnostic::error(format!("`{name}` is a mechanism: expected one of its ports"));
             found.push(
                 error
                     .label(text.span, "a port is missing")
@@ -228,7 +228,7 @@ pub(super) fn on(text: &Value, number: usize, parts: &mut [Part], found: &mut Di
             }
         }
         Some((_, None)) => {
-            let error = Diagnostic::error("a surface stands on a port of a mechanism");
+            let error = Diagnostic::error("`on` names a rigid part; expected a port of a mechanism");
             found.push(error.label(text.span, "this is a rigid part").help("write on = \"MECHANISM.PORT\""));
         }
         None => {}
@@ -258,7 +258,7 @@ pub(super) fn contact(
         }
     }
     if pairs.is_empty() {
-        let error = Diagnostic::error("a contact is between two parts");
+        let error = Diagnostic::error("`between` names one part twice");
         found.push(error.label(fields_span(between, table), "these are one").help("name two parts"));
     }
     let again = |pair: &&Contact| {

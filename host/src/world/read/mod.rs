@@ -113,7 +113,7 @@ fn read(path: &str, table: &Table, find: Find<'_>, found: &mut Diagnostics) -> O
     if assembly.run.settled
         && let Some(part) = assembly.parts.iter().find(|part| part.starts_in_motion())
     {
-        let error = Diagnostic::error("a run that begins at rest takes no velocity");
+        let error = Diagnostic::error("`velocity` and `spin` have no effect with start = \"settled\"");
         let place = spans(&part.name).unwrap_or_default();
         let help = "leave its `velocity` and `spin` out, or begin where the scene says: start = \"given\" under [run]";
         found.push(error.label(place, "it starts in motion").help(help));
@@ -236,9 +236,10 @@ fn part(key: &Key, table: &Table, offset: [f64; 3], find: Find<'_>, found: &mut 
             flexible::read((&key.name, key.span), table, offset, found).map(|f| Kind::Flexible(Box::new(f)))
         }
         _ => {
-            let error = Diagnostic::error(format!("what is the part `{}`?", key.name));
+            let error =
+                Diagnostic::error(format!("the kind of part `{}` is not given, or given twice", key.name));
             let help = "give it one of: mechanism = \"tile\", shape = \"sheet\" (flexible; or points), rigid = \"sphere\"";
-            found.push(error.label(key.span, "one of the keys that say so, and no more").help(help));
+            found.push(error.label(key.span, "exactly one key must say what it is").help(help));
             None
         }
     }

@@ -67,7 +67,7 @@ fn body(shape: &Shape<f64>, fields: &Fields<'_>, found: &mut Diagnostics) -> Opt
     let [x, y, z] = inertia;
     let is_body = inertia.iter().all(|i| *i > 0.0) && x <= y + z && y <= z + x && z <= x + y;
     if let Some(value) = given.filter(|_| !is_body) {
-        let error = Diagnostic::error("no body has these moments of inertia");
+        let error = Diagnostic::error("no body can have these moments of inertia");
         let help = "principal moments are > 0, and none is larger than the sum of the other two";
         found.push(error.label(value.span(), format!("{x}, {y}, {z} kg m^2")).help(help));
         return None;

@@ -31,7 +31,9 @@ pub(super) fn read(table: &Table, parts: &[Part], found: &mut Diagnostics) -> Vi
         if of.iter().any(|n| matches!(parts[*n].kind, Kind::Mechanism(_))) {
             let error = Diagnostic::error(format!("`{}` is a mechanism of many bodies", key.name));
             found.push(
-                error.label(key.span, "no colour is that of all").help("its model's [view] has colours"),
+                error
+                    .label(key.span, "one colour cannot be that of all its bodies")
+                    .help("its model's [view] has colours"),
             );
             continue;
         }

@@ -186,9 +186,11 @@ impl Touching {
             pairs.push(Pair { things: things_of, friction, restitution });
         }
         if !kinds.is_empty() && kinds.len() < pairs.len() {
-            return Err("some contacts have impact = \"moreau\", others a law of impact: one world locates its touches or does not; \
-                        take moreau for all or for none"
-                .to_owned());
+            return Err(
+                "some contacts have impact = \"moreau\", others a law of impact: a world either locates all \
+                        touches or none; take moreau for all or for none"
+                    .to_owned(),
+            );
         }
         let parts = assembly.contacts.iter().map(|contact| contact.between).collect();
         let moves =

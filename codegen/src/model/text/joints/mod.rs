@@ -152,7 +152,7 @@ fn axes(key: &Key, fields: &Fields<'_>, kind: &Kind, found: &mut Diagnostics) ->
         found.push(
             Diagnostic::error(format!("the axes of joint `{}` are not perpendicular", key.name))
                 .label(fields.span, format!("the cosine between them is {:.3}", first.cosine(second)))
-                .help("two turns about other axes are two revolute joints with a link without mass between them"),
+                .help("for axes at another angle, use two revolute joints with a massless link between them"),
         );
         return None;
     }

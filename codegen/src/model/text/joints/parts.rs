@@ -353,8 +353,8 @@ impl<'a> Parts<'a> {
 fn wrong_count(field: &str, joint: &str, coordinates: &[&str], given: &Value) -> Diagnostic {
     match coordinates.len() {
         0 => Diagnostic::error(format!("joint `{joint}` has no coordinate for `{field}`"))
-            .label(given.span(), "nothing slides or turns about one axis")
-            .help("leave it out, or make a load of it: [springs], [forces], [torques]"),
+            .label(given.span(), "no coordinate of this joint belongs to a single axis")
+            .help("leave it out, or state it as a load: [springs], [forces], [torques]"),
         count => Diagnostic::error(format!(
             "`{field}` of joint `{joint}` is not one value for each of its {count} coordinates"
         ))
