@@ -59,7 +59,7 @@ pub struct Comparison {
 
 /// The commands to all tiles in each of the four runs, executed over half of the plan's time.
 #[must_use]
-pub fn told(plan: &Plan, low: f64, slope: f64) -> [Move; 4] {
+pub fn commands(plan: &Plan, low: f64, slope: f64) -> [Move; 4] {
     let tiles: Vec<usize> = (0..plan.layout.count()).collect();
     let over = 0.5 * plan.seconds;
     [(None, None), (Some(low), None), (None, Some([slope, 0.0])), (Some(low), Some([slope, 0.0]))]
@@ -77,7 +77,7 @@ pub fn compare(
     mut at: impl FnMut(f64) -> bool,
 ) -> Result<Comparison, RunError> {
     let mut histories = Vec::new();
-    for (n, change) in told(plan, low, slope).into_iter().enumerate() {
+    for (n, change) in commands(plan, low, slope).into_iter().enumerate() {
         let history = run(&plan.with(&[change]), |done| at(0.25 * (n as f64 + done)))?;
         histories.push(history);
     }

@@ -153,7 +153,7 @@ impl<F: NorFlash> Node<F> {
         if after != before {
             self.log.add(self.now, Event::Mode(after as u8));
         }
-        self.tell();
+        self.send_reports();
         self.controller.outputs()
     }
 
@@ -240,7 +240,7 @@ impl<F: NorFlash> Node<F> {
     }
 
     /// Sends requested log entries, and the state periodically.
-    fn tell(&mut self) {
+    fn send_reports(&mut self) {
         let has_room = self.outbox.len() + 2 < OUTBOX;
         if let Some(number) = self.asked.filter(|_| has_room) {
             self.asked = self.log.from(number).map(|(number, tick, event)| {

@@ -220,7 +220,7 @@ mod tests {
 
     const KEY: Key = Key::new([1; 16]);
 
-    fn told(peer: &mut Peer, tile: u8, state: State) {
+    fn report_state(peer: &mut Peer, tile: u8, state: State) {
         let header = Header { version: VERSION | REPORT, tile, boot: 1, sequence: 0, tick: 0 };
         let body = write(&header, &Report::State(state)).expect("it fits");
         assert!(peer.take(&body, 0).is_some());
@@ -229,7 +229,7 @@ mod tests {
     fn bed(count: u8) -> Vec<Peer> {
         let mut peers: Vec<Peer> = (0..count).map(|n| Peer::new(n, KEY)).collect();
         for (n, peer) in peers.iter_mut().enumerate() {
-            told(peer, n as u8, State { mode: Mode::Ready as u8, ..State::default() });
+            report_state(peer, n as u8, State { mode: Mode::Ready as u8, ..State::default() });
         }
         peers
     }
@@ -254,11 +254,11 @@ mod tests {
         assert!(bed.order(5, low, 0, 0).is_ok());
         assert_eq!(bed.order(99, low, 0, 0).map(drop), Err(Denied::NoTile));
         for n in 20..28 {
-            told(&mut bed.peers[n], n as u8, State { mode: Mode::Moving as u8, ..State::default() });
+            report_state(&mut bed.peers[n], n as u8, State { mode: Mode::Moving as u8, ..State::default() });
         }
         assert_eq!(bed.order(5, low, 0, 0).map(drop), Err(Denied::Power));
         let faults = 1 << Fault::Height as u32;
-        told(&mut bed.peers[3], 3, State { mode: Mode::Off as u8, faults, ..State::default() });
+        report_state(&mut bed.peers[3], 3, State { mode: Mode::Off as u8, faults, ..State::default() });
         assert_eq!(bed.order(5, low, 0, 0).map(drop), Err(Denied::Frozen));
         let mut sent = 0;
         bed.flatten(0, |_| sent += 1);
@@ -268,7 +268,7 @@ mod tests {
     #[test]
     fn where_a_neighbour_is_must_be_known() {
         let mut peers: Vec<Peer> = (0..2).map(|n| Peer::new(n, KEY)).collect();
-        told(&mut peers[0], 0, State::default());
+        report_state(&mut peers[0], 0, State::default());
         let mut bed = Bed { peers: &mut peers, columns: 2 };
         assert_eq!(bed.order(0, Target::default(), 0, 0).map(drop), Err(Denied::Unknown));
     }

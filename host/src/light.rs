@@ -33,7 +33,7 @@ fn is_mechanism(argument: &str) -> bool {
     };
     let is_body = text.lines().any(|line| gives(line, "shape") || gives(line, "points"));
     let is_json = path.extension().is_some_and(|ending| ending == "json");
-    !is_json && !is_body && !model_argument::says_world(&text)
+    !is_json && !is_body && !model_argument::is_world_text(&text)
 }
 
 #[cfg(test)]

@@ -71,12 +71,12 @@ fn find_in(argument: &str, what: &str, under: &[&str]) -> Result<PathBuf, Failur
 /// Is the file a scene of format 2, a world?
 #[must_use]
 pub fn is_world(path: &Path) -> bool {
-    input::text(&path.display().to_string()).is_ok_and(|text| says_world(&text))
+    input::text(&path.display().to_string()).is_ok_and(|text| is_world_text(&text))
 }
 
 /// Is this the text of a scene of format 2? Recognised by its sections, without parsing.
 #[must_use]
-pub fn says_world(text: &str) -> bool {
+pub fn is_world_text(text: &str) -> bool {
     let begins = |line: &str| ["[parts.", "[parts]", "parts."].iter().any(|word| line.starts_with(word));
     text.lines().any(|line| begins(line.trim_start()))
 }

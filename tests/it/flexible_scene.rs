@@ -14,7 +14,7 @@ fn every_scene_reads_damped_and_undamped() {
         let path = entry.expect("entry").path();
         let text = std::fs::read_to_string(&path).expect("text");
         // Worlds have a format, and tests, of their own.
-        if smartbed::model_argument::says_world(&text) {
+        if smartbed::model_argument::is_world_text(&text) {
             continue;
         }
         let name = path.display().to_string();

@@ -1,7 +1,7 @@
 //! Drawings of a scene's run: colours, labels, number of points, nothing that is not a number.
 
 use smartbed::plot::{energies, png, svg};
-use smartbed::scene::graph::Album;
+use smartbed::scene::graph::Drawings;
 use smartbed::scene::run::{EventRecord, run};
 use smartbed::scene::{Scene, open};
 
@@ -12,14 +12,14 @@ fn scene(name: &str, settings: &[&str]) -> Scene {
 }
 
 fn drawn(scene: &Scene) -> (String, Vec<EventRecord>, usize) {
-    let mut album = Album::new(scene, None, &scene.note()).expect("an album");
+    let mut drawings = Drawings::new(scene, None, &scene.note()).expect("an drawings");
     let mut rows = 0;
     let events = run::<f64>(scene, |row| {
-        album.push(row);
+        drawings.push(row);
         rows += 1;
     })
     .expect("a run");
-    let drawing = album.draw(scene, &events);
+    let drawing = drawings.draw(scene, &events);
     assert!(png::bytes(&drawing).expect("pixels").starts_with(b"\x89PNG"), "the same drawing in pixels");
     (svg::text(&drawing), events, rows)
 }

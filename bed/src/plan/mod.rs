@@ -296,16 +296,16 @@ impl Plan {
     /// beginning.
     #[must_use]
     pub fn order(&self, tile: usize, time: f64) -> Order {
-        self.told(tile, time, |change| change.at <= time)
+        self.order_after(tile, time, |change| change.at <= time)
     }
 
     /// The order just before a time, without moves that begin at it.
     #[must_use]
     pub fn order_before(&self, tile: usize, time: f64) -> Order {
-        self.told(tile, time, |change| change.at < time)
+        self.order_after(tile, time, |change| change.at < time)
     }
 
-    fn told(&self, tile: usize, time: f64, has_begun: impl Fn(&Move) -> bool) -> Order {
+    fn order_after(&self, tile: usize, time: f64, has_begun: impl Fn(&Move) -> bool) -> Order {
         let mut order = Order { pressure: self.pressure, command: Command::default() };
         for change in self.moves.iter().filter(|m| has_begun(m) && m.tiles.contains(&tile)) {
             let done = if change.over > 0.0 { ((time - change.at) / change.over).min(1.0) } else { 1.0 };

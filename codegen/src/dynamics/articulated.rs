@@ -275,7 +275,7 @@ fn set_free(
     let force = active.force.get(&unknown).copied().unwrap_or_else(|| dag.zero());
     let rest = dag.sub(force, taken);
     let alone = dag.div(rest, pivot);
-    body.give_way(dag, &column, &share);
+    body.release(dag, &column, &share);
     let carried = column.map(|e| dag.mul(e, alone));
     body.wrench = body.wrench.plus(dag, &carried);
     Free { unknown, v, w, share, alone, pivot }

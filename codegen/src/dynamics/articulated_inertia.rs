@@ -62,7 +62,7 @@ impl Articulated {
     }
 
     /// Releases a motion s: subtracts U (U / D)', with `column` = U = I s, D = s . U, and `share` = U / D.
-    pub(super) fn give_way(&mut self, dag: &mut Dag, column: &Wrench, share: &Wrench) {
+    pub(super) fn release(&mut self, dag: &mut Dag, column: &Wrench, share: &Wrench) {
         let mut less = |entry: &mut ExprId, a: ExprId, b: ExprId| {
             let term = dag.mul(a, b);
             *entry = dag.sub(*entry, term);
@@ -206,7 +206,7 @@ mod tests {
         let column = body.resistance(&mut dag, &zero, &axis);
         let pivot = column.moment[1];
         let share = column.map(|e| dag.div(e, pivot));
-        body.give_way(&mut dag, &column, &share);
+        body.release(&mut dag, &column, &share);
         let (a, alpha) =
             ([0.4, 0.6, -0.3].map(|x| dag.constant(x)), [1.1, -0.7, 0.9].map(|x| dag.constant(x)));
         let found = body.resistance(&mut dag, &a, &alpha);

@@ -40,21 +40,21 @@ pub(super) fn rows(
 ) -> Option<Vec<Row>> {
     let n = choice.unknown.len();
     let column: HashMap<UnknownId, usize> = choice.unknown.iter().enumerate().map(|(i, &u)| (u, i)).collect();
-    let bills: Vec<Bill> = choice.rows.iter().map(|row| Bill::new(alg, k, row)).collect();
+    let costs: Vec<RowCost> = choice.rows.iter().map(|row| RowCost::new(alg, k, row)).collect();
     let mut bases = Bases::new(n, longest_entry(&alg.dag, choice.rows, table), table.points());
     let mut paid = NodeSet::default();
     let mut candidates: Vec<usize> = (0..choice.rows.len()).collect();
     let mut chosen = Vec::new();
     while chosen.len() < choice.count {
         // A row that depends on the rows taken depends on any larger set: it is removed for good.
-        candidates.sort_by_cached_key(|&i| (bills[i].added_cost(&paid), i));
+        candidates.sort_by_cached_key(|&i| (costs[i].added_cost(&paid), i));
         let place = candidates.iter().position(|&i| extend(alg, table, &column, choice, i, &mut bases))?;
         let row = candidates[place];
         candidates.drain(..=place);
-        paid.unite(&bills[row].operations);
+        paid.unite(&costs[row].operations);
         chosen.push(row);
     }
-    exchange(alg, table, &column, choice, &bills, &mut chosen);
+    exchange(alg, table, &column, choice, &costs, &mut chosen);
     Some(chosen.into_iter().map(|i| choice.rows[i].clone()).collect())
 }
 
@@ -78,7 +78,7 @@ fn exchange(
     table: &mut SampleTable,
     column: &HashMap<UnknownId, usize>,
     choice: &Choice<'_>,
-    bills: &[Bill],
+    costs: &[RowCost],
     chosen: &mut [usize],
 ) {
     for _ in 0..chosen.len() {
@@ -88,18 +88,18 @@ fn exchange(
         };
         let paid_by = |rows: &[usize]| {
             let mut paid = NodeSet::default();
-            rows.iter().for_each(|&row| paid.unite(&bills[row].operations));
+            rows.iter().for_each(|&row| paid.unite(&costs[row].operations));
             paid
         };
         let mut prices: Vec<(usize, usize)> = (0..chosen.len())
-            .map(|place| (bills[chosen[place]].added_cost(&paid_by(&others(place))), place))
+            .map(|place| (costs[chosen[place]].added_cost(&paid_by(&others(place))), place))
             .collect();
         prices.retain(|(price, _)| *price > DEAR);
         prices.sort_by_key(|&(price, place)| (std::cmp::Reverse(price), place));
         let better = prices.iter().find_map(|&(price, place)| {
             let others = others(place);
             let paid = paid_by(&others);
-            let costs = bills.iter().map(|bill| bill.added_cost(&paid)).enumerate();
+            let costs = costs.iter().map(|cost| cost.added_cost(&paid)).enumerate();
             let mut list: Vec<(usize, usize)> = costs.filter(|(_, cost)| *cost < price).collect();
             list.sort_by_key(|(_, cost)| *cost);
             cheaper(alg, table, column, choice, &others, &list).map(|row| (place, row))
@@ -127,14 +127,14 @@ fn cheaper(
 }
 
 /// The operations that a row costs.
-struct Bill {
+struct RowCost {
     /// The operations of its expressions; those that another chosen row needs too are counted once.
     operations: NodeSet,
     /// What its entries will cost in the elimination.
     entries: usize,
 }
 
-impl Bill {
+impl RowCost {
     fn new(alg: &Algebra, k: &Kinematics, row: &Row) -> Self {
         /// Each unknown in a row costs about a product and a sum per right-hand side in the elimination.
         const PER_UNKNOWN: usize = 6;

@@ -28,14 +28,14 @@ pub fn correct(
     table: &mut SampleTable,
     solution: &mut Solution,
 ) {
-    if let Some(correction) = beside_motion(alg, model, k, table, solution) {
+    if let Some(correction) = corrections_apart_from_motion(alg, model, k, table, solution) {
         solution.correction = correction;
     }
 }
 
 /// The corrections by unknown; `None` if those of the velocities' elimination are right already: it solved no motion
 /// constraint, or the configuration constraints do not determine all coordinates that are not held.
-fn beside_motion(
+fn corrections_apart_from_motion(
     alg: &mut Algebra,
     model: &Model,
     k: &Kinematics,

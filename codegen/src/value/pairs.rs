@@ -45,7 +45,7 @@ impl Pairs {
     }
 
     /// Index of a non-zero value; a new value is combined with all values met before.
-    fn meet(&mut self, x: Field) -> usize {
+    fn index_of(&mut self, x: Field) -> usize {
         let new = self.values.len();
         if let Some(&known) = self.place.get(&x) {
             return known;
@@ -79,7 +79,7 @@ impl Pairs {
         for &class in classes.iter().filter(|&&class| !graph.classes[class].is_leaf()) {
             is_target[class.index()] = true;
         }
-        let places: Vec<usize> = classes.iter().map(|&c| self.meet(graph.classes[c].value[0])).collect();
+        let places: Vec<usize> = classes.iter().map(|&c| self.index_of(graph.classes[c].value[0])).collect();
         // Several classes may have the same value, if the guard keeps them apart.
         let mut with_value: Vec<Vec<usize>> = vec![Vec::new(); self.values.len()];
         places.iter().enumerate().for_each(|(i, &place)| with_value[place].push(i));
@@ -127,11 +127,11 @@ mod tests {
             let mut order: Vec<Field> = values.to_vec();
             order.rotate_left(last);
             let mut pairs = Pairs::new();
-            let places: Vec<usize> = order.iter().map(|&x| pairs.meet(x)).collect();
+            let places: Vec<usize> = order.iter().map(|&x| pairs.index_of(x)).collect();
             assert_eq!(places, [0, 1, 2, 3, 4]);
-            let [a, b] = [a, b].map(|x| pairs.meet(x));
+            let [a, b] = [a, b].map(|x| pairs.index_of(x));
             assert!(pairs.found.contains(&[a, b]) || pairs.found.contains(&[b, a]), "{last}");
-            let unrelated = [pairs.meet(values[2]), pairs.meet(values[4])];
+            let unrelated = [pairs.index_of(values[2]), pairs.index_of(values[4])];
             assert!(!pairs.found.contains(&unrelated), "{last}");
         }
     }

@@ -136,9 +136,14 @@ impl<C: Controller> Port<C> {
     }
 
     /// Sends the next frame of a talk, if it has one: true if it was sent, false if there was no room and it was kept.
-    pub fn say(&mut self, talk: &mut Talk, now: u32, collect: impl FnMut() -> Option<Body>) -> Option<bool> {
+    pub fn send_next(
+        &mut self,
+        talk: &mut Talk,
+        now: u32,
+        collect: impl FnMut() -> Option<Body>,
+    ) -> Option<bool> {
         let data = talk.next(now, collect)?;
-        let is_sent = self.send(talk.says(), &data);
+        let is_sent = self.send(talk.sends(), &data);
         if !is_sent {
             talk.keep(data);
         }
@@ -171,7 +176,7 @@ impl<C: Controller> Bus for End<C> {
     fn receive(&mut self, now: u32, mut take: impl FnMut(Arrival)) {
         let Self { port, tile, talk } = self;
         port.receive(|frame| {
-            let arrival = match is_data(frame, talk.hears()) {
+            let arrival = match is_data(frame, talk.receives()) {
                 true => talk.take(frame.data(), now).map(Arrival::Body),
                 false => stops(frame, *tile).then_some(Arrival::Stop),
             };
@@ -188,7 +193,7 @@ impl<C: Controller> Bus for End<C> {
             return;
         }
         for _ in 0..FRAMES {
-            if port.say(talk, now, &mut collect) != Some(true) {
+            if port.send_next(talk, now, &mut collect) != Some(true) {
                 return;
             }
         }

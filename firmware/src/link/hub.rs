@@ -43,7 +43,7 @@ impl<'a, C: Controller> Hub<'a, C> {
         let Self { port, talks, .. } = self;
         port.receive(|frame| {
             let mut places = talks.iter_mut().enumerate();
-            let talk = places.find(|(_, talk)| is_data(frame, talk.hears()));
+            let talk = places.find(|(_, talk)| is_data(frame, talk.receives()));
             if let Some((place, body)) =
                 talk.and_then(|(place, talk)| Some((place, talk.take(frame.data(), now)?)))
             {
@@ -68,7 +68,7 @@ impl<'a, C: Controller> Hub<'a, C> {
         let mut sent = 0;
         for place in (self.first..count).chain(0..self.first.min(count)) {
             let Some(talk) = self.talks.get_mut(place) else { return };
-            match self.port.say(talk, now, || collect(place)) {
+            match self.port.send_next(talk, now, || collect(place)) {
                 Some(true) if sent + 1 < FRAMES => sent += 1,
                 Some(is_sent) => {
                     // The next turn starts with the talk that found no room, else with the one after the last.

@@ -14,8 +14,8 @@ pub const REPORTS: u16 = 0x200;
 /// One side of the transport.
 #[derive(Clone, Debug)]
 pub struct Talk {
-    hears: u16,
-    says: u16,
+    receives: u16,
+    sends: u16,
     receiver: Receiver,
     sender: Option<Sender>,
     /// Flow control to be sent.
@@ -39,21 +39,29 @@ impl Talk {
     }
 
     /// The talk with tile `number`, given the identifiers for tile 0.
-    fn new(number: u8, hears: u16, says: u16) -> Self {
-        let [hears, says] = [hears, says].map(|id| id + u16::from(number));
-        Self { hears, says, receiver: Receiver::default(), sender: None, answer: None, kept: None, lost: 0 }
+    fn new(number: u8, receives: u16, sends: u16) -> Self {
+        let [receives, sends] = [receives, sends].map(|id| id + u16::from(number));
+        Self {
+            receives,
+            sends,
+            receiver: Receiver::default(),
+            sender: None,
+            answer: None,
+            kept: None,
+            lost: 0,
+        }
     }
 
     /// Identifier of received frames.
     #[must_use]
-    pub fn hears(&self) -> u16 {
-        self.hears
+    pub fn receives(&self) -> u16 {
+        self.receives
     }
 
     /// Identifier of sent frames.
     #[must_use]
-    pub fn says(&self) -> u16 {
-        self.says
+    pub fn sends(&self) -> u16 {
+        self.sends
     }
 
     /// Takes a frame's data; returns a body if it completes one.

@@ -35,7 +35,7 @@ const ARMED: u32 = 0x5AFE_A11D;
 
 /// What the legs follow.
 #[derive(Clone, Copy, PartialEq, Debug)]
-enum Way {
+enum Following {
     None,
     Motion(Motion),
     Homing(Homing),
@@ -57,7 +57,7 @@ pub struct Controller {
     sense: Sense,
     watch: Watch,
     servo: Servo,
-    way: Way,
+    following: Following,
     /// Heights when the drives were switched off.
     rest: Heights,
     /// Forces of the screws (N) along the motion, by the derived equations.
@@ -84,7 +84,7 @@ impl Controller {
             sense: Sense::default(),
             watch: Watch::default(),
             servo: Servo::default(),
-            way: Way::None,
+            following: Following::None,
             rest: [0.0; 3],
             loads: [0.0; 3],
             bladder: Bladder::default(),
@@ -176,7 +176,7 @@ impl Controller {
         self.sense.take(readings, &Trim { height: [a, b, c], pressure });
         let doing = match self.following() {
             Some((wanted, ways)) => {
-                let seeks = matches!(&self.way, Way::Homing(homing) if homing.seeks());
+                let seeks = matches!(&self.following, Following::Homing(homing) if homing.seeks());
                 let patient = Real::min(load(self.sense.pressure()), PAYLOAD);
                 self.loads = loads(&wanted, patient);
                 let retreats = self.mode == Mode::Retreat;
@@ -206,10 +206,10 @@ impl Controller {
             None => (),
             Some(Response::Off) => self.stop(Mode::Off),
             Some(_) if matches!(self.mode, Mode::Off | Mode::Boot | Mode::SelfTest) => self.stop(Mode::Off),
-            Some(Response::Retreat) => match self.way {
-                Way::Motion(motion) if matches!(self.mode, Mode::Moving | Mode::Flatten) => {
+            Some(Response::Retreat) => match self.following {
+                Following::Motion(motion) if matches!(self.mode, Mode::Moving | Mode::Flatten) => {
                     let back = motion.back(self.sense.heights, UNHOMED_FACTOR);
-                    self.start(Mode::Retreat, Way::Motion(back));
+                    self.start(Mode::Retreat, Following::Motion(back));
                 }
                 _ => self.stop(Mode::Hold),
             },
@@ -233,19 +233,19 @@ impl Controller {
                 self.switch(self.resting());
             }
             Command::Clear(bits) => self.clear(Faults::from_bits(*bits))?,
-            Command::Home => self.start(Mode::Homing, Way::Homing(Homing::new(here))),
+            Command::Home => self.start(Mode::Homing, Following::Homing(Homing::new(here))),
             Command::Move(target) => {
                 let pose = Pose { zc: target.heave, tx: target.slope_x, ty: target.slope_y };
                 let factor = if self.is_homed { 1.0 } else { UNHOMED_FACTOR };
                 let motion = Motion::new(here, heights(pose)?, factor);
-                self.start(Mode::Moving, Way::Motion(motion));
+                self.start(Mode::Moving, Following::Motion(motion));
             }
             Command::Pressure(wanted) => self.wanted_pressure = Some(commanded(*wanted)?),
             Command::Flatten => {
                 // A low supply voltage cannot give full speed.
                 let factor = FLATTEN_FACTOR * Real::min(self.sense.measured.supply / DRIVE.supply, 1.0);
                 self.wanted_pressure = None;
-                self.start(Mode::Flatten, Way::Motion(Motion::new(here, [-STROKE; 3], factor)));
+                self.start(Mode::Flatten, Following::Motion(Motion::new(here, [-STROKE; 3], factor)));
             }
             Command::Calibrate(trim) => {
                 let (height, pressure) = TRIM;
@@ -280,9 +280,9 @@ impl Controller {
     /// Advances the motion, or the start-up, by a tick.
     fn advance(&mut self, readings: &Readings) {
         let here = self.sense.heights;
-        let ended = match &mut self.way {
-            Way::Motion(motion) => motion.advance().map(|ago| (ago, motion.end())),
-            Way::Homing(homing) => match homing.advance(here, readings.low_closed) {
+        let ended = match &mut self.following {
+            Following::Motion(motion) => motion.advance().map(|ago| (ago, motion.end())),
+            Following::Homing(homing) => match homing.advance(here, readings.low_closed) {
                 Step::Found(found) => {
                     let new = found.into_iter().enumerate().filter(|(_, is_new)| *is_new);
                     new.for_each(|(leg, _)| self.sense.refer(leg, -SWITCH));
@@ -295,7 +295,7 @@ impl Controller {
                 }
                 Step::Done(ago) => Some((ago, [-STROKE; 3])),
             },
-            Way::None => None,
+            Following::None => None,
         };
         match (self.mode, ended) {
             (_, Some((ago, end))) => self.settle(ago, end),
@@ -318,7 +318,7 @@ impl Controller {
             return;
         }
         let is_there = is_within(NOT_ARRIVED);
-        self.way = Way::None;
+        self.following = Following::None;
         self.rest = self.sense.heights;
         match self.mode {
             _ if !is_there => {
@@ -370,10 +370,10 @@ impl Controller {
 
     /// Wanted motion of each leg and its total displacement, while drives are on; else None.
     fn following(&self) -> Option<([Along; 3], [f32; 3])> {
-        match &self.way {
-            Way::None => None,
-            Way::Motion(motion) => Some((motion.wanted(), motion.ways())),
-            Way::Homing(homing) => Some(homing.wanted()),
+        match &self.following {
+            Following::None => None,
+            Following::Motion(motion) => Some((motion.wanted(), motion.ways())),
+            Following::Homing(homing) => Some(homing.wanted()),
         }
     }
 
@@ -381,8 +381,8 @@ impl Controller {
         if self.is_homed { Mode::Ready } else { Mode::Unhomed }
     }
 
-    fn start(&mut self, mode: Mode, way: Way) {
-        self.way = way;
+    fn start(&mut self, mode: Mode, following: Following) {
+        self.following = following;
         if let Some((wanted, _)) = self.following() {
             self.loads = loads(&wanted, Real::min(load(self.sense.pressure()), PAYLOAD));
         }
@@ -392,7 +392,7 @@ impl Controller {
 
     /// Switches the drives off and withdraws the permission to move.
     fn stop(&mut self, mode: Mode) {
-        self.way = Way::None;
+        self.following = Following::None;
         self.permission = Guarded::new([0]);
         self.rest = self.sense.heights;
         self.switch(mode);

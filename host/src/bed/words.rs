@@ -38,7 +38,7 @@ fn clock(seconds: f64) -> String {
 }
 
 /// One move as a sentence.
-fn told(change: &Move, count: usize) -> String {
+fn sentence(change: &Move, count: usize) -> String {
     let tiles = if change.tiles.len() == count { "all tiles".to_owned() } else { listed(&change.tiles) };
     let mut does = Vec::new();
     if let Some(pressure) = change.pressure {
@@ -72,7 +72,7 @@ pub(super) fn preview(plan: &Plan, history: &History) -> Vec<String> {
         clock(plan.seconds),
         plan.pressure / MMHG
     )];
-    lines.extend(history.moves.iter().take(MOST).map(|change| told(change, count)));
+    lines.extend(history.moves.iter().take(MOST).map(|change| sentence(change, count)));
     if history.moves.len() > MOST {
         lines.push(format!("And {} more changes of this kind.", history.moves.len() - MOST));
     }

@@ -14,7 +14,7 @@ use smartbed_bed::map::MMHG;
 use smartbed_bed::plan::Plan;
 use smartbed_bed::plan::history::{History, Moment, RunError};
 use smartbed_bed::pose::Pose;
-use smartbed_bed::soft::{Claim, Comparison, NAMES, compare, told};
+use smartbed_bed::soft::{Claim, Comparison, NAMES, commands, compare};
 
 const SHEET: Color = [0, 114, 178];
 const SKIN: Color = [213, 94, 0];
@@ -42,7 +42,7 @@ pub(super) fn soft(settings: &[String]) -> Result<(Drawing, Vec<Claim>), Failure
     let read = plan("soft_manipulation", settings)?;
     // A quarter of the pressure and a tilt of 8 deg, within the stroke and the steps of one tile.
     let (low, slope) = (0.25 * read.plan.pressure, 8.0_f64.to_radians().tan());
-    for change in told(&read.plan, low, slope) {
+    for change in commands(&read.plan, low, slope) {
         read.allows(&[change]).map_err(|refusal| Failure::Wrong(format!("soft manipulation: {refusal}")))?;
     }
     let found = with_progress("soft manipulation", |at| compare(&read.plan, low, slope, at))?;

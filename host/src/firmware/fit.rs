@@ -39,11 +39,11 @@ impl Fitted {
     /// # Errors
     /// [`Failure::Wrong`] for a wrong scene, and for one that the chip cannot step.
     pub fn new(path: &Path, set: &[String]) -> Result<Self, Failure> {
-        Self::beside(path, set, BESIDE)
+        Self::with_room_for(path, set, BESIDE)
     }
 
     /// The finest world that fits if an image takes this many bytes besides it.
-    fn beside(path: &Path, set: &[String], bytes: usize) -> Result<Self, Failure> {
+    fn with_room_for(path: &Path, set: &[String], bytes: usize) -> Result<Self, Failure> {
         let wrong = |why: String| Failure::Wrong(format!("{}: {why}", path.display()));
         let sheets: Vec<String> = sheets(path)?.into_iter().filter(|name| !is_set(set, name)).collect();
         let read = |rows: Option<usize>| {
@@ -112,7 +112,7 @@ impl Fitted {
     /// # Errors
     /// As [`Fitted::new`].
     pub fn again(&self, path: &Path, set: &[String], taken: usize) -> Result<Option<Self>, Failure> {
-        let better = Self::beside(path, set, taken.saturating_sub(self.demand.bytes()))?;
+        let better = Self::with_room_for(path, set, taken.saturating_sub(self.demand.bytes()))?;
         Ok((self.rows.is_some() && better.rows != self.rows).then_some(better))
     }
 }

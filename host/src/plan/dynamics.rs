@@ -16,7 +16,7 @@ const MOST_STEPS: f64 = 1e7;
 pub(super) const CLOCKS: [(&str, bool); 2] = [("quasi_static", false), ("dynamics", true)];
 
 /// The contents of `[dynamics]`.
-pub(super) struct Told {
+pub(super) struct Settings {
     /// Settings for motion.
     pub(super) dynamics: Dynamics,
     /// Settings for the load's fall before the first equilibrium.
@@ -25,7 +25,12 @@ pub(super) struct Told {
 
 /// Reads `[dynamics]`. `seconds` is the length of the motion, 0 with the other clock; `is_fallen` says that the load
 /// falls before the first equilibrium.
-pub(super) fn read(table: &Table, seconds: f64, is_fallen: bool, found: &mut Diagnostics) -> Option<Told> {
+pub(super) fn read(
+    table: &Table,
+    seconds: f64,
+    is_fallen: bool,
+    found: &mut Diagnostics,
+) -> Option<Settings> {
     let fields = Fields::of("dynamics", table.span, table);
     let (usual, matter) = (Dynamics::default(), Matter::default());
     let mut key = |key: &'static str, of: &str, bound: Bound, usual: f64| {
@@ -74,7 +79,7 @@ pub(super) fn read(table: &Table, seconds: f64, is_fallen: bool, found: &mut Dia
         is_f32: is_f32?,
     };
     let start = if is_at_rest { Start::AtRest } else { fall.start };
-    Some(Told { dynamics: Dynamics { start, ..fall }, fall })
+    Some(Settings { dynamics: Dynamics { start, ..fall }, fall })
 }
 
 /// Starts by name, the default first: is it at rest?

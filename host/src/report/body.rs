@@ -9,7 +9,7 @@ use crate::engine::ScalarKind;
 use crate::failure::Failure;
 use crate::plot::svg;
 use crate::scene::describe::describe;
-use crate::scene::graph::Album;
+use crate::scene::graph::Drawings;
 use crate::scene::method::{METHODS, Situation};
 use crate::scene::run::{Row, run_until};
 use crate::scene::{Scene, Simulation, read};
@@ -187,9 +187,9 @@ impl Subject for Body {
         let deadline = Deadline::within(limit);
         let mut scene = self.scene.clone();
         scene.every = scene.every.max(scene.steps() / ROWS).max(1);
-        let mut album = Album::new(&scene, None, &scene.note()).map_err(|e| e.to_string())?;
+        let mut drawings = Drawings::new(&scene, None, &scene.note()).map_err(|e| e.to_string())?;
         let push = |row: &Row| {
-            album.push(row);
+            drawings.push(row);
             Ok(())
         };
         let events = match run_until::<f64, Stop>(&scene, push, |t| deadline.check(t)) {
@@ -197,6 +197,6 @@ impl Subject for Body {
             Err(Stop::Late { .. }) => Vec::new(),
             Err(Stop::Refused(why)) => return Err(why),
         };
-        Ok(svg::text(&album.draw(&scene, &events)))
+        Ok(svg::text(&drawings.draw(&scene, &events)))
     }
 }

@@ -12,7 +12,7 @@ use crate::number::{json_number, json_string, worst};
 use crate::output::{self, Output};
 use crate::plot;
 use crate::progress::Progress;
-use crate::scene::graph::Album;
+use crate::scene::graph::Drawings;
 use crate::scene::read::{self, Scene};
 use crate::scene::run::{EventRecord, Row, csv_header, csv_line, run_until};
 use crate::view::film::{Film, Series};
@@ -145,8 +145,8 @@ fn record<S: Scalar>(arguments: &Arguments, scene: &Scene) -> Result<Done, Failu
         csv.write(&(csv_header(n) + "\n"))?;
     }
     let note = noted(scene.note(), arguments);
-    let album = |_| Album::new(scene, arguments.show.as_deref(), &note);
-    let mut album = arguments.plot.as_ref().map(album).transpose()?;
+    let drawings = |_| Drawings::new(scene, arguments.show.as_deref(), &note);
+    let mut drawings = arguments.plot.as_ref().map(drawings).transpose()?;
     let mut film = arguments.view.as_ref().map(|_| Film::new(stage(scene), series(n)));
     let mut progress = Progress::new("running");
     let (mut rows, mut imbalance, mut total, mut cut_short) = (0, 0.0_f64, [f64::NAN; 2], 0);
@@ -160,8 +160,8 @@ fn record<S: Scalar>(arguments: &Arguments, scene: &Scene) -> Result<Done, Failu
             if let Some(csv) = &mut csv {
                 csv.write(&(csv_line(row) + "\n"))?;
             }
-            if let Some(album) = &mut album {
-                album.push(row);
+            if let Some(drawings) = &mut drawings {
+                drawings.push(row);
             }
             if let Some(film) = &mut film {
                 let [kinetic, gravity, spring, pressure] = row.energy.stored;
@@ -191,10 +191,10 @@ fn record<S: Scalar>(arguments: &Arguments, scene: &Scene) -> Result<Done, Failu
         }
     };
     csv.map_or(Ok(()), Output::finish)?;
-    if let (Some(file), Some(album)) = (&arguments.plot, &album) {
-        plot::write(file, &album.draw(scene, &events))?;
+    if let (Some(file), Some(drawings)) = (&arguments.plot, &drawings) {
+        plot::write(file, &drawings.draw(scene, &events))?;
     }
-    let film = film.map(|film| film.data(&scene.title, &note, &told(&events)));
+    let film = film.map(|film| film.data(&scene.title, &note, &event_texts(&events)));
     Ok(Done { events, film, rows, imbalance, total, cut_short, health })
 }
 
@@ -211,7 +211,7 @@ fn series(n: usize) -> Vec<Series> {
 }
 
 /// Texts of events.
-fn told(events: &[EventRecord]) -> Vec<(f64, String)> {
+fn event_texts(events: &[EventRecord]) -> Vec<(f64, String)> {
     let words = |event: &EventRecord| match event.touches.as_slice() {
         [] => format!("{} let go", count(event.released, "point")),
         [(point, approach, impulse)] => {

@@ -27,7 +27,7 @@ const PHASE: usize = 24;
 
 /// The part of a run that is kept for its drawing.
 #[derive(Clone, Debug)]
-pub struct Album {
+pub struct Drawings {
     /// Points' coordinates and velocities that are drawn: name, unit, index in a row's state.
     curves: Vec<(String, &'static str, usize)>,
     /// Are the curves the default ones, heights only?
@@ -38,7 +38,7 @@ pub struct Album {
     pictures: Pictures,
 }
 
-impl Album {
+impl Drawings {
     /// Without rows. The heights of the first points are drawn, or what `show` names (see [`pattern`]).
     ///
     /// # Errors

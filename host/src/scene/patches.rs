@@ -173,7 +173,7 @@ mod tests {
     use super::*;
     use crate::scene::shape;
     use smartbed_runtime::flexible::{Body, force};
-    use smartbed_runtime::ode::nodes::Way;
+    use smartbed_runtime::ode::nodes::MeanStep;
     use smartbed_runtime::vec3::Vec3;
     use std::collections::BTreeSet;
 
@@ -214,7 +214,7 @@ mod tests {
         let body = Body::new(Body { patches, air_drag: 0.1, ..plain }).expect("a body");
         let vel: Vec<Vec3<f64>> = pos.iter().map(|[x, y, z]| [*y, -*z, *x * *y]).collect();
         let dx: Vec<Vec3<f64>> = vel.iter().map(|v| v.map(|v| 0.1 * v)).collect();
-        let way = Way { h: 0.1, pos: [pos, pos, pos], dx: &dx, vel: &vel };
+        let way = MeanStep { h: 0.1, pos: [pos, pos, pos], dx: &dx, vel: &vel };
         let mut found = [(); 3].map(|()| vec![[0.0; 3]; n]);
         force::eval_elastic(&body, &body.elements(), pos, &mut found[0]).expect("forces");
         force::eval_viscous(&body, &body.elements(), pos, &vel, &mut found[1]);

@@ -23,7 +23,7 @@ const BATCH: u32 = 50;
 
 /// A report of a tile.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub struct Said {
+pub struct Received {
     /// The tile.
     pub tile: u8,
     /// Its time (ms).
@@ -35,7 +35,7 @@ pub struct Said {
 }
 
 /// Called for every report.
-pub type Listen<'a> = &'a mut dyn FnMut(Said) -> Result<(), Failure>;
+pub type Listen<'a> = &'a mut dyn FnMut(Received) -> Result<(), Failure>;
 /// Asked during a motion: shall it be stopped?
 pub type Interrupt<'a> = &'a mut dyn FnMut() -> Result<bool, Failure>;
 
@@ -144,13 +144,13 @@ impl Bus {
         }
         let mut answer = None;
         for _ in 0..PATIENCE {
-            let mut hear = |said: Said| {
-                if let Report::Answer(to, outcome) = said.report
+            let mut hear = |received: Received| {
+                if let Report::Answer(to, outcome) = received.report
                     && to == sequence
                 {
                     answer = Some(outcome);
                 }
-                listen(said)
+                listen(received)
             };
             self.tick(1, &mut hear)?;
             if answer.is_some() {
@@ -244,7 +244,7 @@ impl Bus {
                     if let Some(report) = peer.take(&body, time) {
                         let is_state = matches!(report, Report::State(_));
                         let is_asked = !is_state || core::mem::take(&mut self.is_asked);
-                        listen(Said { tile: peer.tile(), time, report, is_asked })?;
+                        listen(Received { tile: peer.tile(), time, report, is_asked })?;
                     }
                 }
             }

@@ -15,7 +15,7 @@ pub mod show;
 use crate::failure::Failure;
 use crate::firmware::chip::{Chip, STM32F405};
 use crate::output;
-use bus::{Bus, Said};
+use bus::{Bus, Received};
 use machine::{Kind, Machine};
 use order::Order;
 use smartbed_firmware::link::message::Command;
@@ -70,7 +70,9 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let mut bus = Bus::new(machines.collect::<Result<_, _>>()?);
     let (json, plots) = (arguments.json, arguments.plot);
     output::print(&if json { show::start(bus.margin()) } else { show::margin(bus.margin()) })?;
-    let mut print = |said: Said| show::said(&said, plots, json).map_or(Ok(()), |text| output::print(&text));
+    let mut print = |received: Received| {
+        show::line_of(&received, plots, json).map_or(Ok(()), |text| output::print(&text))
+    };
     match orders {
         Some(orders) => orders.iter().try_for_each(|order| bus.take(order, &mut print))?,
         None => {

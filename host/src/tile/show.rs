@@ -1,6 +1,6 @@
 //! Reports of tiles as text or JSON, and heights as a line of the terminal.
 
-use super::bus::Said;
+use super::bus::Received;
 use serde_json::{Value, json};
 use smartbed_firmware::link::message::{Event, Outcome, Report, State};
 use smartbed_firmware::tile::design::STROKE;
@@ -27,11 +27,11 @@ pub fn start(margin: f64) -> String {
 /// The line for a report, if it has one: in JSON every report; as text all but telemetry, which comes ten times a
 /// second and is only drawn.
 #[must_use]
-pub fn said(said: &Said, plots: bool, as_json: bool) -> Option<String> {
+pub fn line_of(received: &Received, plots: bool, as_json: bool) -> Option<String> {
     if as_json {
-        return Some(format!("{}\n", object(said)));
+        return Some(format!("{}\n", object(received)));
     }
-    let Said { tile, time, report, is_asked } = said;
+    let Received { tile, time, report, is_asked } = received;
     let text = match report {
         Report::State(state) if *is_asked => describe(state),
         Report::State(state) if plots && state.flags & 1 == 1 => line(state),
@@ -49,8 +49,8 @@ pub fn said(said: &Said, plots: bool, as_json: bool) -> Option<String> {
 }
 
 /// A report as an object of `docs/json.schema.json`.
-fn object(said: &Said) -> Value {
-    let mut object = match &said.report {
+fn object(received: &Received) -> Value {
+    let mut object = match &received.report {
         Report::State(state) => json!({
             "kind": "state",
             "mode": mode(state.mode),
@@ -76,8 +76,8 @@ fn object(said: &Said) -> Value {
             "kind": "identity", "protocol": protocol, "entries": entries, "lost": lost, "refused": refused,
         }),
     };
-    object["time"] = json!(f64::from(said.time) * 1e-3);
-    object["tile"] = json!(said.tile);
+    object["time"] = json!(f64::from(received.time) * 1e-3);
+    object["tile"] = json!(received.tile);
     object
 }
 
@@ -140,20 +140,21 @@ fn names(bits: u32) -> Vec<&'static str> {
 
 #[cfg(test)]
 mod tests {
-    use super::{line, said};
-    use crate::tile::bus::Said;
+    use super::{line, line_of};
+    use crate::tile::bus::Received;
     use smartbed_firmware::link::message::{Event, Report, State};
 
     #[test]
     fn states_are_told_in_words_and_drawn() {
         let state = State { mode: 4, faults: 1, heights: [0.029, 0.0, -0.029], flags: 8, ..State::default() };
-        let told = Said { tile: 3, time: 1001, report: Report::State(state), is_asked: true };
-        let text = said(&told, false, false).unwrap();
+        let told = Received { tile: 3, time: 1001, report: Report::State(state), is_asked: true };
+        let text = line_of(&told, false, false).unwrap();
         assert!(text.contains("1.001 s  tile 3  ready") && text.contains("faults: Height"), "{text}");
-        assert_eq!(said(&Said { is_asked: false, ..told }, false, false), None, "telemetry");
+        assert_eq!(line_of(&Received { is_asked: false, ..told }, false, false), None, "telemetry");
         let drawn = line(&state);
         assert!(drawn.starts_with("|C") && drawn.contains("A| 0.00 kPa"), "{drawn}");
-        let entry = said(&Said { report: Report::Entry(7, 4, Event::Mode(8)), ..told }, true, false).unwrap();
+        let entry =
+            line_of(&Received { report: Report::Entry(7, 4, Event::Mode(8)), ..told }, true, false).unwrap();
         assert!(entry.contains("log 7 at 4 ms: off"), "{entry}");
     }
 }

@@ -71,7 +71,8 @@ impl Stage {
                 .collect(),
         };
         let links: Vec<[usize; 2]> = links;
-        let shapes = view.shapes.iter().map(|(body, shape)| (body.index(), told(shape), shape.sizes.len()));
+        let shapes =
+            view.shapes.iter().map(|(body, shape)| (body.index(), shape_json(shape), shape.sizes.len()));
         let frames = bodies.iter().filter(|b| b.has_frame).count();
         Self {
             fixed: json!({
@@ -131,7 +132,7 @@ impl Stage {
 }
 
 /// A shape without its lengths, as JSON.
-fn told(shape: &Shape) -> Value {
+fn shape_json(shape: &Shape) -> Value {
     let kind = match shape.kind {
         ShapeKind::Box => "box",
         ShapeKind::Cylinder => "cylinder",

@@ -196,7 +196,7 @@ impl Engine for RigidWorld {
         let pairs = &self.pairs;
         let done =
             scene.step_watched(&mut self.states, h, &mut memory, |strike| events(&strike, pairs, found));
-        let report = done.map_err(said)?;
+        let report = done.map_err(message)?;
         self.impact += report.impact_loss;
         self.friction += report.friction_loss;
         self.forced += usize::from(report.forced);
@@ -255,7 +255,7 @@ impl Engine for RigidWorld {
     }
 }
 
-fn said(fault: Fault) -> String {
+fn message(fault: Fault) -> String {
     match fault {
         Fault::TooManyContacts => "more contacts at once than the memory allows".to_owned(),
         Fault::WrongSizes => "the lists of the parts have different lengths".to_owned(),

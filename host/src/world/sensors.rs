@@ -126,7 +126,7 @@ impl Probes {
 }
 
 /// A tick as a number, with a special value for `None`.
-fn told(tick: Option<u64>) -> f64 {
+fn tick_number(tick: Option<u64>) -> f64 {
     tick.map_or(-1.0, |tick| tick as f64)
 }
 
@@ -138,15 +138,21 @@ impl Probe {
     fn save(&self) -> Vec<f64> {
         let memory = self.sensor.memory();
         let felt = match self.kind {
-            Kind::Switch(switch) => [told(switch.changed), f64::from(u8::from(switch.closed))],
-            Kind::Pressure(Membrane { follows: Some((at, pressure)), .. }) => [told(Some(at)), pressure],
-            _ => [told(None), 0.0],
+            Kind::Switch(switch) => [tick_number(switch.changed), f64::from(u8::from(switch.closed))],
+            Kind::Pressure(Membrane { follows: Some((at, pressure)), .. }) => {
+                [tick_number(Some(at)), pressure]
+            }
+            _ => [tick_number(None), 0.0],
         };
         let pending = memory.pending.iter().flat_map(|sample| match sample {
-            Some((at, reading)) => [told(Some(*at)), *reading],
-            None => [told(None), 0.0],
+            Some((at, reading)) => [tick_number(Some(*at)), *reading],
+            None => [tick_number(None), 0.0],
         });
-        [memory.drifted, told(memory.last), memory.shown].into_iter().chain(felt).chain(pending).collect()
+        [memory.drifted, tick_number(memory.last), memory.shown]
+            .into_iter()
+            .chain(felt)
+            .chain(pending)
+            .collect()
     }
 
     fn load(&mut self, numbers: &mut impl Iterator<Item = f64>) -> Option<()> {

@@ -6,7 +6,7 @@
 use crate::support::smartbed;
 use object::{Object, ObjectSection, ObjectSymbol};
 use smartbed::firmware::chip::{M7, M33, STM32F405};
-use smartbed::tile::bus::{Bus, Said};
+use smartbed::tile::bus::{Bus, Received};
 use smartbed::tile::machine::{Kind, Machine, Program, build};
 use smartbed::tile::{budget, order};
 use smartbed_firmware::link::message::Report;
@@ -24,10 +24,10 @@ fn session(kind: Kind) -> (Vec<u8>, Option<Report>) {
     let machine = Machine::start(program, 0, None).unwrap_or_else(|e| panic!("{e}"));
     let mut bus = Bus::new(vec![machine]);
     let (mut ticks, mut last) = (0, None);
-    let mut listen = |said: Said| {
-        ticks = said.time;
-        if matches!(said.report, Report::State(_)) {
-            last = Some(said.report);
+    let mut listen = |received: Received| {
+        ticks = received.time;
+        if matches!(received.report, Report::State(_)) {
+            last = Some(received.report);
         }
         Ok(())
     };
@@ -107,8 +107,8 @@ fn an_image_with_a_changed_byte_moves_nothing_and_says_why() {
         let machine = Machine::start(&Program { file: file.clone(), ..program.clone() }, 0, None);
         let mut bus = Bus::new(vec![machine.unwrap_or_else(|e| panic!("{e}"))]);
         let mut last = None;
-        let mut listen = |said: Said| {
-            if let Report::State(state) = said.report {
+        let mut listen = |received: Received| {
+            if let Report::State(state) = received.report {
                 last = Some(state);
             }
             Ok(())
@@ -183,8 +183,8 @@ fn a_motion_that_is_waited_for_ends_when_stop_is_typed() {
     let program = build(Kind::Native).unwrap_or_else(|e| panic!("{e}"));
     let mut bus = Bus::new(vec![Machine::start(&program, 0, None).unwrap_or_else(|e| panic!("{e}"))]);
     let mut last = None;
-    let mut listen = |said: Said| {
-        if let Report::State(state) = said.report {
+    let mut listen = |received: Received| {
+        if let Report::State(state) = received.report {
             last = Some(state);
         }
         Ok(())

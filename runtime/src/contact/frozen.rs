@@ -8,7 +8,7 @@ use super::system::System;
 use super::{massless, soft};
 use crate::flexible::element::Elements;
 use crate::flexible::{BodyError, force};
-use crate::ode::nodes::{Motion, Newton, Step, Way, Workspace};
+use crate::ode::nodes::{MeanStep, Motion, Newton, Step, Workspace};
 use crate::real::Scalar;
 use crate::vec3::Vec3;
 
@@ -42,7 +42,7 @@ impl<S: Scalar, R: Repertoire<S>> Newton<S> for Frozen<'_, '_, S, R> {
         self.system.viscous(pos, vel, out);
     }
 
-    fn mean_force(&self, way: &Way<S>, force: &mut [Vec3<S>]) -> Result<(), BodyError<S>> {
+    fn mean_force(&self, way: &MeanStep<S>, force: &mut [Vec3<S>]) -> Result<(), BodyError<S>> {
         force::eval_mean(&self.system.body, &self.system.elements(), way, force)?;
         if let Some(ground) = self.system.soft_ground() {
             soft::add_mean(&ground, way, force);

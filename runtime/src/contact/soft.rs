@@ -3,7 +3,7 @@
 //! depth = -gap where the gap is negative. The ground never pulls. Hunt & Crossley (1975).
 
 use super::ground::{ContactLaw, Ground};
-use crate::ode::nodes::Way;
+use crate::ode::nodes::MeanStep;
 use crate::real::Scalar;
 use crate::vec3::{self, Vec3};
 
@@ -66,7 +66,7 @@ pub fn accumulate_viscous<S: Scalar>(
 
 /// Adds a soft ground's mean force over a step: -(change of energy)/(change of gap), and its dissipation at the mean
 /// rate.
-pub fn add_mean<S: Scalar>(ground: &Ground<S>, way: &Way<S>, force: &mut [Vec3<S>]) {
+pub fn add_mean<S: Scalar>(ground: &Ground<S>, way: &MeanStep<S>, force: &mut [Vec3<S>]) {
     let [before, _, after] = way.pos;
     let dissipation = match ground.law {
         ContactLaw::Penalty { .. } => S::ZERO,

@@ -12,7 +12,7 @@ use super::patch::{self, Patches};
 use super::pressure::{self, Filled};
 use super::spring::Spring;
 use crate::kernel;
-use crate::ode::nodes::Way;
+use crate::ode::nodes::MeanStep;
 use crate::real::Scalar;
 use crate::vec3::{self, Vec3};
 
@@ -37,7 +37,7 @@ pub trait Element<S: Scalar> {
     ///
     /// # Errors
     /// If a force is not defined at these positions.
-    fn add_mean(&self, way: &Way<S>, force: &mut [Vec3<S>]) -> Result<(), BodyError<S>>;
+    fn add_mean(&self, way: &MeanStep<S>, force: &mut [Vec3<S>]) -> Result<(), BodyError<S>>;
     /// Stored energy (J).
     fn energy(&self, pos: &[Vec3<S>]) -> S;
     /// Power that the speed-dependent forces dissipate (W), given positions and velocities by node.
@@ -58,7 +58,7 @@ impl<S: Scalar> Element<S> for [Spring<S>] {
         }
     }
 
-    fn add_mean(&self, way: &Way<S>, force: &mut [Vec3<S>]) -> Result<(), BodyError<S>> {
+    fn add_mean(&self, way: &MeanStep<S>, force: &mut [Vec3<S>]) -> Result<(), BodyError<S>> {
         self.iter().for_each(|spring| mean::add_spring(spring, way, force));
         Ok(())
     }
@@ -96,7 +96,7 @@ impl<S: Scalar> Element<S> for [Spring<S>] {
 impl<S: Scalar> Element<S> for Filled<'_, S> {
     fn add_viscous(&self, _: &[Vec3<S>], _: &[Vec3<S>], _: &mut [Vec3<S>]) {}
 
-    fn add_mean(&self, way: &Way<S>, force: &mut [Vec3<S>]) -> Result<(), BodyError<S>> {
+    fn add_mean(&self, way: &MeanStep<S>, force: &mut [Vec3<S>]) -> Result<(), BodyError<S>> {
         let pressure = mean::pressure(self, way)?;
         mean::add_pressure(self.facets, self.inflation.form, pressure, way, force);
         Ok(())
@@ -236,7 +236,7 @@ impl<S: Scalar> Element<S> for Elements<'_, S> {
         self.springs.add_viscous(pos, vel, force);
     }
 
-    fn add_mean(&self, way: &Way<S>, force: &mut [Vec3<S>]) -> Result<(), BodyError<S>> {
+    fn add_mean(&self, way: &MeanStep<S>, force: &mut [Vec3<S>]) -> Result<(), BodyError<S>> {
         match self.patches() {
             Some(patches) => kernel::run(patch::Means { patches, way, force }),
             None => self.springs_beside_grids().try_for_each(|springs| springs.add_mean(way, force))?,

@@ -8,7 +8,7 @@ use super::body::Body;
 use super::element::{Element, Elements};
 use super::fault::BodyError;
 use super::spring::Spring;
-use crate::ode::nodes::Way;
+use crate::ode::nodes::MeanStep;
 use crate::real::Scalar;
 use crate::vec3::{self, Vec3};
 
@@ -58,7 +58,7 @@ pub fn eval_viscous<S: Scalar>(
 pub fn eval_mean<S: Scalar>(
     body: &Body<S>,
     elements: &Elements<S>,
-    way: &Way<S>,
+    way: &MeanStep<S>,
     force: &mut [Vec3<S>],
 ) -> Result<(), BodyError<S>> {
     for ((f, m), v) in force.iter_mut().zip(body.mass).zip(way.vel) {

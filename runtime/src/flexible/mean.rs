@@ -7,12 +7,12 @@
 use super::fault::BodyError;
 use super::pressure::{self, Filled, Gas, PressureForm, Weights};
 use super::spring::Spring;
-use crate::ode::nodes::Way;
+use crate::ode::nodes::MeanStep;
 use crate::real::Scalar;
 use crate::vec3::{self, Vec3};
 
 /// Adds the mean forces of a spring and its damper.
-pub fn add_spring<S: Scalar>(spring: &Spring<S>, way: &Way<S>, force: &mut [Vec3<S>]) {
+pub fn add_spring<S: Scalar>(spring: &Spring<S>, way: &MeanStep<S>, force: &mut [Vec3<S>]) {
     let [_, middle, _] = way.pos;
     let between = |rows: &[Vec3<S>]| vec3::sub(vec3::at(rows, spring.head), vec3::at(rows, spring.tail));
     let numbers = [spring.stiffness, spring.rest_length, spring.damping];
@@ -41,7 +41,7 @@ pub(super) fn pull<S: Scalar>(
 
 /// Energy dissipated by dampers over a step (J): C (l' - l)^2/h, the work of their part of the mean forces.
 #[must_use]
-pub fn dissipated<S: Scalar>(springs: &[Spring<S>], way: &Way<S>) -> S {
+pub fn dissipated<S: Scalar>(springs: &[Spring<S>], way: &MeanStep<S>) -> S {
     let [_, middle, _] = way.pos;
     springs.iter().filter(|spring| spring.damping > S::ZERO).fold(S::ZERO, |sum, spring| {
         let between = |rows: &[Vec3<S>]| vec3::sub(vec3::at(rows, spring.head), vec3::at(rows, spring.tail));
@@ -56,7 +56,7 @@ pub fn add_pressure<S: Scalar>(
     facets: &[[usize; 4]],
     form: PressureForm,
     pressure: S,
-    way: &Way<S>,
+    way: &MeanStep<S>,
     force: &mut [Vec3<S>],
 ) {
     for facet in facets {
@@ -84,7 +84,7 @@ pub(super) fn simpson<S: Scalar>([a, b, c, d]: [Vec3<S>; 4], [p, q, r, s]: [Vec3
 ///
 /// # Errors
 /// [`BodyError::Collapsed`] if a gas law has no volume left.
-pub fn pressure<S: Scalar>(filled: &Filled<S>, way: &Way<S>) -> Result<S, BodyError<S>> {
+pub fn pressure<S: Scalar>(filled: &Filled<S>, way: &MeanStep<S>) -> Result<S, BodyError<S>> {
     let gas = &filled.inflation.gas;
     let volume = |pos: &[Vec3<S>]| match gas {
         Gas::Constant(_) => S::ZERO,

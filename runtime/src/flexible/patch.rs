@@ -6,7 +6,7 @@
 use super::mean;
 use super::spring::is_runaway;
 use crate::kernel::{BLOCK, Kernel};
-use crate::ode::nodes::Way;
+use crate::ode::nodes::MeanStep;
 use crate::real::Scalar;
 use crate::vec3::{self, Vec3};
 
@@ -90,7 +90,7 @@ pub struct Means<'a, 'w, S> {
     /// The springs.
     pub patches: Patches<'a, S>,
     /// The step.
-    pub way: &'w Way<'a, S>,
+    pub way: &'w MeanStep<'a, S>,
     /// The sums of forces (N).
     pub force: &'a mut [Vec3<S>],
 }

@@ -10,7 +10,7 @@ use crate::flexible::{Body, mean};
 use crate::gas::{Chamber, GasFault, GasState, Regulated};
 use crate::kernel;
 use crate::mechanism::Fault;
-use crate::ode::nodes::Way;
+use crate::ode::nodes::MeanStep;
 use crate::real::Scalar;
 use crate::vec3::Vec3;
 
@@ -115,7 +115,7 @@ impl<S: Scalar> Cell<S> {
     pub(super) fn add_mean_force(
         &self,
         facets: &[[usize; 4]],
-        way: &Way<S>,
+        way: &MeanStep<S>,
         force: &mut [Vec3<S>],
     ) -> Result<(), Fault> {
         let pressure = match self.content {

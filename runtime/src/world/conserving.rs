@@ -18,7 +18,7 @@ use super::sweep::Sweeps;
 use super::trail::DEPTH;
 use crate::flexible::{force, mean};
 use crate::mechanism::Fault;
-use crate::ode::nodes::Way;
+use crate::ode::nodes::MeanStep;
 use crate::ode::{Ode, State, pivot_limit, state::advance};
 use crate::real::Scalar;
 use crate::rigid::contact::{Contact, Point, Side, Twist};
@@ -274,7 +274,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
                 (*velocity, *change) = ([*x, *y, *z], vec3::scale([*x, *y, *z], span.h));
             }
         }
-        let way = Way { h: span.h, pos: [start, middle, own.pos], dx: change, vel: velocity };
+        let way = MeanStep { h: span.h, pos: [start, middle, own.pos], dx: change, vel: velocity };
         force::eval_mean(&island.body, &island.body.elements(), &way, own.elastic)
             .map_err(|_| Fault::NonFinite)?;
         for cell in island.cells {
@@ -327,7 +327,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         let island = &mut self.island;
         let ports = island.memory.frames.len();
         let [start, middle, change, velocity] = &means.nodes;
-        let way = Way { h, pos: [start, middle, island.memory.pos], dx: change, vel: velocity };
+        let way = MeanStep { h, pos: [start, middle, island.memory.pos], dx: change, vel: velocity };
         accounts.damping = mean::dissipated(island.body.springs, &way);
         let squares = velocity.iter().fold(S::ZERO, |sum, v| sum + vec3::dot(*v, *v));
         accounts.drag = h * island.body.air_drag * squares;

@@ -6,7 +6,7 @@ use smartbed_runtime::flexible::force;
 use smartbed_runtime::flexible::grid::{Damp, Family, Grid, Run, Weave, pitch};
 use smartbed_runtime::flexible::{Body, BodyError, Gas, Inflation, PressureForm, Spring};
 use smartbed_runtime::kernel::{self, Registers};
-use smartbed_runtime::ode::nodes::Way;
+use smartbed_runtime::ode::nodes::MeanStep;
 use smartbed_runtime::real::Scalar;
 use smartbed_runtime::vec3::Vec3;
 
@@ -174,7 +174,7 @@ impl<S: Scalar> Net<S> {
         let dx: Vec<Vec3<S>> = vel.iter().map(|v| v.map(|v| v * h)).collect();
         let end: Vec<Vec3<S>> =
             pos.iter().zip(&dx).map(|(x, d)| [0, 1, 2].map(|c: usize| x[c] + d[c])).collect();
-        let way = Way { h, pos: [&pos, &pos, &end], dx: &dx, vel: &vel };
+        let way = MeanStep { h, pos: [&pos, &pos, &end], dx: &dx, vel: &vel };
         force::eval_mean(&body, &body.elements(), &way, &mut mean)?;
         Ok([elastic, viscous, mean])
     }

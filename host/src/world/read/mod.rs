@@ -52,7 +52,7 @@ pub fn parse(path: &str, text: &str, settings: &[String], find: Find<'_>) -> Res
         Err(items) => return Err(Diagnostics { source, items }),
     };
     let table = settings::apply(table, settings, &mut found);
-    let find = |name: &str| beside(Path::new(path), name).map_or_else(|| find(name), Ok);
+    let find = |name: &str| model_beside(Path::new(path), name).map_or_else(|| find(name), Ok);
     let assembly = read(path, &table, &find, &mut found);
     match assembly {
         Some(assembly) => found.finish(assembly),
@@ -61,7 +61,7 @@ pub fn parse(path: &str, text: &str, settings: &[String], find: Find<'_>) -> Res
 }
 
 /// The file of a model in the scene's own folder, if it exists.
-fn beside(scene: &Path, name: &str) -> Option<PathBuf> {
+fn model_beside(scene: &Path, name: &str) -> Option<PathBuf> {
     let folder = scene.parent()?;
     let files = [name.to_owned(), format!("{name}.toml")].map(|file| folder.join(file));
     files.into_iter().find(|file| file.is_file() && file != scene)

@@ -54,7 +54,7 @@ pub(crate) fn scalar(
         Value::Number(number, _) if number.is_finite() => *number,
         Value::Text(text) => quantity(text, unit(of), &format!("`{key}`"), found)?,
         other => {
-            let expected = format!("a number in {}, or a text such as \"2 {of}\"", said(of));
+            let expected = format!("a number in {}, or a text such as \"2 {of}\"", unit_name(of));
             found.push(wrong_kind(key, &expected, other).help(format!("{key} takes {}", bound.words())));
             return None;
         }
@@ -67,7 +67,7 @@ pub(crate) fn scalar(
     None
 }
 
-fn said(of: &str) -> &str {
+fn unit_name(of: &str) -> &str {
     if of.is_empty() { "no unit" } else { of }
 }
 

@@ -8,7 +8,7 @@
 
 use super::anderson::Trail;
 use super::motion::{Motion, set};
-use super::newton::{Newton, NodeFault, Way};
+use super::newton::{MeanStep, Newton, NodeFault};
 use super::rows;
 use super::workspace::Workspace;
 use crate::kernel::{self, Kernel};
@@ -54,7 +54,7 @@ pub(super) fn energy_momentum<S: Scalar, N: Newton<S>>(
 ) -> Result<(), N::Fault> {
     iterate(newton, start, h, work, |work| {
         let pos = [&*start.pos, &*work.stage_pos, &*work.end.pos];
-        let way = Way { h, pos, dx: work.dx, vel: work.stage_vel };
+        let way = MeanStep { h, pos, dx: work.dx, vel: work.stage_vel };
         newton.mean_force(&way, work.stage_elastic)
     })
 }

@@ -18,6 +18,6 @@ pub mod workspace;
 pub use method::{Method, Step};
 pub(crate) use motion::copy;
 pub use motion::{MOTION_ROWS, Motion};
-pub use newton::{Newton, NodeFault, Way};
+pub use newton::{MeanStep, Newton, NodeFault};
 pub(crate) use rows::add_exactly;
 pub use workspace::{Workspace, workspace_len};

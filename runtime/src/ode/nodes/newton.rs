@@ -42,7 +42,7 @@ pub trait Newton<S: Scalar> {
     ///
     /// # Errors
     /// If a force is not defined at these positions.
-    fn mean_force(&self, way: &Way<S>, force: &mut [Vec3<S>]) -> Result<(), Self::Fault>;
+    fn mean_force(&self, way: &MeanStep<S>, force: &mut [Vec3<S>]) -> Result<(), Self::Fault>;
     /// Whether some force depends on speeds.
     fn is_damped(&self) -> bool;
     /// Whether a node can move: it has a mass and is not fixed.
@@ -63,7 +63,7 @@ pub trait Newton<S: Scalar> {
 
 /// A step as the energy-momentum method needs it.
 #[derive(Clone, Copy, Debug)]
-pub struct Way<'a, S> {
+pub struct MeanStep<'a, S> {
     /// Its length (s).
     pub h: S,
     /// Positions at its start, in its middle and at its end.

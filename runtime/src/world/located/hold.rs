@@ -1,6 +1,6 @@
 //! Lasting contacts at the start of a piece of a step: which of them push, and whether they stick or slide.
 
-use super::{Sight, Way};
+use super::{PartialStep, Sight};
 use crate::mechanism::Fault;
 use crate::ode::Ode;
 use crate::real::Scalar;
@@ -22,7 +22,7 @@ const SLOW: f64 = 0.1;
 impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
     /// Stops contacts whose slip has reversed slowly: towards the end of a slip its direction is known less and less,
     /// and the rest of it is the method's error.
-    fn stop(&mut self, t: S, way: &mut Way<S>) -> Result<(), Fault> {
+    fn stop(&mut self, t: S, way: &mut PartialStep<S>) -> Result<(), Fault> {
         let touches = way.memory.touches[0].get(..way.known).unwrap_or_default();
         let list = way.pressing.get_mut(..way.held).unwrap_or_default();
         let mut stopped = 0;
@@ -49,7 +49,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
     }
 
     /// Selects the contacts that push from here on, and whether each sticks or slides.
-    pub(super) fn hold_at_start(&mut self, t: S, way: &mut Way<S>) -> Result<(), Fault> {
+    pub(super) fn hold_at_start(&mut self, t: S, way: &mut PartialStep<S>) -> Result<(), Fault> {
         self.stop(t, way)?;
         let (rate, deepest) = (way.rounding.rate, -S::from_f64(OVERLAP) * way.rounding.gap);
         let overlaps = |touch: &Touch<S>| touch.gap < deepest;

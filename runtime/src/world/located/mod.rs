@@ -98,7 +98,7 @@ struct Sight<'p, S> {
 }
 
 /// A step in progress: the state so far, and working memory.
-struct Way<'w, 'm, S> {
+struct PartialStep<'w, 'm, S> {
     /// State so far with its rounding errors; the same for the trial state.
     now: [&'w mut [S]; 2],
     trial: [&'w mut [S]; 2],
@@ -126,7 +126,7 @@ impl<'m, S: Scalar> LocatedMemory<'m, S> {
     }
 
     /// The same memory, arranged for a step of h from a state.
-    fn way<'w>(&'w mut self, h: S, state: &State<'_, S>) -> Result<Way<'w, 'm, S>, Fault> {
+    fn way<'w>(&'w mut self, h: S, state: &State<'_, S>) -> Result<PartialStep<'w, 'm, S>, Fault> {
         let n = state.x().len();
         let (rows, room) = self.scratch.split_at_mut_checked(10 * n).ok_or(Fault::Shape)?;
         let mut rows = rows.chunks_exact_mut(n.max(1));
@@ -138,7 +138,7 @@ impl<'m, S: Scalar> LocatedMemory<'m, S> {
         a.iter_mut().zip(state.x()).for_each(|(to, from)| *to = *from);
         b.iter_mut().zip(state.low()).for_each(|(to, from)| *to = *from);
         let [struck, lifts] = &mut self.struck;
-        Ok(Way {
+        Ok(PartialStep {
             now: [a, b],
             trial: [c, d],
             dots: [e, f, g],
@@ -156,7 +156,7 @@ impl<'m, S: Scalar> LocatedMemory<'m, S> {
     }
 }
 
-impl<'m, S: Scalar> Way<'_, 'm, S> {
+impl<'m, S: Scalar> PartialStep<'_, 'm, S> {
     /// The equations under the contacts that push, and beside them the states and the method's memory.
     fn pressed<'p, 'a, C>(
         &'p mut self,
@@ -244,7 +244,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
     }
 
     /// Sets the tolerances from sizes and speeds at the state so far.
-    fn measure(&mut self, t: S, way: &mut Way<S>) -> Result<(), Fault> {
+    fn measure(&mut self, t: S, way: &mut PartialStep<S>) -> Result<(), Fault> {
         self.island.place(t, way.now[0])?;
         let StepMemory { twists: [_, twists, _], .. } = &mut *way.memory;
         Pressed::read_twists(self, twists);
@@ -268,7 +268,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
     }
 
     /// Detects contacts at the state so far, with their velocities.
-    fn find_touches(&mut self, t: S, way: &mut Way<S>) -> Result<(), Fault> {
+    fn find_touches(&mut self, t: S, way: &mut PartialStep<S>) -> Result<(), Fault> {
         self.island.place(t, way.now[0])?;
         let StepMemory { twists: [_, twists, _], normals, extents, touches: [now, _], counts, .. } =
             &mut *way.memory;

@@ -1,7 +1,7 @@
 //! Advances to the first event: the method's step under lasting contacts, and the clearance at its end.
 
 use super::hold::LIGHT;
-use super::{Sight, Way};
+use super::{PartialStep, Sight};
 use crate::mechanism::Fault;
 use crate::ode::root::locate;
 use crate::ode::{Method, Ode, State};
@@ -15,7 +15,12 @@ use crate::world::step::{StepMemory, World};
 
 impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
     /// Advances from the state so far by a length of time, into the trial state.
-    fn advance(&mut self, method: Method, (t, length): (S, S), way: &mut Way<S>) -> Result<(), Fault> {
+    fn advance(
+        &mut self,
+        method: Method,
+        (t, length): (S, S),
+        way: &mut PartialStep<S>,
+    ) -> Result<(), Fault> {
         let (mut pressed, Sight { now: [from, from_low], trial: [x, low], room }) = way.pressed(self);
         x.iter_mut().zip(from.iter()).for_each(|(to, from)| *to = *from);
         low.iter_mut().zip(from_low.iter()).for_each(|(to, from)| *to = *from);
@@ -27,7 +32,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         &mut self,
         method: Method,
         (t, left): (S, S),
-        way: &mut Way<S>,
+        way: &mut PartialStep<S>,
     ) -> Result<S, Fault> {
         self.advance(method, (t, left), way)?;
         if self.clearance(t + left, way)? >= S::ZERO {
@@ -57,7 +62,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
 
     /// Clearance of the trial state to the first event, negative beyond it: the least over all contacts, each in units
     /// of its rounding.
-    fn clearance(&mut self, t: S, way: &mut Way<S>) -> Result<S, Fault> {
+    fn clearance(&mut self, t: S, way: &mut PartialStep<S>) -> Result<S, Fault> {
         let dot = core::mem::take(&mut way.dots[1]);
         let (mut pressed, Sight { trial: [x, _], .. }) = way.pressed(self);
         let gone = pressed.rates(t, x, dot);
@@ -99,7 +104,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
     }
 
     /// Energy accounts of the piece from the state so far to the trial state: powers by Simpson's rule.
-    pub(super) fn works(&mut self, t: S, length: S, way: &mut Way<S>) -> Result<Accounts<S>, Fault> {
+    pub(super) fn works(&mut self, t: S, length: S, way: &mut PartialStep<S>) -> Result<Accounts<S>, Fault> {
         let [first, last, between] = core::mem::take(&mut way.dots);
         let (mut pressed, Sight { now: [old, _], trial: [new, _], .. }) = way.pressed(self);
         let sum = pressed.works((t, length), [old, new], [&mut *first, &mut *last, &mut *between]);

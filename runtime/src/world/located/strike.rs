@@ -1,6 +1,6 @@
 //! Impact of all contacts at one instant, applied to the state.
 
-use super::{LocatedReport, Way};
+use super::{LocatedReport, PartialStep};
 use crate::mechanism::Fault;
 use crate::ode::Ode;
 use crate::real::Scalar;
@@ -18,7 +18,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         &mut self,
         kinds: &[Kind],
         t: S,
-        way: &mut Way<S>,
+        way: &mut PartialStep<S>,
         report: &mut LocatedReport<S>,
         show: impl FnOnce(&[Touch<S>], &[Struck<S>]),
     ) -> Result<(), Fault> {
