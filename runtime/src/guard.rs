@@ -18,7 +18,8 @@ use crate::ode::nodes::{Motion, Workspace};
 use crate::ode::root::Search;
 use crate::real::Scalar;
 use crate::vec3;
-use reach::{Nearest, are_free, blocks, is_clear};
+use reach::{Nearest, blocks, is_clear};
+pub(crate) use reach::{PASSED_OVER, are_free};
 
 /// Most trial steps for one root (60 bisections reduce a step to nothing).
 const TRIALS: usize = 64;

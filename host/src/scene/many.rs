@@ -3,6 +3,7 @@
 //! In: simulations that have begun. Out: the same after a number of steps. Each body is stepped by one core from
 //! beginning to end and shares nothing with the others: results do not depend on the number of cores.
 
+use std::sync::Mutex;
 use std::thread;
 
 use smartbed_runtime::flexible::BodyError;
@@ -17,38 +18,41 @@ pub struct Refused<S> {
     pub body: usize,
     /// The step that was refused, from 0.
     pub step: usize,
-    /// The reason. The body is in its state before that step, those after it on the same core in their initial state.
+    /// The reason. The body is in its state before that step; all others have taken theirs.
     pub why: BodyError<S>,
 }
 
 /// Takes steps of length h with all bodies on several cores, all steps of one body before the next: its data stays in
-/// the inner caches, which are too small for all bodies of a bed.
+/// the inner caches, which are too small for all bodies of a bed. A core that is free takes the next body, so that none
+/// waits for one that has other work to do, or begins late.
 ///
 /// # Errors
-/// The first body whose step is refused.
+/// The first body of which a step is refused.
 pub fn advance<S: Scalar + Send + Sync>(
     bodies: &mut [Simulation<S>],
     h: S,
     steps: usize,
     cores: usize,
 ) -> Result<(), Refused<S>> {
-    let share = bodies.len().div_ceil(cores.max(1)).max(1);
-    let one_core = |(number, bodies): (usize, &mut [Simulation<S>])| {
-        for (i, body) in bodies.iter_mut().enumerate() {
-            body.advance(h, steps).map_err(|(step, why)| Refused { body: number * share + i, step, why })?;
+    let helpers = cores.min(bodies.len()).saturating_sub(1);
+    let waiting = Mutex::new(bodies.iter_mut().enumerate());
+    let refused = Mutex::new(None);
+    let next = || waiting.lock().expect("nobody panics while a body is taken").next();
+    let work = || {
+        while let Some((body, simulation)) = next() {
+            if let Err((step, why)) = simulation.advance(h, steps) {
+                let mut first = refused.lock().expect("nobody panics while two are compared");
+                let before = first.filter(|first: &Refused<S>| first.body < body);
+                *first = before.or(Some(Refused { body, step, why }));
+            }
         }
-        Ok(())
     };
-    if bodies.len() <= share {
-        return one_core((0, bodies));
-    }
+    // The scope waits for their work, not for the threads to end, which would take another thirtieth of a short turn.
     thread::scope(|scope| {
-        let shares = bodies.chunks_mut(share).enumerate();
-        let running: Vec<_> = shares.map(|share| scope.spawn(move || one_core(share))).collect();
-        let done: Vec<_> =
-            running.into_iter().map(|core| core.join().expect("a step does not panic")).collect();
-        done.into_iter().collect()
-    })
+        (0..helpers).for_each(|_| drop(scope.spawn(work)));
+        work();
+    });
+    refused.into_inner().expect("nobody panics while two are compared").map_or(Ok(()), Err)
 }
 
 #[cfg(test)]
@@ -56,24 +60,22 @@ mod tests {
     use super::*;
     use crate::scene::parse;
 
+    /// A sheet of springs of such a stiffness (N/m).
+    fn body(stiffness: f64) -> Simulation<f64> {
+        let text = format!(
+            "format = 1\nshape = \"sheet\"\nrows = 13\ncolumns = 13\nmethod = \"verlet\"\nlaw = \"none\"\npressure = 2000\nallow_unstable = true\nK = {stiffness}\n"
+        );
+        let mut scene = parse("x", &text, &[]).expect("a scene");
+        scene.lists.damping.fill(0.0);
+        scene.around.air_drag = 0.0;
+        let mut body = Simulation::new(&scene.lists, &scene.around, scene.method).expect("a body");
+        body.begin(1e-3, &mut ()).expect("a start");
+        body
+    }
+
     /// Sheets that are stretched differently.
     fn bodies() -> Vec<Simulation<f64>> {
-        let text = |i: usize| {
-            format!(
-                "format = 1\nshape = \"sheet\"\nrows = 13\ncolumns = 13\nmethod = \"verlet\"\nlaw = \"none\"\npressure = 2000\nK = {}\n",
-                1000 + i
-            )
-        };
-        let scenes = (0..7).map(|i| parse("x", &text(i), &[]).expect("a scene"));
-        scenes
-            .map(|mut scene| {
-                scene.lists.damping.fill(0.0);
-                scene.around.air_drag = 0.0;
-                let mut body = Simulation::new(&scene.lists, &scene.around, scene.method).expect("a body");
-                body.begin(1e-3, &mut ()).expect("a start");
-                body
-            })
-            .collect()
+        (0..7).map(|i| body(f64::from(1000 + i))).collect()
     }
 
     #[test]
@@ -93,6 +95,53 @@ mod tests {
                 numbers.map(f64::to_bits).collect::<Vec<_>>()
             };
             assert!(bits(at_once) == bits(singly));
+        }
+    }
+
+    #[test]
+    fn spans_of_steps_go_on_from_one_another_and_from_single_steps() {
+        let (mut spans, mut singly) = (bodies(), bodies());
+        let bits = |bodies: &[Simulation<f64>]| {
+            let numbers = bodies.iter().flat_map(|body| body.pos().iter().chain(body.vel()).flatten());
+            numbers.map(|x| x.to_bits()).collect::<Vec<_>>()
+        };
+        for count in [10, 10, 1, 7, 3, 20] {
+            advance(&mut spans, 1e-3, count, 2).expect("steps");
+            // The rows in which a body's numbers are kept go with its copy.
+            spans = spans.clone();
+            for body in &mut singly {
+                (0..count).for_each(|_| body.step(1e-3, &mut ()).map(|_| ()).expect("a step"));
+            }
+            assert!(bits(&spans) == bits(&singly), "{count}");
+        }
+        for bodies in [&mut spans, &mut singly] {
+            bodies.iter_mut().for_each(|body| body.begin(1e-3, &mut ()).expect("a start"));
+        }
+        advance(&mut spans, 1e-3, 10, 1).expect("steps");
+        for body in &mut singly {
+            (0..10).for_each(|_| body.step(1e-3, &mut ()).map(|_| ()).expect("a step"));
+        }
+        assert!(bits(&spans) == bits(&singly));
+    }
+
+    #[test]
+    fn who_is_refused_stops_nobody_else_on_any_number_of_cores() {
+        let after = |cores: usize| {
+            // Steps of this length are too long for two of them, which begin to swing.
+            let mut bodies: Vec<_> = bodies();
+            for stiff in [2, 5] {
+                bodies[stiff] = body(1e9);
+            }
+            let refused = advance(&mut bodies, 1e-3, 30, cores).expect_err("too stiff");
+            (refused, bodies.iter().map(Simulation::t).collect::<Vec<_>>())
+        };
+        let (refused, times) = after(1);
+        assert!(refused.body == 2 && refused.step < 30, "{refused:?}");
+        for (number, t) in times.iter().enumerate() {
+            assert_eq!((t - 0.03).abs() > 1e-9, [2, 5].contains(&number), "{number} {t}");
+        }
+        for cores in [2, 3, 7] {
+            assert!(after(cores) == (refused, times.clone()), "{cores} cores");
         }
     }
 

@@ -17,6 +17,7 @@ const MOST_FORCES: usize = 2;
 pub struct Marcher<S> {
     lines: Vec<Line<S>>,
     beside: Vec<[Corner; 4]>,
+    is_current: bool,
 }
 
 impl<S: Scalar> Marcher<S> {
@@ -29,12 +30,17 @@ impl<S: Scalar> Marcher<S> {
         }
         let beside = beside(grid, body.facets, body.points())?;
         let lines = (0..=grid.rows).map(|row| Line::new(grid, row, body.inverse_mass, &beside)).collect();
-        Some(Marcher { lines, beside })
+        Some(Marcher { lines, beside, is_current: false })
     }
 
     /// The memory.
     pub fn view(&mut self) -> Marching<'_, S> {
-        Marching { lines: &mut self.lines, beside: &self.beside }
+        Marching { lines: &mut self.lines, beside: &self.beside, is_current: &mut self.is_current }
+    }
+
+    /// Says that something else than a march may have changed the state.
+    pub fn forget(&mut self) {
+        self.is_current = false;
     }
 }
 

@@ -204,6 +204,10 @@ impl<S: Scalar> Simulation<S> {
         &mut self,
         work: impl for<'a> FnOnce(&System<S>, &mut State<'a, S>, &mut Workspace<'a, S>) -> Result<R, BodyError<S>>,
     ) -> Result<R, BodyError<S>> {
+        // A march takes its memory out before it comes here.
+        if let Some(marcher) = &mut self.marcher {
+            marcher.forget();
+        }
         let n = self.mass.len();
         let grid = self.grid.as_ref().map(Woven::view);
         let body = Body {

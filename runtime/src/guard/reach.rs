@@ -16,13 +16,16 @@ const BLOCK: usize = if cfg!(target_os = "none") { 1 } else { 128 };
 /// Numbers compared side by side.
 const LANES: usize = 16;
 
+/// Nodes passed over together: on a microcontroller none, all are one block.
+pub(crate) const PASSED_OVER: usize = if cfg!(target_os = "none") { usize::MAX } else { BLOCK };
+
 /// The nodes in blocks, with the index of the first.
 pub(super) fn blocks(modes: &[ContactState]) -> impl Iterator<Item = (usize, &[ContactState])> {
     modes.chunks(BLOCK).enumerate().map(|(i, modes)| (i * BLOCK, modes))
 }
 
 /// Whether these nodes are all free and enough to be examined together: a few cost less one by one.
-pub(super) fn are_free(modes: &[ContactState]) -> bool {
+pub(crate) fn are_free(modes: &[ContactState]) -> bool {
     // Without an early exit, so that it vectorises.
     BLOCK > 1
         && modes.len() >= LANES
@@ -85,7 +88,8 @@ pub(super) fn is_clear<S: Scalar>(
 ///
 /// A cubic through values g0, g1 and rates r0, r1 stays above min(g0, g1) - 4/27 (|r0| + |r1|): the weights of the
 /// values sum to 1, those of the rates are at most 4/27. Using 1/2 instead, and a small share of the values, covers
-/// rounding.
+/// rounding. A rate n.v is at most the sum of |n| over its components times the largest component of any velocity of the
+/// block, which is found number by number, without taking the vectors apart.
 struct Lowest<'a, 'm, S> {
     ground: &'a Ground<S>,
     first: usize,
@@ -100,24 +104,39 @@ impl<S: Scalar> Kernel for Lowest<'_, '_, S> {
     #[inline(always)]
     fn run(self) -> S {
         let Lowest { ground, first, count, ends: [start, end], h } = self;
-        let [x0, v0, x1, v1] = [&*start.pos, start.vel, end.pos, end.vel]
-            .map(|row| rows(row, first, count).as_chunks::<LANES>());
-        let mut least = [S::ONE / S::EPSILON; LANES];
-        for ((x0, v0), (x1, v1)) in x0.0.iter().zip(v0.0).zip(x1.0.iter().zip(v1.0)) {
-            lower(&mut least, ground, h, [x0, v0, x1, v1]);
+        let [x0, v0, x1, v1] = [&*start.pos, start.vel, end.pos, end.vel].map(|row| rows(row, first, count));
+        let (mut least, mut fastest) = ([S::ONE / S::EPSILON; LANES], [S::ZERO; LANES]);
+        let [(x0, rest0), (x1, rest1)] = [x0, x1].map(|x| x.as_chunks::<LANES>());
+        x0.iter().zip(x1).for_each(|(x0, x1)| lower(&mut least, ground, [x0, x1]));
+        lower(&mut least, ground, [rest0, rest1]);
+        for v in [v0, v1] {
+            let (numbers, rest) = v.as_flattened().as_chunks::<LANES>();
+            numbers.iter().for_each(|numbers| raise(&mut fastest, numbers));
+            raise(&mut fastest, rest);
         }
-        lower(&mut least, ground, h, [x0.1, v0.1, x1.1, v1.1]);
-        least.into_iter().fold(S::ONE / S::EPSILON, |least, low| least.min(low))
+        let fastest = fastest.into_iter().fold(S::ZERO, |fastest, speed| fastest.max(speed));
+        let steepness = ground.normal.iter().fold(S::ZERO, |sum, n| sum + n.abs());
+        let way = h * (steepness * fastest);
+        least.into_iter().fold(S::ONE / S::EPSILON, |least, low| least.min(low)) - way
     }
 }
 
-/// Lowers each lane to the bound of a node, given positions and velocities at the start and the end of the step.
+/// Lowers each lane to the smaller gap of a node at the start and the end of a step, less a small share of both.
 #[inline(always)]
-fn lower<S: Scalar>(least: &mut [S; LANES], ground: &Ground<S>, h: S, [x0, v0, x1, v1]: [&[Vec3<S>]; 4]) {
-    let (half, slack) = (S::from_f64(0.5) * h, S::from_f64(64.0) * S::EPSILON);
-    for (least, ((x0, v0), (x1, v1))) in least.iter_mut().zip(x0.iter().zip(v0).zip(x1.iter().zip(v1))) {
+fn lower<S: Scalar>(least: &mut [S; LANES], ground: &Ground<S>, [x0, x1]: [&[Vec3<S>]; 2]) {
+    let slack = S::from_f64(64.0) * S::EPSILON;
+    for (least, (x0, x1)) in least.iter_mut().zip(x0.iter().zip(x1)) {
         let (g0, g1) = (ground.gap(*x0), ground.gap(*x1));
-        let rates = ground.gap_rate(*v0).abs() + ground.gap_rate(*v1).abs();
-        *least = least.min(g0.min(g1) - half * rates - slack * (g0.abs() + g1.abs()));
+        let low = if g0 < g1 { g0 } else { g1 } - slack * (g0.abs() + g1.abs());
+        *least = if low < *least { low } else { *least };
+    }
+}
+
+/// Raises each lane to the size of a number.
+#[inline(always)]
+fn raise<S: Scalar>(largest: &mut [S; LANES], numbers: &[S]) {
+    for (largest, number) in largest.iter_mut().zip(numbers) {
+        let size = number.abs();
+        *largest = if size > *largest { size } else { *largest };
     }
 }

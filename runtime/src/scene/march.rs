@@ -17,6 +17,9 @@ pub struct Marching<'a, S> {
     pub lines: &'a mut [Line<S>],
     /// The facets that are no cells of it.
     pub beside: &'a [[Corner; 4]],
+    /// Whether the lines hold the state: false at first; a march that takes its steps says so, and who changes the state
+    /// otherwise takes it back.
+    pub is_current: &'a mut bool,
 }
 
 /// Whether a body can be marched: no ground, one grid no wider than [`WIDTH`] that is all of it, no dampers, no air, constant
@@ -55,12 +58,12 @@ pub fn march<'a, S: Scalar>(
         gravity: body.gravity,
         h,
         steps,
-        start: &state.motion,
-        end: &mut work.end,
+        motion: &mut state.motion,
         lines: marching.lines,
+        goes_on: *marching.is_current,
     });
+    *marching.is_current = taken;
     if taken {
-        core::mem::swap(&mut state.motion, &mut work.end);
         work.evaluations += steps;
         (0..steps).for_each(|_| state.pass(h));
     }

@@ -4,6 +4,7 @@ use super::state::State;
 use super::touch::lift;
 use crate::contact::{ContactState, Frozen, Ground, Repertoire, System};
 use crate::flexible::BodyError;
+use crate::guard::{PASSED_OVER, are_free};
 use crate::ode::nodes::Workspace;
 use crate::real::Scalar;
 use crate::vec3;
@@ -31,7 +32,11 @@ pub(super) fn lift_departing<S: Scalar, R: Repertoire<S>>(
 ) -> Result<bool, BodyError<S>> {
     let Some(ground) = system.event_ground() else { return Ok(false) };
     let mut lifted = false;
-    for (i, _) in modes.iter().enumerate().filter(|(_, m)| **m == ContactState::Departing) {
+    let blocks = modes.chunks(PASSED_OVER).enumerate().filter(|(_, modes)| !are_free(modes));
+    let points = blocks.flat_map(|(block, modes)| {
+        modes.iter().enumerate().map(move |(i, mode)| (block * PASSED_OVER + i, mode))
+    });
+    for (i, _) in points.filter(|(_, m)| **m == ContactState::Departing) {
         let leaves = ground.gap_rate(vec3::at(work.end.vel, i)) >= S::ZERO;
         if leaves && ground.is_deep(vec3::at(work.end.pos, i)) {
             lift(&ground, &mut work.end, i);
@@ -50,20 +55,27 @@ pub(super) fn settle_modes<S: Scalar, R: Repertoire<S>>(
     ground: &Ground<S>,
     state: &mut State<S>,
 ) {
-    for (i, mode) in state.modes.iter_mut().enumerate() {
-        match mode {
-            ContactState::Departing if ground.gap(vec3::at(state.motion.pos, i)) > ground.tolerance => {
-                *mode = ContactState::Free;
+    let rubs = R::FRICTION && ground.friction > S::ZERO;
+    for (block, modes) in state.modes.chunks_mut(PASSED_OVER).enumerate() {
+        // A free point stays free, unless a soft ground rubs it.
+        if are_free(modes) && (ground.is_rigid() || !rubs) {
+            continue;
+        }
+        for (i, mode) in modes.iter_mut().enumerate().map(|(i, mode)| (block * PASSED_OVER + i, mode)) {
+            match mode {
+                ContactState::Departing if ground.gap(vec3::at(state.motion.pos, i)) > ground.tolerance => {
+                    *mode = ContactState::Free;
+                }
+                _ if rubs && (mode.is_held() || !ground.is_rigid()) => {
+                    let push = system.pressure(&state.motion, i, *mode);
+                    let side = vec3::norm(vec3::tangential(state.motion.force(i), ground.normal));
+                    let still = ground.is_still(vec3::at(state.motion.vel, i));
+                    let sticks = still && push > S::ZERO && side <= ground.friction * push;
+                    let slides = if ground.is_rigid() { ContactState::Held } else { ContactState::Free };
+                    *mode = if sticks { ContactState::Stuck } else { slides };
+                }
+                _ => {}
             }
-            _ if R::FRICTION && ground.friction > S::ZERO && (mode.is_held() || !ground.is_rigid()) => {
-                let push = system.pressure(&state.motion, i, *mode);
-                let side = vec3::norm(vec3::tangential(state.motion.force(i), ground.normal));
-                let still = ground.is_still(vec3::at(state.motion.vel, i));
-                let sticks = still && push > S::ZERO && side <= ground.friction * push;
-                let slides = if ground.is_rigid() { ContactState::Held } else { ContactState::Free };
-                *mode = if sticks { ContactState::Stuck } else { slides };
-            }
-            _ => {}
         }
     }
 }

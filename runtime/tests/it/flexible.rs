@@ -30,6 +30,7 @@ pub(crate) struct Trial {
     pub springs: Vec<Spring<f64>>,
     gravity: f64,
     law: Option<ContactLaw<f64>>,
+    normal: [f64; 3],
     friction: f64,
 }
 
@@ -71,6 +72,7 @@ impl Trial {
             springs: Vec::new(),
             gravity: 0.0,
             law: None,
+            normal: [0.0, 0.0, 1.0],
             friction: 0.0,
         }
     }
@@ -102,7 +104,7 @@ impl Trial {
 
     fn system(&self) -> System<'_, f64> {
         let ground = self.law.map(|law| Ground {
-            normal: [0.0, 0.0, 1.0],
+            normal: self.normal,
             offset: 0.0,
             law,
             friction: self.friction,
@@ -234,6 +236,42 @@ fn what_cannot_reach_the_ground_changes_no_event() {
             let place = place as usize;
             assert_eq!((row.pos[place], row.vel[place]), (wanted.pos[0], wanted.vel[0]), "at {}", row.t);
             assert_eq!((row.touches, row.evaluations), (wanted.touches, wanted.evaluations), "at {}", row.t);
+        }
+    }
+}
+
+/// Points that swing through the floor, looked at together, against the same looked at one by one: a fixed point that lies on
+/// the floor among them is never free, so that its block is not passed over.
+#[test]
+fn points_looked_at_together_touch_when_they_do_one_by_one() {
+    let mut random = Random::new(3);
+    for normal in [[0.0, 0.0, 1.0], [0.6, 0.0, 0.8], [0.48, -0.6, 0.64]] {
+        for method in [Method::Verlet, Method::BlanesMoan4] {
+            let mut trial = Trial::point([0.0, 0.0, 60.0], [0.0; 3]);
+            (trial.law, trial.normal) = (Some(ContactLaw::Newton { restitution: 1.0 }), normal);
+            for _ in 0..30 {
+                // Some swing through the floor, some do not reach it.
+                let ends = [trial.pos.len(), trial.pos.len() + 1];
+                let (height, swing) = (random.between(0.1, 0.6), random.between(0.0, 0.5));
+                trial.pos.push(normal.map(|n| n * (height + swing)));
+                trial.vel.push(random.vector(0.3));
+                trial.mass.push(1.0);
+                trial.fixed.push(false);
+                trial = trial.anchored(normal.map(|n| n * (1.0 + height)));
+                trial.springs.push(spring(ends, random.between(50.0, 400.0), 0.0, 1.0));
+            }
+            let together = trial.run(method, 0.02, 2.0);
+            let one_by_one = trial.anchored([0.0; 3]).run(method, 0.02, 2.0);
+            let mut touches = 0;
+            for (row, wanted) in together.iter().zip(&one_by_one) {
+                let count = row.pos.len();
+                let is_same = row.pos[..] == wanted.pos[..count] && row.vel[..] == wanted.vel[..count];
+                assert!(is_same, "at {}", row.t);
+                let [found, wanted] = [row, wanted].map(|row| (row.touches, row.evaluations));
+                assert_eq!(found, wanted, "at {}", row.t);
+                touches += row.touches;
+            }
+            assert!(touches > 10, "{touches}");
         }
     }
 }

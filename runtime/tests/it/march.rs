@@ -206,14 +206,15 @@ impl<S: Scalar> Sheet<S> {
         (0..=self.rows).map(|row| Line::new(&grid, row, &self.inverse_mass, &self.beside)).collect()
     }
 
-    /// Spans of steps at once.
+    /// Spans of steps at once, each going on from the rows in which the one before left its numbers.
     fn marched(&self, form: PressureForm, h: S, spans: &[usize]) -> (Vec<u64>, Vec<bool>) {
-        let (grids, mut lines) = ([self.grid()], self.lines());
+        let (grids, mut lines, mut is_current) = ([self.grid()], self.lines(), false);
         let system = self.system(&grids, form);
         assert!(can_march(&system));
         self.run(form, |_, state, work| {
             let mut span = |steps: &usize| {
-                let marching = Marching { lines: &mut lines, beside: &self.beside };
+                let marching =
+                    Marching { lines: &mut lines, beside: &self.beside, is_current: &mut is_current };
                 march(&system, state, (h, *steps), marching, work)
             };
             spans.iter().map(&mut span).collect()
@@ -238,7 +239,7 @@ impl<S: Scalar> Sheet<S> {
         let grid = self.grid();
         for registers in [Registers::Plain, Registers::Avx2, Registers::Avx512] {
             let mut lines = self.lines();
-            let (marched, taken) = self.run(form, |system, state, work| {
+            let (marched, taken) = self.run(form, |system, state, _| {
                 let kernel = March {
                     grid: &grid,
                     form,
@@ -247,13 +248,11 @@ impl<S: Scalar> Sheet<S> {
                     gravity: system.body.gravity,
                     h,
                     steps,
-                    start: &state.motion,
-                    end: &mut work.end,
+                    motion: &mut state.motion,
                     lines: &mut lines,
+                    goes_on: false,
                 };
-                let taken = kernel::run_within(registers, kernel);
-                core::mem::swap(&mut state.motion, &mut work.end);
-                taken
+                kernel::run_within(registers, kernel)
             });
             assert!(taken);
             // The time is the caller's.
@@ -277,6 +276,31 @@ proptest! {
         Sheet::<f64>::new(rows, columns, seed, 3.0).check_registers(3);
         Sheet::<f32>::new(rows, columns, seed, 3.0).check_registers(3);
     }
+}
+
+/// Steps one by one between two marches, and a march that was refused, leave nothing of themselves in the rows.
+#[test]
+fn a_march_goes_on_from_what_the_state_has_become() {
+    let (form, h) = (PressureForm::Exact, 1e-2);
+    let sheet = Sheet::<f64>::new(6, 20, 11, 3.0);
+    let (grids, mut lines, mut is_current) = ([sheet.grid()], sheet.lines(), false);
+    let system = sheet.system(&grids, form);
+    let (marched, ()) = sheet.run(form, |_, state, work| {
+        let mut span = |h: f64, steps: usize| {
+            let marching = Marching { lines: &mut lines, beside: &sheet.beside, is_current: &mut is_current };
+            march(&system, state, (h, steps), marching, work)
+        };
+        assert!(span(h, 4));
+        // Steps so long that springs run away: refused, and what the rows hold then is of no use.
+        assert!(!span(1e3, 5));
+        assert!(span(h, 3) && span(h, 2));
+        step(&system, state, h, Method::Verlet, work, &mut ()).expect("a step");
+        let marching = Marching { lines: &mut lines, beside: &sheet.beside, is_current: &mut false };
+        assert!(march(&system, state, (h, 5), marching, work));
+    });
+    let (stepped, done) = sheet.step_by_step(form, h, 15);
+    assert_eq!(done, Ok(()));
+    assert!(marched == stepped);
 }
 
 /// A march of which a step would be refused does not begin; the step is then found, and refused, one by one.

@@ -147,21 +147,23 @@ impl<S: Scalar> Line<S> {
 /// Nodes that are put together at a time.
 const AT_ONCE: usize = 16;
 
-/// Vectors of a run from their components.
+/// Vectors of a run from their components. The last nodes of a long run are put together with some before them, once more.
 #[inline(always)]
-fn put_together<S: Scalar, const N: usize>(run: &Run, [x, y, z]: &[[S; N]; 3], to: &mut [Vec3<S>]) {
+fn put_together<S: Scalar, const N: usize>(run: &Run, lanes: &[[S; N]; 3], to: &mut [Vec3<S>]) {
     let Run { column, node, length } = *run;
-    let to = to.get_mut(node..node + length).unwrap_or_default();
-    let (nodes, rest) = to.as_chunks_mut::<AT_ONCE>();
-    let [(xs, rest_x), (ys, rest_y), (zs, rest_z)] =
-        [x, y, z].map(|lanes| lanes.get(column..column + length).unwrap_or_default().as_chunks::<AT_ONCE>());
-    for (((nodes, x), y), z) in nodes.iter_mut().zip(xs).zip(ys).zip(zs) {
-        for lane in 0..AT_ONCE {
-            nodes[lane] = [x[lane], y[lane], z[lane]];
+    // Known only here: a loop of a constant length would be unrolled into single numbers.
+    let count = length.min(AT_ONCE);
+    let mut at = 0;
+    while at < length {
+        let first = at.min(length - count);
+        let nodes = to.get_mut(node + first..).and_then(|to| to.get_mut(..count)).unwrap_or_default();
+        let [x, y, z] = lanes.each_ref().map(|lanes| {
+            lanes.get(column + first..).and_then(|lanes| lanes.get(..count)).unwrap_or_default()
+        });
+        for (((node, x), y), z) in nodes.iter_mut().zip(x).zip(y).zip(z) {
+            *node = [*x, *y, *z];
         }
-    }
-    for (((node, x), y), z) in rest.iter_mut().zip(rest_x).zip(rest_y).zip(rest_z) {
-        *node = [*x, *y, *z];
+        at += AT_ONCE;
     }
 }
 

@@ -1,8 +1,8 @@
 //! Many steps of velocity Verlet of a body that is one grid under constant pressure, its numbers by component from the first
 //! step to the last.
 //!
-//! In: the motion at the start, how many steps. Out: the motion at the end, with the bits that [`Verlet`] gives step by step. A
-//! step goes through the grid once: the forces of a row, its second half kick, and at once the first half kick and the drift of
+//! In: the motion at the start, how many steps. Out: the motion at the end, with the bits that [`Verlet`] gives step by step;
+//! the rows keep it, so that the next march need not read it again. A step goes through the grid once: the forces of a row, its second half kick, and at once the first half kick and the drift of
 //! the next step, because no row further on asks for its places any more.
 //!
 //! [`Verlet`]: crate::ode::nodes::method::Verlet
@@ -16,8 +16,8 @@ use crate::ode::nodes::{Motion, add_exactly};
 use crate::real::Scalar;
 use crate::vec3::{self, Vec3};
 
-/// Takes steps; returns whether all could be taken. Where one would be refused, or nearly so, `end` holds nothing: who takes them
-/// one by one finds which and why.
+/// Takes steps; returns whether all could be taken. Where one would be refused, or nearly so, the motion stays what it was: who
+/// takes them one by one finds which and why.
 #[derive(Debug)]
 pub struct March<'a, 'm, S> {
     /// The grid: no wider than [`WIDTH`], without dampers, all nodes and springs of the body.
@@ -34,12 +34,12 @@ pub struct March<'a, 'm, S> {
     pub h: S,
     /// How many steps, at least one.
     pub steps: usize,
-    /// The motion at the start, forces included.
-    pub start: &'a Motion<'m, S>,
-    /// The motion at the end.
-    pub end: &'a mut Motion<'m, S>,
+    /// The motion, forces included.
+    pub motion: &'a mut Motion<'m, S>,
     /// [`Line::new`] of each row and of one more.
     pub lines: &'a mut [Line<S>],
+    /// Whether the lines hold the motion at the start, as a march that took its steps leaves them.
+    pub goes_on: bool,
 }
 
 impl<S: Scalar> Kernel for March<'_, '_, S> {
@@ -47,11 +47,15 @@ impl<S: Scalar> Kernel for March<'_, '_, S> {
 
     #[inline(always)]
     fn run(mut self) -> bool {
-        let mut memory = [Row::zero(); 5];
+        if !self.goes_on {
+            let mut memory = [Row::zero(); 5];
+            for (row, line) in self.lines.iter_mut().enumerate() {
+                line.read(self.grid, row, self.motion, &mut memory);
+            }
+        }
         // Sums of sizes: bounds of the largest, and no number where one is none.
         let [mut places, mut speeds, mut ends] = [[S::ZERO; WIDTH]; 3];
-        for (row, line) in self.lines.iter_mut().enumerate() {
-            line.read(self.grid, row, self.start, &mut memory);
+        for line in &mut *self.lines {
             add_sizes(&line.pos, &mut places);
             kick_and_drift(self.h, line);
             add_sizes(&line.half, &mut speeds);
@@ -60,8 +64,7 @@ impl<S: Scalar> Kernel for March<'_, '_, S> {
         for step in 1..=self.steps {
             self.step(step == self.steps, &mut forces);
         }
-        for (row, line) in self.lines.iter().enumerate() {
-            line.write(self.grid, row, self.end);
+        for line in &*self.lines {
             add_sizes(&line.pos, &mut ends);
             add_sizes(&line.vel, &mut ends);
         }
@@ -72,7 +75,14 @@ impl<S: Scalar> Kernel for March<'_, '_, S> {
         }
         // No place is further off than this at any time; what is no number once stays so to the end.
         let ways = self.h * S::from_f64(1.001 * self.steps as f64) * speed;
-        stretch <= S::ONE && speed <= S::FAR && sum(&places) + ways <= S::FAR && sum(&ends) <= S::FAR
+        let taken =
+            stretch <= S::ONE && speed <= S::FAR && sum(&places) + ways <= S::FAR && sum(&ends) <= S::FAR;
+        if taken {
+            for (row, line) in self.lines.iter().enumerate() {
+                line.write(self.grid, row, self.motion);
+            }
+        }
+        taken
     }
 }
 
@@ -95,8 +105,10 @@ impl<S: Scalar> March<'_, '_, S> {
         let Some([line, above]) = self.lines.get_mut(row..).and_then(<[_]>::first_chunk_mut) else { return };
         let weights = Weights::of(self.form, false);
         pull_and_push(weights, self.pressure, [line, above], forces, below);
-        if is_last {
+        if is_last && line.has_beside {
             arrive::<S, true, true>(self.h, self.gravity, line, forces, below);
+        } else if is_last {
+            arrive::<S, true, false>(self.h, self.gravity, line, forces, below);
         } else if line.has_beside {
             arrive::<S, false, true>(self.h, self.gravity, line, forces, below);
         } else if !line.is_still {
