@@ -99,13 +99,17 @@ impl<S: Scalar> Trial<'_, S> {
     }
 }
 
-/// Cuts the first `K` slices of `n` numbers from the scratch memory.
-pub(super) fn split<S, const K: usize>(scratch: &mut [S], n: usize) -> Result<[&mut [S]; K], Fault> {
-    if n == 0 || scratch.len() / n < K {
+/// Cuts the first `K` slices of `n` numbers from the scratch memory; `n` is 0 for what moves as commanded only.
+pub(crate) fn split<S, const K: usize>(scratch: &mut [S], n: usize) -> Result<[&mut [S]; K], Fault> {
+    if n.checked_mul(K).is_none_or(|all| scratch.len() < all) {
         return Err(Fault::Shape);
     }
-    let mut parts = scratch.chunks_exact_mut(n);
-    Ok(core::array::from_fn(|_| parts.next().unwrap_or_default()))
+    let mut rest = scratch;
+    Ok(core::array::from_fn(|_| {
+        let (slice, left) = core::mem::take(&mut rest).split_at_mut_checked(n).unwrap_or_default();
+        rest = left;
+        slice
+    }))
 }
 
 /// Checks that state and system have the same length, and returns it.

@@ -19,7 +19,7 @@ use super::trail::DEPTH;
 use crate::flexible::{force, mean};
 use crate::mechanism::Fault;
 use crate::ode::nodes::MeanStep;
-use crate::ode::{Ode, State, pivot_limit, state::advance};
+use crate::ode::{Ode, State, pivot_limit, state::advance, trial::split};
 use crate::real::Scalar;
 use crate::rigid::contact::{Contact, Point, Side, Twist};
 use crate::surface::Frame;
@@ -120,25 +120,11 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
             return Err(Fault::Shape);
         }
         let (more, trail) = more.split_at_mut_checked(5 * n).ok_or(Fault::Shape)?;
-        let mut cuts = own.chunks_exact_mut(n.max(1)).chain(more.chunks_exact_mut(n.max(1)));
-        let [
-            Some(start),
-            Some(end),
-            Some(middle),
-            Some(rates),
-            Some(touched),
-            Some(found),
-            Some(spare),
-            Some(gained),
-            Some(off),
-            Some(low),
-        ] = [(); 10].map(|()| cuts.next())
-        else {
-            return Err(Fault::Shape);
-        };
+        let [start, end, middle, rates, touched] = split(own, n)?;
+        let [found, spare, gained, off, low] = split(more, n)?;
         let fits = means.nodes.iter().all(|rows| rows.len() == self.island.body.points())
             && means.frames.iter().all(|frames| frames.len() == self.island.memory.frames.len());
-        if state.x().len() != n || n == 0 || !fits {
+        if state.x().len() != n || !fits {
             return Err(Fault::Shape);
         }
         copy(start, state.x());

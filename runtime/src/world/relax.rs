@@ -12,7 +12,7 @@ use super::carrier::Carrier;
 use super::step::{Course, StepMemory, StepReport, World, load_contacts};
 use super::sweep::sweep;
 use crate::mechanism::Fault;
-use crate::ode::{Ode, State, state::advance};
+use crate::ode::{Ode, State, state::advance, trial::split};
 use crate::real::Scalar;
 use crate::rigid::contact::Twist;
 use crate::vec3;
@@ -52,11 +52,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         memory: &mut StepMemory<'_, S>,
     ) -> Result<S, Fault> {
         let (n, n_q) = (self.island.n_x(), self.island.n_q());
-        let mut cuts = scratch.chunks_exact_mut(n.max(1));
-        let [Some(here), Some(without), Some(with), Some(new), Some(low)] = [(); 5].map(|()| cuts.next())
-        else {
-            return Err(Fault::Shape);
-        };
+        let [here, without, with, new, low] = split(scratch, n)?;
         here.copy_from_slice(state.x());
         self.island.place(t, here)?;
         self.find_contacts((t, h), here, memory)?;

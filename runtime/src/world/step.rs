@@ -2,10 +2,11 @@
 //!
 //! In: state [q, x; u, v] at t. Out: the state at t + h, contacts with their impulses, accounts.
 //! ```text
-//! advance   x_m = x + h/2 v;  forces there, with the speeds of the start
+//! advance   x_m = x + h/2 N(x) v
+//! forces    f there, with the speeds of the start; where nothing is near, with those of the middle
 //! detect    contacts at x_m: gap, axes, W, K = W M^-1 W'
 //! sweep     v+ = v + h M^-1 f + M^-1 W' P,  P by the laws of the contacts (`sweep`)
-//! close     x+ = x_m + h/2 v+;  projection onto the carriers' constraints
+//! close     x+ = x_m + h/2 N(x+) v+, by one correction;  projection onto the carriers' constraints
 //! observe   accounts, contacts by pair
 //! ```
 //! Order 2 without contacts, 1 with them; contacts only dissipate. No event is located in time, so the cost of a step
@@ -20,7 +21,7 @@ use super::scenery::{Extent, Scenery};
 use super::sweep::{self, sweep};
 use super::thing::{Pair, Thing};
 use crate::mechanism::Fault;
-use crate::ode::{Ode, State, pivot_limit, state::advance};
+use crate::ode::{Ode, State, pivot_limit, state::advance, trial::split};
 use crate::real::Scalar;
 use crate::rigid::contact::{Contact, Twist};
 use crate::surface::{Frame, facet::vertex_normals};
@@ -139,12 +140,8 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
     ) -> Result<StepReport<S>, Fault> {
         let [t, t_middle, t_end] = course.times;
         let n = self.island.n_x();
-        let mut cuts = scratch.chunks_exact_mut(n.max(1));
-        let [Some(middle), Some(dot), Some(rest), Some(new), Some(low)] = [(); 5].map(|()| cuts.next())
-        else {
-            return Err(Fault::Shape);
-        };
-        if state.x().len() != n || n == 0 {
+        let [middle, dot, rest, new, low] = split(scratch, n)?;
+        if state.x().len() != n {
             return Err(Fault::Shape);
         }
         let half = S::from_f64(0.5) * h;
@@ -157,15 +154,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         for (to, ((x, low), rate)) in middle.iter_mut().zip(way) {
             *to = *x + (*low + half * *rate);
         }
-        self.island.place(t_middle, middle)?;
-        self.island.load_seams()?;
-        let pivot = self.island.accelerate(t_middle, middle, dot)?.abs();
-        if !pivot.is_finite() {
-            return Err(Fault::NonFinite);
-        }
-        if pivot < pivot_limit() {
-            return Err(Fault::Singular);
-        }
+        let mut pivot = self.forces_at_middle(t_middle, middle, dot)?;
 
         // Contact impulses act as forces at the middle.
         self.fill_twists([t, t_end], h, middle, dot, new, memory)?;
@@ -175,6 +164,10 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         let active = load_contacts(h, memory.contacts().iter().map(|touch| touch.contact), forces);
         if active > 0 {
             self.island.accelerate(t_middle, middle, dot)?;
+        } else if memory.counts[0] == 0 && self.island.follows_speeds() {
+            pivot = pivot.min(self.forces_of_middle_speeds(t_middle, half, middle, low, dot)?);
+            self.fill_twists([t, t_end], h, middle, dot, new, memory)?;
+            press(h, memory);
         }
 
         let accounts = self.observe(h, memory);
@@ -187,6 +180,13 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         let speeds_rates = dot;
         let (end, start) = (low, rest);
         self.coast(t_middle, new, end)?;
+        // N at the end, so that both halves together are symmetric in time: order 2, and Euler parameters of unit length.
+        let turning = self.island.carrier.n_q();
+        if turning > 0 {
+            let ends = new.iter_mut().zip(middle.iter().zip(end.iter()));
+            ends.take(turning).for_each(|(to, (from, rate))| *to = *from + half * *rate);
+            self.coast(t_end, new, end)?;
+        }
         for (index, (start, (end, rate))) in
             start.iter_mut().zip(end.iter().zip(speeds_rates.iter())).enumerate()
         {
@@ -211,6 +211,32 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
             left: sweeps.left,
             accounts,
         })
+    }
+
+    /// Rates at the middle, under the forces there; returns the worst pivot.
+    fn forces_at_middle(&mut self, t: S, middle: &[S], dot: &mut [S]) -> Result<S, Fault> {
+        self.island.place(t, middle)?;
+        self.island.load_seams()?;
+        checked(self.island.accelerate(t, middle, dot)?)
+    }
+
+    /// The same with the speeds v + h/2 v' of the middle, without which dampers and Coriolis forces are of order 1. Only
+    /// without contacts: these speeds know of none, and dampers of what is held would push. `swift` is memory.
+    fn forces_of_middle_speeds(
+        &mut self,
+        t: S,
+        half: S,
+        middle: &[S],
+        swift: &mut [S],
+        dot: &mut [S],
+    ) -> Result<S, Fault> {
+        let n_q = self.island.n_q();
+        for (index, (to, (x, rate))) in swift.iter_mut().zip(middle.iter().zip(dot.iter())).enumerate() {
+            *to = if index < n_q { *x } else { *x + half * *rate };
+        }
+        self.island.place(t, swift)?;
+        self.island.load_viscous();
+        checked(self.island.accelerate(t, swift, dot)?)
     }
 
     /// Rates of the coordinates at the speeds of x: of the carriers without wrenches, and of the nodes.
@@ -483,4 +509,14 @@ pub(super) fn load_contacts<S: Scalar>(
         });
     }
     active
+}
+
+/// The pivot's magnitude if the equations could be solved.
+fn checked<S: Scalar>(pivot: S) -> Result<S, Fault> {
+    let pivot = pivot.abs();
+    match pivot.is_finite() {
+        false => Err(Fault::NonFinite),
+        true if pivot < pivot_limit() => Err(Fault::Singular),
+        true => Ok(pivot),
+    }
 }

@@ -3,7 +3,7 @@
 use crate::island::Platform;
 use crate::scenery::{Part, Scene};
 use smartbed_runtime::rigid::law::Kind;
-use smartbed_runtime::surface::{Frame, Shape};
+use smartbed_runtime::surface::{Frame, Shape, Sphere};
 use smartbed_runtime::vec3;
 use smartbed_runtime::world::{Commanded, Place, Thing};
 
@@ -263,4 +263,22 @@ fn a_ball_falls_onto_a_bladder_with_touches_located() {
 fn what_is_left_overlapping_gains_nothing() {
     let (_, forced, imbalance) = sink(16);
     assert!(forced > 10 && imbalance.abs() < 2e-3, "{forced} {imbalance:e}");
+}
+
+/// A frame that moves as commanded, without a state, beside nothing that it could touch: every way of stepping moves it.
+#[test]
+fn what_is_commanded_alone_is_stepped() {
+    let mut scene = Scene::falling();
+    scene.parts.push(Part::Driven(Commanded { law: rising, ports: 1 }));
+    let plane = scene.thing(Thing::Rigid { shape: Shape::HalfSpace, port: Some(0), place: Place::same() });
+    let sphere = Shape::Sphere(Sphere { radius: 0.1 });
+    let held = scene.thing(Thing::Rigid { shape: sphere, port: None, place: Place::at([0.0, 0.0, 5.0]) });
+    scene.pair(held, plane, 0.0, 0.0);
+    let (x, imbalance, _) = scene.run(1e-3, 10, |report, _, _| assert_eq!(report.near, 0));
+    assert!(x.is_empty() && imbalance == 0.0);
+    let (x, imbalance, _) =
+        scene.run_located(Kind::Stronge, (1e-3, 10), |report, _, _| assert_eq!(report.impacts, 0));
+    assert!(x.is_empty() && imbalance == 0.0);
+    let (x, imbalance, _) = scene.run_conserving((1e-3, 10), |_, _, _| ());
+    assert!(x.is_empty() && imbalance == 0.0);
 }

@@ -7,7 +7,7 @@ use smartbed_runtime::mechanism::Fault;
 use smartbed_runtime::ode::State;
 use smartbed_runtime::rigid::RigidBody;
 use smartbed_runtime::rigid::contact::Twist;
-use smartbed_runtime::surface::{Cuboid, Frame, Shape};
+use smartbed_runtime::surface::{Cuboid, Frame, Shape, Sphere};
 use smartbed_runtime::vec3::{self, Vec3};
 use smartbed_runtime::world::{
     Commanded, Coupling, Floating, Inertias, Island, Memory, Pair, Place, StepMemory, Thing, Touch, World,
@@ -456,4 +456,65 @@ fn a_ball_on_a_bladder_that_a_floating_body_carries_keeps_both_momenta() {
     assert!(hit > 100 && accounts.friction > 0.0);
     assert!(moved.iter().all(|moved| *moved < 1e-12), "{moved:?}");
     assert!(imbalance.abs() < 1e-3 * accounts.lost());
+}
+
+/// A body with three principal moments that tumbles freely, far from a floor: `moreau` is of order 2 where nothing
+/// touches, and so is the length of Euler parameters, which grew at every step by an explicit half step alone.
+#[test]
+fn what_touches_nothing_tumbles_to_order_two() {
+    let tumbled = |steps: u32| {
+        let mut scene = Scene { room: 8, ..Scene::default() };
+        let floor = scene.thing(Thing::Rigid {
+            shape: Shape::HalfSpace,
+            port: None,
+            place: Place::at([0.0, 0.0, -50.0]),
+        });
+        let body = RigidBody { mass: 2.0, inertia: [0.0083, 0.0167, 0.0217] };
+        let shape = Shape::Sphere(Sphere { radius: 0.1 });
+        let body = scene.rigid(shape, body, [0.0; 3], [0.0; 3]);
+        scene.pair(body, floor, 0.4, 0.0);
+        let n = scene.u.len();
+        scene.u[n - 3..].copy_from_slice(&[0.03, 0.17, -0.04]);
+        let (x, imbalance, _) = scene.run(2.0 / f64::from(steps), steps, |_, _, _| ());
+        assert!(x[..3].iter().all(|x| *x == 0.0));
+        let length = x[3..7].iter().map(|e| e * e).sum::<f64>();
+        (x, imbalance.abs(), (length - 1.0).abs())
+    };
+    let runs = [2000, 4000, 8000].map(tumbled);
+    let off = |k: usize| {
+        let pairs = runs[k].0.iter().zip(&runs[k + 1].0).take(7);
+        pairs.map(|(x, y)| (x - y).abs()).fold(0.0, f64::max)
+    };
+    let (coarse, fine) = (off(0), off(1));
+    let lengths = runs.each_ref().map(|run| run.2);
+    println!(
+        "halving moves it by {coarse:e}, {fine:e}; lengths {lengths:?}, ledgers {:?}",
+        runs.each_ref().map(|run| run.1)
+    );
+    assert!(coarse / fine > 3.5 && fine < 1e-3, "{coarse:e} {fine:e}");
+    assert!(runs[1].1 / runs[2].1 > 3.5, "{:e} {:e}", runs[1].1, runs[2].1);
+    assert!(lengths[0] / lengths[1] > 3.5 && lengths[2] < 1e-6, "{lengths:?}");
+}
+
+/// A damped platform that swings with nothing near it against the closed form of a damped oscillator.
+#[test]
+fn what_touches_nothing_is_damped_to_order_two() {
+    let (mass, stiffness, damping, seconds) = (3.0, 2e3, 12.0, 0.3);
+    let off = |steps: u32| {
+        let mut scene = Scene { room: 8, ..Scene::default() };
+        scene.parts.push(Part::Sprung(Platform { mass, stiffness, gravity: 0.0, damping }));
+        (scene.q, scene.u) = (vec![0.02], vec![0.0]);
+        let place = Place::at([0.0, 0.0, 0.03]);
+        let top = scene.thing(Thing::Rigid { shape: Shape::HalfSpace, port: Some(0), place });
+        let ball = scene.ball(1.0, 0.1, [0.0, 0.0, 50.0], [0.0; 3]);
+        scene.pair(ball, top, 0.4, 0.0);
+        let (x, ..) = scene.run(seconds / f64::from(steps), steps, |_, _, _| ());
+        let decay = 0.5 * damping / mass;
+        let rate = (stiffness / mass - decay * decay).sqrt();
+        let (sin, cos) = (rate * seconds).sin_cos();
+        (x[0] - 0.02 * (-decay * seconds).exp() * (cos + decay / rate * sin)).abs()
+    };
+    let [coarse, fine] = [300, 600].map(off);
+    println!("off by {coarse:e}, {fine:e}");
+    assert!(coarse / fine > 3.5 && fine < 1e-5, "{coarse:e} {fine:e}");
 }

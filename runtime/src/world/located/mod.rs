@@ -21,7 +21,7 @@ use super::detect::{AT_NODE, Touch};
 use super::pressed::{Pressed, Pressing};
 use super::step::{StepMemory, World};
 use crate::mechanism::Fault;
-use crate::ode::{Method, Ode, State};
+use crate::ode::{Method, Ode, State, trial::split};
 use crate::real::Scalar;
 use crate::rigid::law::Kind;
 use crate::rigid::several::Struck;
@@ -129,12 +129,7 @@ impl<'m, S: Scalar> LocatedMemory<'m, S> {
     fn way<'w>(&'w mut self, h: S, state: &State<'_, S>) -> Result<PartialStep<'w, 'm, S>, Fault> {
         let n = state.x().len();
         let (rows, room) = self.scratch.split_at_mut_checked(10 * n).ok_or(Fault::Shape)?;
-        let mut rows = rows.chunks_exact_mut(n.max(1));
-        let [Some(a), Some(b), Some(c), Some(d), Some(e), Some(f), Some(g), Some(i), Some(j), Some(k)] =
-            core::array::from_fn(|_| rows.next())
-        else {
-            return Err(Fault::Shape);
-        };
+        let [a, b, c, d, e, f, g, i, j, k] = split(rows, n)?;
         a.iter_mut().zip(state.x()).for_each(|(to, from)| *to = *from);
         b.iter_mut().zip(state.low()).for_each(|(to, from)| *to = *from);
         let [struck, lifts] = &mut self.struck;
@@ -198,7 +193,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         memory: &mut LocatedMemory<'_, S>,
         mut watch: impl FnMut(Strike<'_, S>),
     ) -> Result<LocatedReport<S>, Fault> {
-        if state.x().len() != self.island.n_x() || state.x().is_empty() || kinds.len() != self.pairs.len() {
+        if state.x().len() != self.island.n_x() || kinds.len() != self.pairs.len() {
             return Err(Fault::Shape);
         }
         let mut report = LocatedReport {
