@@ -43,6 +43,9 @@ pub struct Arguments {
     /// Write the rows to this file; - is standard output.
     #[arg(long, value_name = "FILE")]
     pub csv: Option<String>,
+    /// Write the accounts of each part and each seam to this file, row by row; scenes of format 2.
+    #[arg(long, value_name = "FILE", conflicts_with = "resume")]
+    pub accounts: Option<String>,
     /// Plot coordinates and energies over time.
     #[arg(long, value_name = "FILE.svg|.png")]
     pub plot: Option<String>,
