@@ -11,7 +11,7 @@ use crate::{input, model_argument, run, view};
 #[must_use]
 pub fn runs(arguments: &run::Arguments) -> bool {
     let is_picked = arguments.error.is_some() || arguments.budget.is_some();
-    let is_kept = arguments.save.is_some() || arguments.resume.is_some();
+    let is_kept = arguments.save.is_some() || arguments.resume.is_some() || arguments.accounts.is_some();
     let is_compiled = arguments.engine == EngineKind::Compiled;
     let is_painted = arguments.plot.as_ref().is_some_and(|file| file.to_ascii_lowercase().ends_with(".png"));
     !(is_picked || is_kept || is_compiled || is_painted) && is_mechanism(&arguments.model)

@@ -48,6 +48,10 @@ pub struct Arguments {
     /// Write the rows as CSV to this file; - is standard output.
     #[arg(long, value_name = "FILE")]
     pub csv: Option<String>,
+    /// Write the energy accounts of each part and each seam as CSV to this file, row by row. Only for scenes of
+    /// format 2; not with --resume.
+    #[arg(long, value_name = "FILE", conflicts_with = "resume")]
+    pub accounts: Option<String>,
     /// Plot coordinates and energies over time; the ending of the name decides the format.
     #[arg(long, value_name = "FILE.svg|.png")]
     pub plot: Option<String>,

@@ -1,5 +1,7 @@
 //! `smartbed run`: simulates a mechanism or a scene; rows as CSV, plots, an animation, a summary.
 
+#[cfg(feature = "whole")]
+mod accounts;
 pub mod arguments;
 #[cfg(feature = "whole")]
 mod body;
@@ -83,6 +85,13 @@ fn any(arguments: &Arguments) -> Result<Outcome, Failure> {
     if !is_world && (arguments.save.is_some() || arguments.resume.is_some()) {
         return Err(Failure::Wrong("--save and --resume: expected a scene of format 2".to_owned()));
     }
+    if !is_world && arguments.accounts.is_some() {
+        return Err(Failure::Wrong(
+            "--accounts: expected a scene of format 2; a mechanism and a scene of format 1 are one part, whose accounts are columns \
+             of --csv"
+                .to_owned(),
+        ));
+    }
     let arguments = &choose::resolve(arguments, &path)?;
     if is_world {
         return world::simulate(arguments, &path);
@@ -95,7 +104,7 @@ fn any(arguments: &Arguments) -> Result<Outcome, Failure> {
 
 /// Prints the summary, unless rows go there; then the findings, which `--strict` turns into a failure.
 fn tell(arguments: &Arguments, text: &str, findings: &[String]) -> Result<(), Failure> {
-    if arguments.csv.as_deref() == Some("-") {
+    if [&arguments.csv, &arguments.accounts].iter().any(|file| file.as_deref() == Some("-")) {
         output::say(text.trim_end());
     } else {
         output::print(text)?;

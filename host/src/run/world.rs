@@ -1,5 +1,6 @@
 //! `smartbed run` of a scene of format 2: arguments, rows, plots, page and summary as for a mechanism.
 
+use super::accounts::{Closed, Rows};
 use super::arguments::Arguments;
 use super::health::{Energies as Moved, Health};
 use super::outcome::{Outcome, ended_early, line, noted};
@@ -82,6 +83,7 @@ struct Done {
     total: [f64; 2],
     warnings: Vec<String>,
     health: Health,
+    accounts: Option<Closed>,
 }
 
 fn record(arguments: &Arguments, assembly: &Assembly) -> Result<Done, Failure> {
@@ -98,6 +100,8 @@ fn record(arguments: &Arguments, assembly: &Assembly) -> Result<Done, Failure> {
         csv.write(&(names.join(",") + "\n"))?;
         interrupt::watch();
     }
+    let csv_file = arguments.csv.as_deref();
+    let mut accounts = arguments.accounts.as_deref().map(|file| Rows::open(file, csv_file)).transpose()?;
     let shown = shown(&columns, arguments.show.as_deref())?;
     let mut recording = arguments.plot.as_ref().map(|_| Recording::new(names.len()));
     let mut sides = arguments.plot.as_ref().map(|_| Sides::new(stage::stage(assembly)));
@@ -118,6 +122,9 @@ fn record(arguments: &Arguments, assembly: &Assembly) -> Result<Done, Failure> {
             let values = values(row);
             if let Some(csv) = &mut csv {
                 csv.write(&line(&values))?;
+            }
+            if let Some(accounts) = &mut accounts {
+                accounts.push(row.t, engine)?;
             }
             if let Some(recording) = &mut recording {
                 recording.push(&values);
@@ -160,6 +167,7 @@ fn record(arguments: &Arguments, assembly: &Assembly) -> Result<Done, Failure> {
         }
     };
     csv.map_or(Ok(()), Output::finish)?;
+    let accounts = accounts.map(Rows::finish).transpose()?;
     if let Some(file) = &arguments.save {
         if assembly.run.length(assembly.run.steps().max(1)) != assembly.run.step {
             let message = "the run ends within a step; expected --seconds to be a whole number of steps";
@@ -188,7 +196,7 @@ fn record(arguments: &Arguments, assembly: &Assembly) -> Result<Done, Failure> {
         );
     }
     let method = if arguments.scalar == ScalarKind::F32 { method + ", in f32" } else { method };
-    Ok(Done { method, names, last, events, film, rows, imbalance, total, warnings, health })
+    Ok(Done { method, names, last, events, film, rows, imbalance, total, warnings, health, accounts })
 }
 
 /// Names of a row's values.
@@ -319,7 +327,7 @@ impl Done {
             "energy: {:.6e} J at the start, {:.6e} J at the end, largest imbalance {:.1e} J",
             self.total[0], self.total[1], self.imbalance
         );
-        text
+        text + &self.accounts.as_ref().map(Closed::text).unwrap_or_default()
     }
 
     fn json(&self, assembly: &Assembly, findings: &[String], elapsed: f64) -> String {
@@ -336,10 +344,12 @@ impl Done {
         };
         let events: Vec<String> = self.events.iter().map(event).collect();
         let last = json_object(self.names.iter().map(String::as_str).zip(self.last.iter().copied()));
+        let accounts = self.accounts.as_ref().map(|own| format!(", \"accounts\": {}", own.json()));
+        let accounts = accounts.unwrap_or_default();
         format!(
             "{{\"world\": {}, \"parts\": {}, \"method\": {}, \"seconds\": {}, \"steps\": {}, \"rows\": {}, \
              \"events\": [{}], \"total_at_start\": {}, \"total\": {}, \"imbalance\": {}, \"elapsed\": {}, \
-             \"warnings\": {}, \"last\": {last}}}\n",
+             \"warnings\": {}, \"last\": {last}{accounts}}}\n",
             json_string(&assembly.title),
             assembly.parts.len(),
             json_string(&self.method),

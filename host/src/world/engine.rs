@@ -2,6 +2,7 @@
 //!
 //! One engine moves worlds of rigid parts alone (`rigid`), the other one everything else (`carried`).
 
+use super::accounts::Accounts;
 use super::picture::Picture;
 
 /// A value in each row.
@@ -144,6 +145,16 @@ pub trait Engine {
              \"plastic\" against bouncing"
             .to_owned())
     }
+    /// Keeps accounts of each part and each seam from here on.
+    ///
+    /// # Errors
+    /// The reason why it cannot.
+    fn keep_accounts(&mut self) -> Result<(), String>;
+    /// These accounts now.
+    ///
+    /// # Errors
+    /// As [`Engine::state`]; without [`Engine::keep_accounts`].
+    fn accounts(&mut self) -> Result<Accounts, String>;
     /// All values that a checkpoint needs.
     fn save(&self) -> Vec<f64>;
     /// Restores the values of [`Engine::save`].

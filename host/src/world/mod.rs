@@ -4,9 +4,11 @@
 //! parses the text; `run` steps the assembly by an `engine`: `rigid` for worlds of rigid bodies, `carried` for flexible
 //! parts on mechanisms (`ported`) and other `carriers`; `touching` handles contacts, `settle` finds the equilibrium.
 //! `sensors` observe, `controllers` drive inputs, both through `feedback`; `picture` is what pages show, `pushed` the
-//! forces between parts in rows.
+//! forces between parts in rows; `books` observe what works on what, `accounts` of parts and seams follow from them.
 
+pub mod accounts;
 pub mod assembly;
+mod books;
 pub mod carried;
 pub mod carriers;
 pub mod controllers;

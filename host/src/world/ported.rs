@@ -42,6 +42,7 @@ pub struct Ported<S = f64> {
     pub ports: Vec<String>,
     projections: u8,
     reads_time: bool,
+    is_driven: bool,
     /// Number of points without the origin, of bodies with frames, and of bodies.
     counts: [usize; 3],
     /// Names and units of q and u.
@@ -113,6 +114,7 @@ impl<S: Scalar> Ported<S> {
             ports: ports.to_vec(),
             projections: u8::from(!program.correction.is_empty()),
             reads_time: model.is_driven() || model.reads_time(),
+            is_driven: model.is_driven(),
             counts: [
                 model.points.len() - 1,
                 model.bodies.iter().filter(|body| body.frame.is_some()).count(),
@@ -145,6 +147,11 @@ impl<S: Scalar> Ported<S> {
     /// Does its motion, or do its forces, depend on time explicitly?
     pub(super) fn reads_time(&self) -> bool {
         self.reads_time
+    }
+
+    /// Is some of its motion prescribed, but not all?
+    pub(super) fn is_driven_in_part(&self) -> bool {
+        self.is_driven && self.n_u() > 0
     }
 
     /// Sets the inputs: laws at this state, wrenches at the ports.

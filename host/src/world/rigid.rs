@@ -1,7 +1,9 @@
 //! Worlds of rigid parts alone, moved by the runtime's rigid scene: impacts are located in time, lasting contacts are
 //! held by forces.
 
+use super::accounts::{self, Accounts};
 use super::assembly::{Assembly, Contact, Kind, Law};
+use super::books::Books;
 use super::engine::{Column, Energies, Engine, Event};
 use super::picture::Picture;
 use super::pushed::Pushed;
@@ -9,9 +11,11 @@ use crate::contact_force::ContactForce;
 use smartbed_runtime::rigid::RigidState;
 use smartbed_runtime::rigid::attitude::Attitude;
 use smartbed_runtime::rigid::contact::{Mobility, Twist};
-use smartbed_runtime::rigid::scene::{Fault, Memory, Pair, Part, RigidScene, Strike, Touching};
+use smartbed_runtime::rigid::scene::{Fault, Memory, Pair, Part, Piece, RigidScene, Strike, Touching};
 use smartbed_runtime::rigid::several::Struck;
 use smartbed_runtime::vec3;
+use smartbed_runtime::world::Push;
+use std::cell::RefCell;
 
 /// Numbers of one part in a row.
 pub(super) const NUMBERS: [(&str, &str); 13] = [
@@ -51,6 +55,8 @@ pub struct RigidWorld {
     /// Number of contacts that carry force after the last step, and their forces by pair.
     held: usize,
     pushed: Pushed,
+    /// Kept if they are asked for.
+    books: Option<Books>,
 }
 
 impl RigidWorld {
@@ -94,6 +100,7 @@ impl RigidWorld {
             friction: 0.0,
             forced: 0,
             held: 0,
+            books: None,
         })
     }
 
@@ -193,9 +200,24 @@ impl Engine for RigidWorld {
             along,
             struck: &mut self.struck,
         };
-        let pairs = &self.pairs;
-        let done =
-            scene.step_watched(&mut self.states, h, &mut memory, |strike| events(&strike, pairs, found));
+        let (pairs, kept) = (&self.pairs, RefCell::new(&mut self.books));
+        let bodies = |pair: usize| pairs[pair].parts.map(|part| part..part + 1);
+        let strikes = |strike: Strike<'_, f64>| {
+            events(&strike, pairs, found);
+            if let Some(books) = &mut **kept.borrow_mut() {
+                let struck = strike.touching.iter().zip(strike.struck);
+                struck.for_each(|(t, s)| books.struck(t.pair, &s.contact, strike.ends, &bodies(t.pair)));
+            }
+        };
+        let pieces = |piece: Piece<'_, f64>| {
+            let Some(books) = &mut **kept.borrow_mut() else { return };
+            for t in piece.along.iter().filter(|t| t.held.contact.impulse[0] > 0.0) {
+                let (contact, ends) = (&t.held.contact, [piece.twists; 2]);
+                let push = Push { pair: t.pair, contact, duration: piece.length, ends, strikes: false };
+                books.push(&push, &bodies(t.pair));
+            }
+        };
+        let done = scene.step_watched(&mut self.states, h, &mut memory, (strikes, pieces));
         let report = done.map_err(message)?;
         self.impact += report.impact_loss;
         self.friction += report.friction_loss;
@@ -209,6 +231,33 @@ impl Engine for RigidWorld {
         }
         self.pushed = pushed;
         Ok(())
+    }
+
+    fn keep_accounts(&mut self) -> Result<(), String> {
+        let counts = [self.pairs.len(), self.parts.len(), 0, 0];
+        self.books = Some(Books::new(std::iter::empty(), Vec::new(), counts));
+        Ok(())
+    }
+
+    fn accounts(&mut self) -> Result<Accounts, String> {
+        let Some(books) = &self.books else { return Err(accounts::not_kept()) };
+        let part = |number: usize| {
+            let (body, state) = (self.parts[number].body?, &self.states[number]);
+            let gravity = -(body.mass * vec3::dot(self.gravity, state.position));
+            Some(accounts::Part {
+                name: self.names[number].clone(),
+                stored: [body.kinetic(state), gravity, 0.0, 0.0],
+                seams: books.ports[number],
+                ..accounts::Part::default()
+            })
+        };
+        let seam = |(pair, passed): (&Pair<f64>, &accounts::Passed)| {
+            accounts::Seam::of_pair(pair.parts.map(|part| self.names[part].clone()), *passed)
+        };
+        Ok(Accounts {
+            parts: (0..self.parts.len()).filter_map(part).collect(),
+            seams: self.pairs.iter().zip(&books.pairs).map(seam).collect(),
+        })
     }
 
     fn save(&self) -> Vec<f64> {

@@ -1,5 +1,6 @@
 //! Scenes of format 2 as a user runs them.
 
+mod accounts;
 mod aims;
 mod air;
 mod carried;

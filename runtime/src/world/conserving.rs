@@ -13,6 +13,7 @@
 use super::accounts::Accounts;
 use super::anderson::eliminate;
 use super::carrier::{Carrier, Wrench};
+use super::observer::{Forces, Observer, Push};
 use super::step::{StepMemory, StepReport, World, load_contacts, press};
 use super::sweep::Sweeps;
 use super::trail::DEPTH;
@@ -99,9 +100,24 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         memory: &mut StepMemory<'_, S>,
         means: &mut MeanMemory<'_, S>,
     ) -> Result<StepReport<S>, Fault> {
+        self.step_conserving_watched((t, h), state, memory, means, &mut ())
+    }
+
+    /// As [`World::step_conserving`], seen by an observer.
+    ///
+    /// # Errors
+    /// As [`World::step_conserving`].
+    pub fn step_conserving_watched(
+        &mut self,
+        time: (S, S),
+        state: &mut State<'_, S>,
+        memory: &mut StepMemory<'_, S>,
+        means: &mut MeanMemory<'_, S>,
+        watch: &mut impl Observer<S>,
+    ) -> Result<StepReport<S>, Fault> {
         let own = core::mem::take(&mut memory.scratch);
         let more = core::mem::take(&mut means.scratch);
-        let report = self.conserve((t, h), state, [&mut *own, &mut *more], memory, means);
+        let report = self.conserve(time, state, [&mut *own, &mut *more], (memory, means), watch);
         memory.scratch = own;
         means.scratch = more;
         report
@@ -112,8 +128,8 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         (t, h): (S, S),
         state: &mut State<'_, S>,
         [own, more]: [&mut [S]; 2],
-        memory: &mut StepMemory<'_, S>,
-        means: &mut MeanMemory<'_, S>,
+        (memory, means): (&mut StepMemory<'_, S>, &mut MeanMemory<'_, S>),
+        watch: &mut impl Observer<S>,
     ) -> Result<StepReport<S>, Fault> {
         let n = self.island.n_x();
         if own.len() < StepMemory::<S>::scratch(n) || more.len() < MeanMemory::<S>::scratch(n) {
@@ -139,6 +155,9 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         let spares = Spares { touched, found, spare, trail };
         let (pivot, sweeps) = self.settle_rates(&mut span, spares, state.low(), memory, means)?;
         let accounts = self.observe_means(h, memory, means);
+        if watch.watches() {
+            self.show_means(h, memory, means, watch);
+        }
         let Span { end, middle, rates, .. } = span;
         let old = state.x().iter().zip(state.low()).zip(rates.iter());
         for ((x, l), ((old, old_low), rate)) in end.iter_mut().zip(low.iter_mut()).zip(old) {
@@ -337,6 +356,33 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         }
         accounts.drive = h * island.carrier.drive_power(own.frames, own.wrenches).unwrap_or(S::ZERO);
         accounts
+    }
+
+    /// Shows this step, whose mean velocities are known: mean forces, what each damper takes, impulses.
+    fn show_means(
+        &self,
+        h: S,
+        memory: &StepMemory<'_, S>,
+        means: &MeanMemory<'_, S>,
+        watch: &mut impl Observer<S>,
+    ) {
+        let (body, own) = (&self.island.body, &self.island.memory);
+        let [start, middle, change, velocity] = &means.nodes;
+        let ends = [&*memory.twists[2]; 2];
+        watch.forces(&Forces { duration: h, elastic: own.elastic, viscous: own.viscous, ends });
+        let way = Way { h, pos: [start, middle, own.pos], dx: change, vel: velocity };
+        for spring in body.springs {
+            watch.damped(spring.tail, mean::dissipated(core::slice::from_ref(spring), &way));
+        }
+        for (node, v) in velocity.iter().enumerate() {
+            watch.damped(node, h * body.air_drag * vec3::dot(*v, *v));
+        }
+        let mean =
+            Mean { frames: [&*means.frames[0], &*own.frames, &*means.frames[1]], nodes: &*means.nodes[1] };
+        for touch in memory.contacts() {
+            let contact = &mean.contact(&touch.contact);
+            watch.push(&Push { pair: touch.pair, contact, duration: S::ONE, ends, strikes: true });
+        }
     }
 }
 

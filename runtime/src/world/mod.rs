@@ -2,7 +2,7 @@
 //!
 //! In: a [`Carrier`] (a mechanism with ports, a rigid body, a commanded frame, a [`Group`] of them), flexible bodies,
 //! [`Attachment`]s. Out: an [`Island`], one [`Ode`](crate::ode::Ode) of all of them that every method of `ode` can
-//! step. A [`World`] steps it with contacts. In each evaluation attached nodes follow the frames of their ports, and
+//! step. A [`World`] steps it with contacts, an [`Observer`] sees what works on what. In each evaluation attached nodes follow the frames of their ports, and
 //! the forces on them enter the carrier's equations as wrenches: action and reaction cancel to rounding, and methods
 //! keep their order.
 //! ```text
@@ -20,6 +20,7 @@ mod impact;
 mod inertia;
 mod island;
 mod located;
+mod observer;
 mod pressed;
 mod relax;
 mod scenery;
@@ -37,7 +38,8 @@ pub use group::Group;
 pub use impact::{Setting, Spare};
 pub use inertia::{Coupling, Inertias};
 pub use island::{Attachment, Island, IslandEnergy, Memory};
-pub use located::{LocatedMemory, LocatedReport, SPLITS, Strike};
+pub use located::{LocatedMemory, LocatedReport, SPLITS};
+pub use observer::{Ends, Forces, Observer, Push, Strike};
 pub use pressed::Pressing;
 pub use scenery::Extent;
 pub use step::{StepMemory, StepReport, World};

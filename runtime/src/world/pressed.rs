@@ -14,6 +14,7 @@ use super::accounts::Accounts;
 use super::carrier::Carrier;
 use super::detect::Touch;
 use super::island::{Island, free_nodes};
+use super::observer::{Forces, Observer, Push};
 use super::step::{StepMemory, World};
 use crate::mechanism::Fault;
 use crate::ode::Ode;
@@ -282,24 +283,42 @@ impl<S: Scalar, C: Carrier<S>> Pressed<'_, '_, '_, S, C> {
         Ok(powers)
     }
 
+    /// Shows the instant whose powers were asked for last, which counts for `duration` (s).
+    fn show(&mut self, duration: S, watch: &mut impl Observer<S>) {
+        if !watch.watches() {
+            return;
+        }
+        let StepMemory { twists: [_, twists, _], .. } = &mut *self.memory;
+        Self::read_twists(self.world, twists);
+        let (own, ends) = (&self.world.island.memory, [&**twists; 2]);
+        watch.forces(&Forces { duration, elastic: own.elastic, viscous: own.viscous, ends });
+        for Pressing { pair, held, .. } in self.list.iter() {
+            watch.push(&Push { pair: *pair, contact: &held.contact, duration, ends, strikes: false });
+        }
+    }
+
     /// Energy accounts between two states that are `length` apart in time, by Simpson's rule; three lists of memory.
     pub(super) fn works(
         &mut self,
         (t, length): (S, S),
         [old, new]: [&[S]; 2],
         [first, last, between]: [&mut [S]; 3],
+        watch: &mut impl Observer<S>,
     ) -> Result<Accounts<S>, Fault> {
-        let half = S::from_f64(0.5);
+        let (half, sixth) = (S::from_f64(0.5), length / S::from_f64(6.0));
         let start = self.powers(t, old, first)?;
+        self.show(sixth, watch);
         let end = self.powers(t + length, new, last)?;
+        self.show(sixth, watch);
         // The state at half time by Hermite interpolation.
         let ends = old.iter().zip(new).zip(first.iter().zip(last.iter()));
         for (to, ((a, b), (da, db))) in between.iter_mut().zip(ends) {
             *to = half * (*a + *b) + S::from_f64(0.125) * length * (*da - *db);
         }
         let inside = self.powers(t + half * length, between, first)?;
+        self.show(S::from_f64(4.0) * sixth, watch);
         let sum = start.plus(&end).plus(&inside.times(S::from_f64(4.0)));
-        Ok(sum.times(length / S::from_f64(6.0)))
+        Ok(sum.times(sixth))
     }
 
     /// Corrections that change each contact's relative velocity (or gap) by `wanted`; with `across`, tangentially too

@@ -33,7 +33,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         state: &mut State<'_, S>,
         memory: &mut StepMemory<'_, S>,
     ) -> Result<(StepReport<S>, S), Fault> {
-        let report = self.step_at(&Course { times: [t; 3], rebounds: false }, h, state, memory)?;
+        let report = self.step_at((&Course { times: [t; 3], rebounds: false }, h), state, memory, &mut ())?;
         let scratch = core::mem::take(&mut memory.scratch);
         let leaving = self.leave((t, h), state, scratch, memory);
         memory.scratch = scratch;

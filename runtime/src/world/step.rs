@@ -16,7 +16,8 @@ use super::accounts::Accounts;
 use super::carrier::{Carrier, Wrench};
 use super::detect::{AT_NODE, Touch};
 use super::inertia::Inertias;
-use super::island::{Cut, Island};
+use super::island::{Attachment, Cut, Island};
+use super::observer::{Forces, Observer, Push};
 use super::scenery::{Extent, Scenery};
 use super::sweep::{self, sweep};
 use super::thing::{Pair, Thing};
@@ -113,20 +114,34 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         state: &mut State<'_, S>,
         memory: &mut StepMemory<'_, S>,
     ) -> Result<StepReport<S>, Fault> {
+        self.step_watched((t, h), state, memory, &mut ())
+    }
+
+    /// As [`World::step`], seen by an observer.
+    ///
+    /// # Errors
+    /// As [`World::step`].
+    pub fn step_watched(
+        &mut self,
+        (t, h): (S, S),
+        state: &mut State<'_, S>,
+        memory: &mut StepMemory<'_, S>,
+        watch: &mut impl Observer<S>,
+    ) -> Result<StepReport<S>, Fault> {
         let course = Course { times: [t, t + S::from_f64(0.5) * h, t + h], rebounds: true };
-        self.step_at(&course, h, state, memory)
+        self.step_at((&course, h), state, memory, watch)
     }
 
     /// A step over a course of time.
     pub(super) fn step_at(
         &mut self,
-        course: &Course<S>,
-        h: S,
+        course: (&Course<S>, S),
         state: &mut State<'_, S>,
         memory: &mut StepMemory<'_, S>,
+        watch: &mut impl Observer<S>,
     ) -> Result<StepReport<S>, Fault> {
         let scratch = core::mem::take(&mut memory.scratch);
-        let report = self.step_within((course, h), state, scratch, memory);
+        let report = self.step_within(course, state, scratch, memory, watch);
         memory.scratch = scratch;
         report
     }
@@ -137,6 +152,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         state: &mut State<'_, S>,
         scratch: &mut [S],
         memory: &mut StepMemory<'_, S>,
+        watch: &mut impl Observer<S>,
     ) -> Result<StepReport<S>, Fault> {
         let [t, t_middle, t_end] = course.times;
         let n = self.island.n_x();
@@ -171,6 +187,9 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         }
 
         let accounts = self.observe(h, memory);
+        if watch.watches() {
+            self.show(h, memory, watch);
+        }
 
         // The other half with the speeds at the end.
         for ((to, from), rate) in new.iter_mut().zip(middle.iter()).zip(dot.iter()).skip(n_q) {
@@ -469,6 +488,29 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         }
         accounts.drive = h * carrier.drive_power(own.frames, own.wrenches).unwrap_or(S::ZERO);
         accounts
+    }
+
+    /// Shows this step: forces and impulses at the middle, velocities at start and end.
+    fn show(&self, h: S, memory: &mut StepMemory<'_, S>, watch: &mut impl Observer<S>) {
+        let own = &self.island.memory;
+        let ports = own.frames.len();
+        let [start, _, end] = &mut memory.twists;
+        for Attachment { node, port, .. } in self.island.attachments {
+            let origin = own.frames.get(*port).map_or_else(vec3::zero, |frame| frame.origin);
+            let arm = vec3::sub(vec3::at(own.pos, *node), origin);
+            for twists in [&mut **start, &mut **end] {
+                let velocity = twists.get(*port).map_or_else(vec3::zero, |twist| twist.at(arm));
+                if let Some(twist) = twists.get_mut(ports + *node) {
+                    twist.velocity = velocity;
+                }
+            }
+        }
+        let ends = [&**start, &**end];
+        watch.forces(&Forces { duration: h, elastic: own.elastic, viscous: own.viscous, ends });
+        for touch in memory.touches[0].iter().take(memory.counts[0]) {
+            let (pair, contact) = (touch.pair, &touch.contact);
+            watch.push(&Push { pair, contact, duration: S::ONE, ends, strikes: true });
+        }
     }
 }
 

@@ -436,7 +436,7 @@ impl Scene {
             for step in 0..steps {
                 let t = f64::from(step) * h;
                 let report = world
-                    .step_located(&kinds, Method::Rk4, (t, h), state, &mut memory, |_| {})
+                    .step_located(&kinds, Method::Rk4, (t, h), state, &mut memory, &mut ())
                     .expect("a step");
                 accounts = accounts.plus(&report.accounts);
                 energy = world.island.energy(t + h, state.x()).expect("energy").total();

@@ -5,6 +5,7 @@
 
 use super::CarriedWorld;
 use super::islands::Islands;
+use crate::world::accounts::Accounts;
 use crate::world::engine::{self, Column, Energies, Engine, Event, Settled};
 use crate::world::picture::Picture;
 
@@ -58,6 +59,15 @@ impl Engine for Apart {
     fn settle(&mut self) -> Result<Settled, String> {
         self.islands.forget();
         self.world.settle()
+    }
+
+    fn keep_accounts(&mut self) -> Result<(), String> {
+        self.islands.forget();
+        self.world.keep_accounts()
+    }
+
+    fn accounts(&mut self) -> Result<Accounts, String> {
+        self.world.accounts()
     }
 
     fn save(&self) -> Vec<f64> {

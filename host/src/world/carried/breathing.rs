@@ -48,7 +48,7 @@ impl<S: Scalar> CarriedWorld<S> {
 
     /// Flow for h seconds at constant volumes.
     fn flow(&mut self, h: f64) -> Result<(), String> {
-        for air in &mut self.airs {
+        for (number, air) in self.airs.iter_mut().enumerate() {
             let open: Vec<Line<S>> =
                 air.lines.iter().flatten().filter(|line| line.opening > S::ZERO).copied().collect();
             let Content::Sealed { chamber, state } = &mut self.fixed.cells[air.cell].content else {
@@ -60,7 +60,11 @@ impl<S: Scalar> CarriedWorld<S> {
             let fault = |fault: GasFault<S>| format!("`{}`: {}", self.names[air.part], gas_words(fault));
             let stored = chamber.potential(state, air.volume).map_err(fault)?;
             let (new, taken) = chamber.flow(state, air.volume, &open, S::from_f64(h)).map_err(fault)?;
-            self.drive += (chamber.potential(&new, air.volume).map_err(fault)? - stored).to_f64();
+            let gained = (chamber.potential(&new, air.volume).map_err(fault)? - stored).to_f64();
+            self.drive += gained;
+            if let Some(books) = &mut self.books {
+                books.flows[number] += gained;
+            }
             air.account = air.account.plus(S::ONE, &taken);
             *state = new;
         }

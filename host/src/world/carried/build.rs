@@ -48,6 +48,7 @@ impl CarriedWorld {
             touching: None,
             unsettled: 0,
             forced: 0,
+            books: None,
             stable: None,
         };
         let starts = world.carriers(assembly)?;

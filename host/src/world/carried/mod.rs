@@ -7,6 +7,7 @@
 
 mod air;
 pub mod apart;
+mod balance;
 mod breathing;
 mod build;
 mod choice;
@@ -20,6 +21,7 @@ mod stepping;
 mod subset;
 pub mod tables;
 
+use super::books::Books;
 use super::carriers::HostCarrier;
 use super::engine::Event;
 use super::ported::Ported;
@@ -104,6 +106,8 @@ pub struct CarriedWorld<S: Scalar = f64> {
     touching: Option<Touching<S>>,
     unsettled: usize,
     forced: usize,
+    /// Kept if they are asked for.
+    books: Option<Books>,
     /// Stability limit of the step (s): the largest that resolves the fastest motion of the flexible parts.
     stable: Option<f64>,
 }
@@ -132,20 +136,23 @@ impl<S: Scalar> CarriedWorld<S> {
         let real = S::from_f64;
         let how = if self.method.1 == Stepping::Conserving { How::Conserving } else { How::Freely };
         let mut touching = self.touching.take().ok_or(Fault::Shape)?;
+        let mut books = self.books.take();
+        let taken = books.as_ref().map_or_else(Vec::new, |books| books.ports.clone());
         let done = self.with(|island| {
             let mut state = State::resume(x, low)?;
             let how = if at_rest { How::Relaxing } else { how };
-            touching.step(island, (real(t), real(h)), &mut state, how, found)
+            touching.step(island, (real(t), real(h)), &mut state, how, (found, books.as_mut()))
         });
-        self.touching = Some(touching);
+        (self.touching, self.books) = (Some(touching), books);
         let mut report = done?;
+        self.book_commanded(&taken);
         self.unsettled += usize::from(!report.settled);
         self.forced += usize::from(report.forced);
         // What the step's own accounts do not see of mechanisms: powers in the middle, but those of the wrenches.
         let middle: Vec<S> = old.iter().zip(x.iter()).map(|(a, b)| real(0.5) * (*a + *b)).collect();
-        let accounts = &mut report.accounts;
+        let (accounts, mut books) = (&mut report.accounts, self.books.take());
         // Simpson's rule for a mechanism that time alone moves.
-        self.each_mechanism(&middle, |ported, q, u, wrenches| {
+        let done = self.each_mechanism(&middle, |number, ported, q, u, wrenches| {
             let none = vec![Wrench::zero(); wrenches.len()];
             let ends: &[(f64, f64)] =
                 if u.is_empty() { &[(0.0, 1.0), (0.5, 4.0), (1.0, 1.0)] } else { &[(0.5, 6.0)] };
@@ -153,10 +160,15 @@ impl<S: Scalar> CarriedWorld<S> {
                 let account = ported.account(real(t + part * h), q, u, &none)?;
                 accounts.drive = accounts.drive + real(weight / 6.0 * h) * account.driven;
                 accounts.damping = accounts.damping + real(weight / 6.0 * h) * account.damped;
+                if let Some(books) = &mut books {
+                    books.driven[number] += weight / 6.0 * h * account.driven.to_f64();
+                    books.carrier_damped[number] += weight / 6.0 * h * account.damped.to_f64();
+                }
             }
             Ok(())
-        })?;
-        Ok(report)
+        });
+        self.books = books;
+        done.map(|()| report)
     }
 
     /// The method between touches; for kinds of steps without one, that of a relaxation.
@@ -195,32 +207,39 @@ impl<S: Scalar> CarriedWorld<S> {
         Ok(dot)
     }
 
-    /// Powers at the state whose rates were asked for last.
-    fn powers(&mut self, t: f64, x: &[S]) -> Result<Powers, Fault> {
-        let mut powers = Powers::default();
+    /// Powers at the state whose rates were asked for last; the books count them for a duration (s).
+    fn powers(&mut self, t: f64, x: &[S], duration: f64) -> Result<Powers, Fault> {
+        self.book_forces(duration);
+        let (mut powers, mut books) = (Powers::default(), self.books.take());
         let forces = self.room.viscous.iter().zip(&self.room.vel);
         powers.damped = -forces.map(|(force, velocity)| vec3::dot(*force, *velocity).to_f64()).sum::<f64>();
-        self.each_mechanism(x, |ported, q, u, wrenches| {
+        let done = self.each_mechanism(x, |number, ported, q, u, wrenches| {
             let account = ported.account(S::from_f64(t), q, u, wrenches)?;
             powers.driven += account.driven.to_f64();
             powers.damped += account.damped.to_f64();
+            if let Some(books) = &mut books {
+                books.driven[number] += duration * account.driven.to_f64();
+                books.carrier_damped[number] += duration * account.damped.to_f64();
+            }
             Ok(())
-        })?;
-        Ok(powers)
+        });
+        self.books = books;
+        done.map(|()| powers)
     }
 
-    /// Calls a function for each mechanism with its part of the state and the wrenches at its ports.
+    /// Calls a function for each mechanism with its number among the carriers, its part of the state and the wrenches at
+    /// its ports.
     fn each_mechanism(
         &mut self,
         x: &[S],
-        mut show: impl FnMut(&mut Ported<S>, &[S], &[S], &[Wrench<S>]) -> Result<(), Fault>,
+        mut show: impl FnMut(usize, &mut Ported<S>, &[S], &[S], &[Wrench<S>]) -> Result<(), Fault>,
     ) -> Result<(), Fault> {
         let n_q = self.split();
         let (mut q, mut u, mut port) = (0, n_q, 0);
-        for carrier in &mut self.carriers {
+        for (number, carrier) in self.carriers.iter_mut().enumerate() {
             let (next_q, next_u, next) = (q + carrier.n_q(), u + carrier.n_u(), port + carrier.n_ports());
             if let HostCarrier::Mechanism(ported) = carrier {
-                show(ported, &x[q..next_q], &x[u..next_u], &self.room.wrenches[port..next])?;
+                show(number, ported, &x[q..next_q], &x[u..next_u], &self.room.wrenches[port..next])?;
             }
             (q, u, port) = (next_q, next_u, next);
         }

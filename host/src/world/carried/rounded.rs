@@ -4,6 +4,7 @@
 
 use super::air::Air;
 use super::{CarriedWorld, Fixed, Place, Room};
+use crate::world::accounts::Accounts;
 use crate::world::assembly::{Assembly, Kind};
 use crate::world::carriers::HostCarrier;
 use crate::world::engine::{Column, Energies, Engine, Event, Settled};
@@ -68,6 +69,14 @@ impl Engine for Single {
         Ok(settled)
     }
 
+    fn keep_accounts(&mut self) -> Result<(), String> {
+        self.own.keep_accounts()
+    }
+
+    fn accounts(&mut self) -> Result<Accounts, String> {
+        self.own.accounts()
+    }
+
     fn save(&self) -> Vec<f64> {
         self.own.save()
     }
@@ -130,6 +139,7 @@ impl CarriedWorld {
             touching: self.touching.as_ref().map(|touching| touching.rounded()),
             unsettled: self.unsettled,
             forced: self.forced,
+            books: None,
             stable: self.stable,
         })
     }

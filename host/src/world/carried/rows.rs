@@ -4,6 +4,7 @@ use super::air::SAVED;
 use super::methods::Contacts;
 use super::rest::Settle;
 use super::{CarriedWorld, Place, words};
+use crate::world::accounts::Accounts;
 use crate::world::carriers::HostCarrier;
 use crate::world::engine::{self, Column, Energies, Engine, Event, Settled};
 use crate::world::picture::Picture;
@@ -115,7 +116,7 @@ impl<S: Settle> Engine for CarriedWorld<S> {
             impact: self.impact,
             friction: self.friction,
         };
-        self.each_mechanism(&x, |ported, q, u, wrenches| {
+        self.each_mechanism(&x, |_, ported, q, u, wrenches| {
             let [kinetic, gravity, spring] = ported.account(t, q, u, wrenches)?.stored.map(S::to_f64);
             energies.kinetic += kinetic;
             energies.gravity += gravity;
@@ -141,7 +142,7 @@ impl<S: Settle> Engine for CarriedWorld<S> {
         let (t, x) = (S::from_f64(self.t), self.x.clone());
         self.with(|mut island| island.place(t, &x)).map_err(words)?;
         let mut mechanisms = Vec::new();
-        self.each_mechanism(&x, |ported, q, u, _| {
+        self.each_mechanism(&x, |_, ported, q, u, _| {
             mechanisms.push(ported.picture(t, q, u)?);
             Ok(())
         })
@@ -192,6 +193,16 @@ impl<S: Settle> Engine for CarriedWorld<S> {
 
     fn settle(&mut self) -> Result<Settled, String> {
         S::settle(self)
+    }
+
+    fn keep_accounts(&mut self) -> Result<(), String> {
+        self.can_keep_books()?;
+        self.open_books();
+        Ok(())
+    }
+
+    fn accounts(&mut self) -> Result<Accounts, String> {
+        self.balance()
     }
 
     fn save(&self) -> Vec<f64> {

@@ -37,7 +37,7 @@ impl<S: Scalar> CarriedWorld<S> {
         }
         let (t, old) = (self.t, self.x.clone());
         let before = self.rates(t, &old).map_err(words)?;
-        let first = self.powers(t, &old).map_err(words)?;
+        let first = self.powers(t, &old, h / 6.0).map_err(words)?;
         let (mut x, mut low, mut scratch) =
             (std::mem::take(&mut self.x), std::mem::take(&mut self.low), std::mem::take(&mut self.scratch));
         let method = self.ode_method();
@@ -54,12 +54,12 @@ impl<S: Scalar> CarriedWorld<S> {
         done.map_err(words)?;
         let new = self.x.clone();
         let after = self.rates(t + h, &new).map_err(words)?;
-        let last = self.powers(t + h, &new).map_err(words)?;
+        let last = self.powers(t + h, &new, h / 6.0).map_err(words)?;
         let ends = old.iter().zip(&new).zip(before.iter().zip(&after));
         let (half, eighth) = (S::from_f64(0.5), S::from_f64(0.125 * h));
         let middle: Vec<S> = ends.map(|((a, b), (da, db))| half * (*a + *b) + eighth * (*da - *db)).collect();
         self.rates(t + 0.5 * h, &middle).map_err(words)?;
-        let between = self.powers(t + 0.5 * h, &middle).map_err(words)?;
+        let between = self.powers(t + 0.5 * h, &middle, h / 1.5).map_err(words)?;
         self.drive += h / 6.0 * (first.driven + 4.0 * between.driven + last.driven);
         self.damping += h / 6.0 * (first.damped + 4.0 * between.damped + last.damped);
         self.t = t + h;

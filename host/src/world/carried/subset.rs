@@ -5,6 +5,7 @@
 
 use super::reach::Reach;
 use super::{CarriedWorld, Fixed, Place, Room};
+use crate::world::books::{Books, Shares};
 use crate::world::carriers::HostCarrier;
 use crate::world::engine::Engine;
 use smartbed_runtime::surface::Frame;
@@ -26,6 +27,8 @@ pub(super) struct Subset {
     /// By part: its nodes and its shape here, and the reach of the shape from its port (m).
     nodes: Vec<Range<usize>>,
     things: Vec<Option<Thing<f64>>>,
+    /// If the whole keeps books: where those of this world belong in them.
+    shares: Option<Shares>,
 }
 
 /// Maps of indices from the whole to the subset.
@@ -114,8 +117,32 @@ impl CarriedWorld {
             .collect();
         let x: Vec<usize> = [q, pos, u, vel].concat();
         let airs: Vec<usize> = (0..self.airs.len()).filter(|n| parts.contains(&self.airs[*n].part)).collect();
-        let (world, pairs, things) = self.renumbered(&new, (fixed, &carriers, &cells, &airs), parts, x.len());
-        Subset { parts: parts.to_vec(), world, x, carriers, cells, airs, pairs, nodes: nodes_of, things }
+        let (mut world, pairs, things) =
+            self.renumbered(&new, (fixed, &carriers, &cells, &airs), parts, x.len());
+        let shares = self.books.as_ref().map(|_| {
+            world.open_books();
+            let held = |number: &usize| new.nodes[self.fixed.attachments[*number].node] != usize::MAX;
+            Shares {
+                held: (0..self.fixed.attachments.len()).filter(held).collect(),
+                pairs: pairs.clone(),
+                ports: kept(&new.ports),
+                nodes: kept(&new.nodes),
+                carriers: carriers.clone(),
+                flows: airs.clone(),
+            }
+        });
+        Subset {
+            parts: parts.to_vec(),
+            world,
+            x,
+            carriers,
+            cells,
+            airs,
+            pairs,
+            nodes: nodes_of,
+            things,
+            shares,
+        }
     }
 
     /// The world with renumbered lists; its pairs by index, and the thing that represents each part.
@@ -127,7 +154,7 @@ impl CarriedWorld {
         n: usize,
     ) -> (CarriedWorld, Vec<usize>, Vec<Option<Thing<f64>>>) {
         // Parts are in ascending order, so that nodes and ports keep their order.
-        let order: Vec<usize> = (0..new.nodes.len()).filter(|node| new.nodes[*node] != usize::MAX).collect();
+        let order = kept(&new.nodes);
         let of_nodes = |list: &[Vec3<f64>]| order.iter().map(|node| list[*node]).collect::<Vec<_>>();
         let ports = new.ports.iter().filter(|port| **port != usize::MAX).count();
         let points = order.len();
@@ -188,6 +215,7 @@ impl CarriedWorld {
             touching,
             unsettled: 0,
             forced: 0,
+            books: None,
             stable: self.stable,
         };
         (world, pairs, things)
@@ -252,6 +280,7 @@ impl Subset {
         own.t = whole.t;
         [own.drive, own.damping, own.impact, own.friction] = [0.0; 4];
         (own.unsettled, own.forced) = (0, 0);
+        own.books.iter_mut().for_each(Books::clear);
     }
 
     /// Copies the state back, and adds the accounts and events of the step.
@@ -273,6 +302,9 @@ impl Subset {
         whole.friction += own.friction;
         whole.unsettled += own.unsettled;
         whole.forced += own.forced;
+        if let (Some(to), Some(books), Some(shares)) = (&mut whole.books, &own.books, &self.shares) {
+            to.add(books, shares);
+        }
     }
 
     /// Reports the contact forces to the whole.
@@ -330,6 +362,7 @@ impl Subset {
     /// Stops all motion; its kinetic energy is booked as damping.
     pub(super) fn stop(&mut self, whole: &mut CarriedWorld) -> Result<(), String> {
         let before = self.world.energies()?.kinetic;
+        let motion = self.shares.is_some().then(|| self.world.motion()).transpose()?;
         let split = self.world.split();
         self.world.x[split..].fill(0.0);
         self.world.low[split..].fill(0.0);
@@ -337,6 +370,14 @@ impl Subset {
             (whole.x[*place], whole.low[*place]) = (0.0, 0.0);
         }
         whole.damping += before - self.world.energies()?.kinetic;
+        if let (Some(before), Some(shares)) = (motion, &self.shares) {
+            let after = self.world.motion()?;
+            if let (Some(own), Some(to)) = (&mut self.world.books, &mut whole.books) {
+                own.clear();
+                own.stop(&before, &after);
+                to.add(own, shares);
+            }
+        }
         Ok(())
     }
 
@@ -347,6 +388,11 @@ impl Subset {
             |carrier: &HostCarrier| matches!(carrier, HostCarrier::Mechanism(ported) if ported.reads_time());
         self.world.carriers.iter().any(reads_time) || flows.into_iter().any(|line| line.opening > 0.0)
     }
+}
+
+/// Indices of the whole that have one here.
+fn kept(new: &[usize]) -> Vec<usize> {
+    (0..new.len()).filter(|old| new[*old] != usize::MAX).collect()
 }
 
 /// Frames of the ports that are part of the subset.

@@ -8,6 +8,7 @@ mod among;
 mod rounded;
 
 use super::assembly::{Assembly, Kind, Law};
+use super::books::{Books, Watch};
 use super::engine::Event;
 use super::pushed::Pushed;
 use crate::contact_force::ContactForce;
@@ -275,14 +276,14 @@ impl<S: Scalar> Touching<S> {
         self.counts[0]
     }
 
-    /// A step of an island; pairs that come into contact are events.
+    /// A step of an island; pairs that come into contact are events. Books, if there are some, observe it.
     pub(super) fn step(
         &mut self,
         island: Island<'_, S, impl Carrier<S>>,
         (t, h): (S, S),
         state: &mut State<'_, S>,
         how: How,
-        found: &mut Vec<Event>,
+        (found, books): (&mut Vec<Event>, Option<&mut Books>),
     ) -> Result<Stepped<S>, Fault> {
         let sizes = [self.n, self.yields.len(), self.couplings.len()];
         let [first, last] = &mut self.frames;
@@ -303,6 +304,7 @@ impl<S: Scalar> Touching<S> {
             counts: self.counts,
         };
         let mut world = World { island, things: &self.things, pairs: &self.pairs };
+        let mut watch = Watch { parts: &self.parts, bodies: &self.bodies, found: &mut *found, books };
         if let Some(own) = self.located.as_mut().filter(|_| how == How::Freely) {
             let [struck, lifts] = &mut own.struck;
             let mut memory = LocatedMemory {
@@ -312,30 +314,8 @@ impl<S: Scalar> Touching<S> {
                 struck: [struck, lifts],
                 overlaps: own.overlaps,
             };
-            let parts = &self.parts;
             let report =
-                world.step_located(&own.kinds, own.method, (t, h), state, &mut memory, |strike| {
-                    for (pair, parts) in parts.iter().enumerate() {
-                        let own =
-                            strike.touches.iter().zip(strike.struck).filter(|(touch, _)| touch.pair == pair);
-                        let mut event = Event {
-                            time: strike.time.to_f64(),
-                            parts: *parts,
-                            points: 0,
-                            approach: 0.0,
-                            impulse: 0.0,
-                        };
-                        for (touch, struck) in own {
-                            let impulse = struck.contact.impulse[0];
-                            event.points += usize::from(impulse > S::ZERO);
-                            event.impulse += impulse.to_f64();
-                            event.approach = event.approach.max(-touch.velocity()[0].to_f64());
-                        }
-                        if event.points > 0 {
-                            found.push(event);
-                        }
-                    }
-                })?;
+                world.step_located(&own.kinds, own.method, (t, h), state, &mut memory, &mut watch)?;
             own.overlaps = memory.overlaps;
             let pressing = memory.pressing.iter().take(report.pressing);
             self.pushed = Pushed::new(self.pairs.len());
@@ -353,13 +333,16 @@ impl<S: Scalar> Touching<S> {
         }
         let done = match how {
             How::Relaxing => world.relax(t, h, state, &mut memory),
-            How::Freely => world.step(t, h, state, &mut memory).map(|report| (report, S::ZERO)),
+            How::Freely => {
+                world.step_watched((t, h), state, &mut memory, &mut watch).map(|report| (report, S::ZERO))
+            }
             How::Conserving => {
                 let Means { scratch, nodes: [start, middle, change, velocity], frames: [from, seen] } =
                     self.means.get_or_insert_with(|| Means::new(sizes));
                 let nodes = [&mut **start, middle, change, velocity];
                 let mut means = MeanMemory { scratch, nodes, frames: [from, seen] };
-                world.step_conserving(t, h, state, &mut memory, &mut means).map(|report| (report, S::ZERO))
+                let done = world.step_conserving_watched((t, h), state, &mut memory, &mut means, &mut watch);
+                done.map(|report| (report, S::ZERO))
             }
         };
         self.counts = memory.counts;

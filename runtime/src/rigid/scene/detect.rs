@@ -21,15 +21,9 @@ impl<S: Scalar> RigidScene<'_, S> {
         margin: S,
         wanted: impl Fn(&Touching<S>) -> bool,
     ) -> Result<usize, Fault> {
-        let rows = twists.iter_mut().zip(mobilities.iter_mut());
-        for ((part, state), (twist, mobility)) in self.parts.iter().zip(states).zip(rows) {
-            (*twist, *mobility) = match &part.body {
-                Some(body) => (
-                    Twist { velocity: state.velocity, angular: body.angular_velocity(state) },
-                    Mobility::of(body, state),
-                ),
-                None => (Twist::zero(), Mobility::fixed()),
-            };
+        self.read_twists(states, twists);
+        for ((part, state), mobility) in self.parts.iter().zip(states).zip(mobilities.iter_mut()) {
+            *mobility = part.body.map_or_else(Mobility::fixed, |body| Mobility::of(&body, state));
         }
         let (mut count, mut full) = (0, false);
         self.visit(states, margin, |pair, feature| {
@@ -42,6 +36,16 @@ impl<S: Scalar> RigidScene<'_, S> {
             }
         });
         if full { Err(Fault::TooManyContacts) } else { Ok(count) }
+    }
+
+    /// Copies the velocities of the parts.
+    pub(super) fn read_twists(&self, states: &[RigidState<S>], twists: &mut [Twist<S>]) {
+        for ((part, state), twist) in self.parts.iter().zip(states).zip(twists) {
+            *twist = part.body.map_or_else(Twist::zero, |body| Twist {
+                velocity: state.velocity,
+                angular: body.angular_velocity(state),
+            });
+        }
     }
 
     /// Shows every feature of every pair within `margin`.

@@ -36,6 +36,19 @@ pub struct Strike<'a, S> {
     pub touching: &'a [Touching<S>],
     /// The same contacts with their impulses.
     pub struck: &'a [Struck<S>],
+    /// Velocities of the parts before and after.
+    pub ends: [&'a [Twist<S>]; 2],
+}
+
+/// A piece of a step between events, shown when it is accepted.
+#[derive(Clone, Copy, Debug)]
+pub struct Piece<'a, S> {
+    /// Its length (s).
+    pub length: S,
+    /// Lasting contacts with their mean forces; those without a normal force do nothing.
+    pub along: &'a [Touching<S>],
+    /// Velocities of the parts in its middle.
+    pub twists: &'a [Twist<S>],
 }
 
 /// Diagnostics of a step.

@@ -19,7 +19,7 @@ mod parts;
 mod step;
 mod touching;
 
-pub use memory::{Memory, Report, Strike};
+pub use memory::{Memory, Piece, Report, Strike};
 pub use parts::{Fault, Pair, Part, RigidScene};
 pub use step::SPLITS;
 pub use touching::Touching;

@@ -1,7 +1,7 @@
 //! The whole step: impacts, then an advance to the next event, repeated until the step is used up.
 
 use super::advance::Start;
-use super::memory::{Memory, Report, Strike};
+use super::memory::{Memory, Piece, Report, Strike};
 use super::parts::{Fault, RigidScene, Rounding};
 use super::touching::Touching;
 use crate::ode::root::locate;
@@ -31,10 +31,11 @@ impl<S: Scalar> RigidScene<'_, S> {
         h: S,
         memory: &mut Memory<S>,
     ) -> Result<Report<S>, Fault> {
-        self.step_watched(states, h, memory, |_| {})
+        self.step_watched(states, h, memory, (|_| {}, |_| {}))
     }
 
-    /// As [`RigidScene::step`]; shows every impact, even of a step that is refused in the end.
+    /// As [`RigidScene::step`]; shows every impact and every piece between them, even of a step that is refused in the
+    /// end.
     ///
     /// # Errors
     /// As [`RigidScene::step`].
@@ -43,7 +44,7 @@ impl<S: Scalar> RigidScene<'_, S> {
         states: &mut [RigidState<S>],
         h: S,
         memory: &mut Memory<S>,
-        mut watch: impl FnMut(Strike<'_, S>),
+        mut watch: (impl FnMut(Strike<'_, S>), impl FnMut(Piece<'_, S>)),
     ) -> Result<Report<S>, Fault> {
         self.check_sizes(states, memory)?;
         let mut report = Report {
@@ -77,14 +78,14 @@ impl<S: Scalar> RigidScene<'_, S> {
         h: S,
         memory: &mut Memory<S>,
         report: &mut Report<S>,
-        watch: &mut impl FnMut(Strike<'_, S>),
+        (strikes, pieces): &mut (impl FnMut(Strike<'_, S>), impl FnMut(Piece<'_, S>)),
     ) -> Result<(), Fault> {
         let (mut left, mut rest) = (h, REST);
         for split in 0..SPLITS + REST as usize {
             let last = split >= SPLITS;
             let rounding = self.rounding(memory.states[0]);
-            self.strike(memory, rounding, last, report, |touching, struck, loss| {
-                watch(Strike { time: h - left, loss, touching, struck });
+            self.strike(memory, rounding, last, report, |strike| {
+                strikes(Strike { time: h - left, ..strike })
             })?;
             let start = self.hold_at_start(memory, rounding)?;
             let (length, pressing) = if last {
@@ -95,6 +96,8 @@ impl<S: Scalar> RigidScene<'_, S> {
                 self.shorten(memory, left, start, rounding)?
             };
             self.commit(memory, length, pressing, report);
+            let along = memory.along.get(..pressing).unwrap_or_default();
+            pieces(Piece { length, along, twists: memory.twists });
             self.project(memory, pressing, rounding)?;
             (report.splits, report.forced) = (split + 1, last);
             left = left - length;
@@ -112,7 +115,7 @@ impl<S: Scalar> RigidScene<'_, S> {
         rounding: Rounding<S>,
         last: bool,
         report: &mut Report<S>,
-        show: impl FnOnce(&[Touching<S>], &[Struck<S>], S),
+        show: impl FnOnce(Strike<'_, S>),
     ) -> Result<(), Fault> {
         let Memory { states: [now, ..], twists, spare, mobilities, touching, struck, .. } = memory;
         let count = self.detect(now, twists, mobilities, touching, rounding.gap, |_| true)?;
@@ -141,13 +144,14 @@ impl<S: Scalar> RigidScene<'_, S> {
                 strike_all(struck, &**mobilities, twists, spare);
             }
         }
+        self.read_twists(now, spare);
         for s in struck.iter() {
             self.push(now, &s.contact, s.contact.impulse);
         }
         let loss = before - self.energy(now);
         report.impacts += 1;
         report.impact_loss = report.impact_loss + loss;
-        show(touching, struck, loss);
+        show(Strike { time: S::ZERO, loss, touching, struck, ends: [&**spare, &**twists] });
         Ok(())
     }
 

@@ -18,6 +18,7 @@ mod strike;
 use super::accounts::Accounts;
 use super::carrier::Carrier;
 use super::detect::{AT_NODE, Touch};
+use super::observer::{Observer, Strike};
 use super::pressed::{Pressed, Pressing};
 use super::step::{StepMemory, World};
 use crate::mechanism::Fault;
@@ -49,17 +50,6 @@ pub struct LocatedMemory<'a, S> {
     pub struck: [&'a mut [Struck<S>]; 2],
     /// Whether a step that used up its splits has left overlaps. False at the start; kept from step to step.
     pub overlaps: bool,
-}
-
-/// An impact within a step, shown while it happens.
-#[derive(Clone, Copy, Debug)]
-pub struct Strike<'a, S> {
-    /// Time since the start of the step (s).
-    pub time: S,
-    /// The contacts, with the velocities before.
-    pub touches: &'a [Touch<S>],
-    /// The same contacts with their impulses.
-    pub struck: &'a [Struck<S>],
 }
 
 /// Diagnostics of a step.
@@ -178,8 +168,7 @@ impl<'m, S: Scalar> PartialStep<'_, 'm, S> {
 
 impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
     /// Advances the state from t by h (s), > 0. `kinds` has the law of each pair (e and mu are the pair's own; for
-    /// compensation e is the square root of its share). `watch` sees every impact, even of a step that is refused in
-    /// the end.
+    /// compensation e is the square root of its share).
     ///
     /// # Errors
     /// [`Fault::TooManyContacts`]; [`Fault::Jammed`] where friction jams a sliding contact; [`Fault::Shape`] for lists
@@ -191,7 +180,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         (t, h): (S, S),
         state: &mut State<'_, S>,
         memory: &mut LocatedMemory<'_, S>,
-        mut watch: impl FnMut(Strike<'_, S>),
+        watch: &mut impl Observer<S>,
     ) -> Result<LocatedReport<S>, Fault> {
         if state.x().len() != self.island.n_x() || kinds.len() != self.pairs.len() {
             return Err(Fault::Shape);
@@ -209,12 +198,12 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         for _ in 0..SPLITS {
             let start = t + (h - left);
             self.measure(start, way)?;
-            self.strike(kinds, start, way, &mut report, |touches, struck| {
-                watch(Strike { time: h - left, touches, struck });
+            self.strike(kinds, start, way, &mut report, |touches, struck, ends| {
+                watch.strike(&Strike { time: h - left, touches, struck, ends });
             })?;
             self.hold_at_start(start, way)?;
             let length = self.shorten(method, (start, left), way)?;
-            report.accounts = report.accounts.plus(&self.works(start, length, way)?);
+            report.accounts = report.accounts.plus(&self.works((start, length), way, watch)?);
             for (now, trial) in way.now.iter_mut().zip(&way.trial) {
                 now.iter_mut().zip(trial.iter()).for_each(|(to, from)| *to = *from);
             }
@@ -229,7 +218,8 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
             *way.overlaps = true;
             let [x, low] = &mut way.now;
             way.memory.counts = [0; 2];
-            let rest = self.step(t + (h - left), left, &mut State::resume(x, low)?, way.memory)?;
+            let state = &mut State::resume(x, low)?;
+            let rest = self.step_watched((t + (h - left), left), state, way.memory, watch)?;
             report.accounts = report.accounts.plus(&rest.accounts);
         }
         for ((x, low), (now, now_low)) in state.entries().zip(way.now[0].iter().zip(way.now[1].iter())) {

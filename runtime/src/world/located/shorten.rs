@@ -10,6 +10,7 @@ use crate::vec3;
 use crate::world::accounts::Accounts;
 use crate::world::carrier::Carrier;
 use crate::world::detect::AT_NODE;
+use crate::world::observer::Observer;
 use crate::world::pressed::Pressing;
 use crate::world::step::{StepMemory, World};
 
@@ -104,10 +105,15 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
     }
 
     /// Energy accounts of the piece from the state so far to the trial state: powers by Simpson's rule.
-    pub(super) fn works(&mut self, t: S, length: S, way: &mut PartialStep<S>) -> Result<Accounts<S>, Fault> {
+    pub(super) fn works(
+        &mut self,
+        time: (S, S),
+        way: &mut PartialStep<S>,
+        watch: &mut impl Observer<S>,
+    ) -> Result<Accounts<S>, Fault> {
         let [first, last, between] = core::mem::take(&mut way.dots);
         let (mut pressed, Sight { now: [old, _], trial: [new, _], .. }) = way.pressed(self);
-        let sum = pressed.works((t, length), [old, new], [&mut *first, &mut *last, &mut *between]);
+        let sum = pressed.works(time, [old, new], [&mut *first, &mut *last, &mut *between], watch);
         way.dots = [first, last, between];
         sum
     }

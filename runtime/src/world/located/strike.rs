@@ -10,6 +10,8 @@ use crate::world::carrier::Carrier;
 use crate::world::detect::Touch;
 use crate::world::impact::{Setting, Spare};
 use crate::world::island::Island;
+use crate::world::observer::Ends;
+use crate::world::pressed::Pressed;
 use crate::world::step::{StepMemory, World};
 
 impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
@@ -20,7 +22,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         t: S,
         way: &mut PartialStep<S>,
         report: &mut LocatedReport<S>,
-        show: impl FnOnce(&[Touch<S>], &[Struck<S>]),
+        show: impl FnOnce(&[Touch<S>], &[Struck<S>], Ends<'_, S>),
     ) -> Result<(), Fault> {
         self.find_touches(t, way)?;
         if !way.touches().iter().any(|touch| touch.start[0] < -way.rounding.rate) {
@@ -45,7 +47,9 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         let setting = Setting { body: &island.body, pos: island.memory.pos, ports, inertia: &*inertias };
         let settled = setting.strike(struck, law, twists, &mut Spare { lifts, twists: [one, other] });
         report.settled &= settled;
-        show(touches, struck);
+        // The island still stands where it was before the impact.
+        Pressed::read_twists(self, one);
+        show(touches, struck, [&**one, &**twists]);
         let [x, low] = &mut way.now;
         let [a, b, c] = &mut way.spare;
         let contacts = struck.iter().map(|s| (&s.contact, s.contact.impulse));
