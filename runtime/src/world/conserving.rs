@@ -370,7 +370,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         let [start, middle, change, velocity] = &means.nodes;
         let ends = [&*memory.twists[2]; 2];
         watch.forces(&Forces { duration: h, elastic: own.elastic, viscous: own.viscous, ends });
-        let way = Way { h, pos: [start, middle, own.pos], dx: change, vel: velocity };
+        let way = MeanStep { h, pos: [start, middle, own.pos], dx: change, vel: velocity };
         for spring in body.springs {
             watch.damped(spring.tail, mean::dissipated(core::slice::from_ref(spring), &way));
         }
