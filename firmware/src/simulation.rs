@@ -244,9 +244,7 @@ pub fn tile_rates_near(
     near: &Near,
 ) -> f32 {
     let (Ok((q, u)), Ok((q_dot, u_dot))) = (parts(x), parts_mut(x_dot)) else { return f32::NAN };
-    let pivot;
-    (*q_dot, *u_dot, pivot) = mechanism::rates_near(t, q, u, inputs, model.prepared(), near);
-    pivot
+    mechanism::rates_near_into(t, q, u, inputs, model.prepared(), near, q_dot, u_dot)
 }
 
 /// The model with constant inputs, or with those of its control law.

@@ -275,6 +275,9 @@ pub fn prepare(p: &Parameters) -> Prepared {
 /// - `t`: time (s)
 /// - `q`, `u`, `inputs`: coordinates, speeds and inputs (SI), at the places of the modules of these names
 /// - `p`: what [`prepare`] makes of the parameters
+/// - `q_dot`, `u_dot`: where the rates are written
+///
+/// Returns the worst pivot.
 ///
 /// 90 operations.
 #[rustfmt::skip]
@@ -286,13 +289,15 @@ pub fn prepare(p: &Parameters) -> Prepared {
     reason = "generated straight-line arithmetic"
 )]
 #[must_use]
-pub fn rates(
+pub fn rates_into(
     _t: S,
     q: &[S; 3usize],
     u: &[S; 1usize],
     inputs: &[S; 1usize],
     p: &Prepared,
-) -> ([S; 3usize], [S; 1usize], S) {
+    q_dot: &mut [S; 3usize],
+    u_dot: &mut [S; 1usize],
+) -> S {
     // Orientations: sines and cosines of angles, places.
     let q3 = q[2]; // fourbar.toml:27
     let (sin_q3, cos_q3) = Real::sin_cos(q3);
@@ -307,10 +312,15 @@ pub fn rates(
     let t3 = t2 * ((sin_q1 * cos_q3 - cos_q1 * sin_q3) * k19);
     let u1 = u[0]; // fourbar.toml:25
     let t4 = u1 * t3;
+    q_dot[0] = u1;
+    q_dot[1] = -t4;
+    core::sync::atomic::compiler_fence(core::sync::atomic::Ordering::Release);
     let t5 = sin_q1 * cos_q2 - cos_q1 * sin_q2;
     let k20 = p.k20;
     let t6 = t2 * (t5 * k20);
     let u3 = u1 * t6; // fourbar.toml:27
+    q_dot[2] = u3;
+    core::sync::atomic::compiler_fence(core::sync::atomic::Ordering::Release);
     let l3 = p.l3;
     let t7 = l3 * (u3 * u3);
     let t8 = t4 * t4;
@@ -357,11 +367,31 @@ pub fn rates(
     let t30 = t28 + (k15 - t3 * (2.0_f32 * t22 - t29));
     // Results: elimination of M, accelerations and what else is returned.
     let t31 = forcing_u1 / t30;
+    u_dot[0] = t31;
+    core::sync::atomic::compiler_fence(core::sync::atomic::Ordering::Release);
     let k23 = p.k23;
     let k22 = p.k22;
     let k21 = p.k21;
     let t32 = Real::min_size(Real::min_size(Real::abs(t30 * k23), Real::abs(t1 * k22)), Real::abs(t1 * k21));
-    ([u1, -t4, u3], [t31], t32)
+    t32
+}
+/// Rates of the coordinates, of the independent speeds, and the worst pivot relative to nominal.
+///
+/// As [`rates_into`], which writes them to memory.
+#[allow(dead_code, reason = "a program reads what it needs")]
+#[must_use]
+#[inline]
+pub fn rates(
+    t: S,
+    q: &[S; 3usize],
+    u: &[S; 1usize],
+    inputs: &[S; 1usize],
+    p: &Prepared,
+) -> ([S; 3usize], [S; 1usize], S) {
+    let mut q_dot = [<S as Real>::ZERO; NQ];
+    let mut u_dot = [<S as Real>::ZERO; NU];
+    let worst_pivot = rates_into(t, q, u, inputs, p, &mut q_dot, &mut u_dot);
+    (q_dot, u_dot, worst_pivot)
 }
 /// Kinetic and potential energy (J).
 ///
@@ -645,9 +675,7 @@ impl smartbed_runtime::mechanism::Mechanism<S> for Fourbar {
         ) else {
             return Err(smartbed_runtime::mechanism::Fault::Shape);
         };
-        let pivot;
-        (*q_out, *u_out, pivot) = rates(t, q, u, inputs, &self.prepared);
-        Ok(pivot)
+        Ok(rates_into(t, q, u, inputs, &self.prepared, q_out, u_out))
     }
     #[allow(
         clippy::assign_op_pattern,

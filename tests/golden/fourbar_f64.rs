@@ -308,6 +308,9 @@ pub fn prepare(p: &Parameters) -> Prepared {
 /// - `t`: time (s)
 /// - `q`, `u`, `inputs`: coordinates, speeds and inputs (SI), at the places of the modules of these names
 /// - `p`: what [`prepare`] makes of the parameters
+/// - `q_dot`, `u_dot`: where the rates are written
+///
+/// Returns the worst pivot.
 ///
 /// 90 operations.
 #[rustfmt::skip]
@@ -319,13 +322,15 @@ pub fn prepare(p: &Parameters) -> Prepared {
     reason = "generated straight-line arithmetic"
 )]
 #[must_use]
-pub fn rates(
+pub fn rates_into(
     _t: S,
     q: &[S; 3usize],
     u: &[S; 1usize],
     inputs: &[S; 1usize],
     p: &Prepared,
-) -> ([S; 3usize], [S; 1usize], S) {
+    q_dot: &mut [S; 3usize],
+    u_dot: &mut [S; 1usize],
+) -> S {
     // Orientations: sines and cosines of angles, places.
     let q1 = q[0]; // fourbar.toml:25
     let q3 = q[2]; // fourbar.toml:27
@@ -346,8 +351,11 @@ pub fn rates(
     let t9 = t7 * k20;
     let u1 = u[0]; // fourbar.toml:25
     let t10 = u1 * t8;
+    q_dot[0] = u1;
+    q_dot[1] = -t10;
     let t11 = t2 * t9;
     let u3 = u1 * t11; // fourbar.toml:27
+    q_dot[2] = u3;
     let t12 = t10 * t10;
     let t13 = cos_q3 * cos_q2;
     let t14 = sin_q3 * sin_q2;
@@ -435,8 +443,27 @@ pub fn rates(
     let t73 = t70 + t69;
     let forcing_u1 = t11 * t71 - t73;
     let t74 = forcing_u1 / t53;
+    u_dot[0] = t74;
     let t75 = Real::min_size(Real::min_size(t66, t67), t72);
-    ([u1, -t10, u3], [t74], t75)
+    t75
+}
+/// Rates of the coordinates, of the independent speeds, and the worst pivot relative to nominal.
+///
+/// As [`rates_into`], which writes them to memory.
+#[allow(dead_code, reason = "a program reads what it needs")]
+#[must_use]
+#[inline]
+pub fn rates(
+    t: S,
+    q: &[S; 3usize],
+    u: &[S; 1usize],
+    inputs: &[S; 1usize],
+    p: &Prepared,
+) -> ([S; 3usize], [S; 1usize], S) {
+    let mut q_dot = [<S as Real>::ZERO; NQ];
+    let mut u_dot = [<S as Real>::ZERO; NU];
+    let worst_pivot = rates_into(t, q, u, inputs, p, &mut q_dot, &mut u_dot);
+    (q_dot, u_dot, worst_pivot)
 }
 /// Kinetic and potential energy (J).
 ///
@@ -788,9 +815,7 @@ impl smartbed_runtime::mechanism::Mechanism<S> for Fourbar {
         ) else {
             return Err(smartbed_runtime::mechanism::Fault::Shape);
         };
-        let pivot;
-        (*q_out, *u_out, pivot) = rates(t, q, u, inputs, &self.prepared);
-        Ok(pivot)
+        Ok(rates_into(t, q, u, inputs, &self.prepared, q_out, u_out))
     }
     #[allow(
         clippy::assign_op_pattern,

@@ -2,12 +2,12 @@
 // Fingerprint of the model's text: 123bdfef100ae438 (FNV-1a). Derived with effort default, for fewest operations.
 // pendulum3: 3 coordinates, 3 independent speeds, 0 inputs, 7 tunable parameters; scalar f32.
 // Pivots: 8; the worst over 65 sampled configurations is 1.000 of its nominal size.
-// Cost of rates: 54 operations (1 abs, 6 add, 3 cos, 1 div, 7 min, 28 mul, 3 sin, 5 sub).
+// Cost of rates: 48 operations (1 abs, 6 add, 3 cos, 1 div, 1 min, 28 mul, 3 sin, 5 sub).
 // Cost of energy: 46 operations (12 add, 3 cos, 28 mul, 3 sin).
 // Cost of speeds: 0 operations ().
 // Cost of outputs: 0 operations ().
 // Cost of projection: 0 operations ().
-// Cost of prepare: 80 operations (21 abs, 6 add, 18 div, 8 max, 27 mul).
+// Cost of prepare: 86 operations (21 abs, 6 add, 18 div, 8 max, 6 min, 27 mul).
 
 #[allow(unused_imports, reason = "sums and products need no function")]
 use smartbed_runtime::real::Real;
@@ -193,22 +193,10 @@ pub struct Prepared {
     pub k24: S,
     /// Of parameters alone.
     pub k25: S,
-    /// Of parameters alone.
-    pub k26: S,
-    /// Of parameters alone.
-    pub k27: S,
-    /// Of parameters alone.
-    pub k28: S,
-    /// Of parameters alone.
-    pub k29: S,
-    /// Of parameters alone.
-    pub k30: S,
-    /// Of parameters alone.
-    pub k31: S,
 }
 /// Computes what depends on parameters alone: once, and again when one of them changes.
 ///
-/// 80 operations.
+/// 86 operations.
 #[rustfmt::skip]
 #[allow(
     dead_code,
@@ -219,61 +207,56 @@ pub struct Prepared {
 )]
 #[must_use]
 pub fn prepare(p: &Parameters) -> Prepared {
-    let l1 = p.l1;
-    let t1 = l1 * l1;
     let m1 = p.m1;
     let m2 = p.m2;
-    let t2 = m1 + m2;
-    let mass_u1_u1 = t2 * t1;
-    let l0 = p.l0;
-    let t3 = t2 * (l0 * l1);
+    let t1 = m1 + m2;
     let m0 = p.m0;
-    let mass_u0_u0 = (m0 + t2) * (l0 * l0);
-    let t4 = Real::abs(m2);
-    let t5 = 1.0_f32 / t4;
-    let t6 = Real::abs(m1);
-    let t7 = 1.0_f32 / t6;
-    let t8 = t7 + t5;
-    let t9 = Real::abs(m0);
-    let t10 = 1.0_f32 / t9 + t7;
-    let t11 = Real::abs(l0 * (1.0_f32 / Real::max_size(Real::abs(Real::abs(l0)), 1e-24_f32)));
-    let t12 = Real::abs(l1 * (1.0_f32 / Real::max_size(Real::abs(Real::abs(l1)), 1e-24_f32)));
+    let l0 = p.l0;
+    let mass_u0_u0 = (m0 + t1) * (l0 * l0);
+    let l1 = p.l1;
+    let mass_u1_u1 = t1 * (l1 * l1);
+    let t2 = t1 * (l0 * l1);
     let l2 = p.l2;
     let mass_u2_u2 = m2 * (l2 * l2);
-    let t13 = m2 * (l1 * l2);
-    let t14 = m2 * (l0 * l2);
-    let t15 = Real::abs(m2 * (1.0_f32 / Real::max_size(Real::abs(t4), 1e-24_f32)));
-    let t16 = Real::abs(l2 * (1.0_f32 / Real::max_size(Real::abs(Real::abs(l2)), 1e-24_f32)));
-    let t17 = 1.0_f32 / m2;
-    let t18 = 1.0_f32 / m1;
-    let t19 = t18 + t17;
-    let t20 = t19 * (0.5_f32 / Real::max_size(0.5_f32 * Real::abs(t8), 1e-24_f32));
-    let t21 = 1.0_f32 / t19;
-    let t22 = t18 * t21;
-    let t23 = l2 * t21;
-    let t24 = 1.0_f32 / l2;
+    let t3 = m2 * (l1 * l2);
+    let t4 = m2 * (l0 * l2);
     let g = p.g;
-    let t25 = l2 * g;
-    let t26 = Real::abs(m0 * (1.0_f32 / Real::max_size(Real::abs(t9), 1e-24_f32)));
-    let t27 = Real::abs(m1 * (1.0_f32 / Real::max_size(Real::abs(t6), 1e-24_f32)));
-    let t28 = Real::abs(t20);
-    let t29 = 2.0_f32 / Real::max_size(0.5_f32 * Real::abs(t10), 1e-24_f32);
-    let t30 = 1.0_f32 / l0;
-    let t31 = 1.0_f32 / l1;
-    let t32 = 1.0_f32 / m0;
-    let t33 = t32 + t18;
-    let t34 = l0 * g;
-    let t35 = m0 * t34;
-    let t36 = l1 * g;
-    Prepared { m0, m1, m2, l0, l1, g, prepared_mass_u0_u0: mass_u0_u0, prepared_mass_u1_u1: mass_u1_u1, k8: t3, prepared_mass_u2_u2: mass_u2_u2, k10: t13, k11: t14, k12: t34, k13: t35, k14: t36, k15: t25, k16: t32, k17: t18, k18: t33, k19: t22, k20: t23, k21: t24, k22: t31, k23: t30, k24: t26, k25: t27, k26: t15, k27: t11, k28: t12, k29: t16, k30: t28, k31: t29 }
+    let t5 = l0 * g;
+    let t6 = m0 * t5;
+    let t7 = l1 * g;
+    let t8 = l2 * g;
+    let t9 = 1.0_f32 / m0;
+    let t10 = 1.0_f32 / m1;
+    let t11 = t9 + t10;
+    let t12 = t10 + 1.0_f32 / m2;
+    let t13 = 1.0_f32 / t12;
+    let t14 = t10 * t13;
+    let t15 = l2 * t13;
+    let t16 = 1.0_f32 / l2;
+    let t17 = 1.0_f32 / l1;
+    let t18 = 1.0_f32 / l0;
+    let t19 = Real::abs(m0);
+    let t20 = 1.0_f32 / t19;
+    let t21 = Real::abs(m1);
+    let t22 = 1.0_f32 / t21;
+    let t23 = 2.0_f32 / Real::max_size(0.5_f32 * Real::abs(t20 + t22), 1e-24_f32);
+    let t24 = Real::abs(m2);
+    let t25 = Real::min_size(Real::abs(t12 * (0.5_f32 / Real::max_size(0.5_f32 * Real::abs(t22 + 1.0_f32 / t24), 1e-24_f32))), Real::abs(l2 * (1.0_f32 / Real::max_size(Real::abs(Real::abs(l2)), 1e-24_f32))));
+    let t26 = Real::min_size(Real::min_size(t25, Real::abs(l1 * (1.0_f32 / Real::max_size(Real::abs(Real::abs(l1)), 1e-24_f32)))), Real::abs(l0 * (1.0_f32 / Real::max_size(Real::abs(Real::abs(l0)), 1e-24_f32))));
+    let t27 = Real::min_size(Real::min_size(t26, Real::abs(m2 * (1.0_f32 / Real::max_size(Real::abs(t24), 1e-24_f32)))), Real::abs(m1 * (1.0_f32 / Real::max_size(Real::abs(t21), 1e-24_f32))));
+    let t28 = Real::min_size(t27, Real::abs(m0 * (1.0_f32 / Real::max_size(Real::abs(t19), 1e-24_f32))));
+    Prepared { m0, m1, m2, l0, l1, g, prepared_mass_u0_u0: mass_u0_u0, prepared_mass_u1_u1: mass_u1_u1, k8: t2, prepared_mass_u2_u2: mass_u2_u2, k10: t3, k11: t4, k12: t5, k13: t6, k14: t7, k15: t8, k16: t9, k17: t10, k18: t11, k19: t14, k20: t15, k21: t16, k22: t17, k23: t18, k24: t23, k25: t28 }
 }
 /// Rates of the coordinates, of the independent speeds, and the worst pivot relative to nominal.
 ///
 /// - `t`: time (s)
 /// - `q`, `u`, `inputs`: coordinates, speeds and inputs (SI), at the places of the modules of these names
 /// - `p`: what [`prepare`] makes of the parameters
+/// - `q_dot`, `u_dot`: where the rates are written
 ///
-/// 54 operations.
+/// Returns the worst pivot.
+///
+/// 48 operations.
 #[rustfmt::skip]
 #[allow(
     dead_code,
@@ -283,17 +266,21 @@ pub fn prepare(p: &Parameters) -> Prepared {
     reason = "generated straight-line arithmetic"
 )]
 #[must_use]
-pub fn rates(
+pub fn rates_into(
     _t: S,
     q: &[S; 3usize],
     u: &[S; 3usize],
     _inputs: &[S; 0usize],
     p: &Prepared,
-) -> ([S; 3usize], [S; 3usize], S) {
+    q_dot: &mut [S; 3usize],
+    u_dot: &mut [S; 3usize],
+) -> S {
     // Forces: generalised active and inertia forces.
     let l0 = p.l0;
     let u0 = u[0]; // pendulum3.toml:22
     let t1 = l0 * (u0 * u0);
+    q_dot[0] = u0;
+    core::sync::atomic::compiler_fence(core::sync::atomic::Ordering::Release);
     // Orientations: sines and cosines of angles, places.
     let q0 = q[0]; // pendulum3.toml:22
     let (sin_q0, cos_q0) = Real::sin_cos(q0);
@@ -312,10 +299,14 @@ pub fn rates(
     let u2 = u[2]; // pendulum3.toml:22
     let k20 = p.k20;
     let t6 = u2 * u2 * k20;
+    q_dot[2] = u2;
+    core::sync::atomic::compiler_fence(core::sync::atomic::Ordering::Release);
     let t7 = t5 * t6;
     let l1 = p.l1;
     let u1 = u[1]; // pendulum3.toml:22
     let t8 = t4 + (l1 * (u1 * u1) + t7);
+    q_dot[1] = u1;
+    core::sync::atomic::compiler_fence(core::sync::atomic::Ordering::Release);
     let t9 = cos_angle9 * t3;
     let k19 = p.k19;
     let t10 = cos_angle14 * k19;
@@ -326,24 +317,42 @@ pub fn rates(
     let t12 = k16 * sin_angle9;
     let k23 = p.k23;
     let t13 = k23 * (t12 * force_mass1_y - g * sin_q0);
+    u_dot[0] = t13;
+    core::sync::atomic::compiler_fence(core::sync::atomic::Ordering::Release);
     let force_mass0_y = t2 + cos_angle9 * force_mass1_y;
     let t14 = t12 * force_mass0_y;
     let force_mass2_y = t6 + t10 * force_mass1_y;
     let t15 = k17 * sin_angle14;
     let k22 = p.k22;
     let t16 = k22 * (t14 - t15 * force_mass2_y);
+    u_dot[1] = -t16;
+    core::sync::atomic::compiler_fence(core::sync::atomic::Ordering::Release);
     let k21 = p.k21;
     let t17 = k21 * (t15 * force_mass1_y);
-    let k31 = p.k31;
-    let k30 = p.k30;
-    let k29 = p.k29;
-    let k28 = p.k28;
-    let k27 = p.k27;
-    let k26 = p.k26;
-    let k25 = p.k25;
+    u_dot[2] = -t17;
+    core::sync::atomic::compiler_fence(core::sync::atomic::Ordering::Release);
     let k24 = p.k24;
-    let t18 = Real::min_size(Real::min_size(Real::min_size(Real::min_size(Real::min_size(Real::min_size(Real::min_size(Real::abs(t11 * k31), k30), k29), k28), k27), k26), k25), k24);
-    ([u0, u1, u2], [t13, -t16, -t17], t18)
+    let k25 = p.k25;
+    let t18 = Real::min_size(Real::abs(t11 * k24), k25);
+    t18
+}
+/// Rates of the coordinates, of the independent speeds, and the worst pivot relative to nominal.
+///
+/// As [`rates_into`], which writes them to memory.
+#[allow(dead_code, reason = "a program reads what it needs")]
+#[must_use]
+#[inline]
+pub fn rates(
+    t: S,
+    q: &[S; 3usize],
+    u: &[S; 3usize],
+    inputs: &[S; 0usize],
+    p: &Prepared,
+) -> ([S; 3usize], [S; 3usize], S) {
+    let mut q_dot = [<S as Real>::ZERO; NQ];
+    let mut u_dot = [<S as Real>::ZERO; NU];
+    let worst_pivot = rates_into(t, q, u, inputs, p, &mut q_dot, &mut u_dot);
+    (q_dot, u_dot, worst_pivot)
 }
 /// Kinetic and potential energy (J).
 ///
@@ -582,9 +591,7 @@ impl smartbed_runtime::mechanism::Mechanism<S> for Pendulum3 {
         ) else {
             return Err(smartbed_runtime::mechanism::Fault::Shape);
         };
-        let pivot;
-        (*q_out, *u_out, pivot) = rates(t, q, u, inputs, &self.prepared);
-        Ok(pivot)
+        Ok(rates_into(t, q, u, inputs, &self.prepared, q_out, u_out))
     }
     #[allow(
         clippy::assign_op_pattern,

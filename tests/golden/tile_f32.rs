@@ -398,6 +398,9 @@ pub fn prepare(p: &Parameters) -> Prepared {
 /// - `t`: time (s)
 /// - `q`, `u`, `inputs`: coordinates, speeds and inputs (SI), at the places of the modules of these names
 /// - `p`: what [`prepare`] makes of the parameters
+/// - `q_dot`, `u_dot`: where the rates are written
+///
+/// Returns the worst pivot.
 ///
 /// 520 operations.
 #[rustfmt::skip]
@@ -409,13 +412,15 @@ pub fn prepare(p: &Parameters) -> Prepared {
     reason = "generated straight-line arithmetic"
 )]
 #[must_use]
-pub fn rates(
+pub fn rates_into(
     _t: S,
     q: &[S; 12usize],
     u: &[S; 3usize],
     inputs: &[S; 3usize],
     p: &Prepared,
-) -> ([S; 12usize], [S; 3usize], S) {
+    q_dot: &mut [S; 12usize],
+    u_dot: &mut [S; 3usize],
+) -> S {
     // Orientations: sines and cosines of angles, places.
     let psiA = q[1]; // tile.toml:54
     let psiB = q[5]; // tile.toml:54
@@ -441,331 +446,377 @@ pub fn rates(
     let t9 = k5 - t7;
     let t10 = sin_thC * (sin_thC * k13) - k5;
     let (sin_angle20, _) = Real::sin_cos(2.0943952_f32 - t1);
-    let t11 = 1.1547005_f32 * sin_angle20;
+    let t11 = cos_thA * (1.1547005_f32 * sin_angle20);
     let t12 = cos_thB * cos_thB;
     let t13 = 1.0_f32 / t12;
-    let t14 = cos_thA * cos_thA;
-    // Results: elimination of M, accelerations and what else is returned.
-    let t15 = Real::min_size(t14, t12);
-    let t16 = cos_thC * cos_thC;
-    let t17 = Real::min_size(t15, t16);
-    let t18 = 1.0_f32 / t16;
-    let t19 = cos_thA * t11;
-    let t20 = cos_thB * t19;
-    let t21 = t13 * t20;
-    let t22 = t18 * t20;
-    let t23 = t21 * t8;
-    let t24 = t22 * t10;
-    let t25 = t22 * t24 + t21 * t23;
-    let t26 = t18 * t6;
-    let t27 = 0.5_f32 * t26;
-    let t28 = t27 * t24;
-    let t29 = t13 * t5;
-    let t30 = 0.5_f32 * t29;
-    let t31 = t30 * t23;
-    let t32 = t28 + t31;
-    let t33 = t28 - t31;
-    let t34 = 0.8660254_f32 * t29 * t8 * t30;
-    let t35 = 0.8660254_f32 * t26 * t10 * t27;
-    let t36 = t35 + t34;
-    let t37 = t34 - t35;
+    let t14 = cos_thC * cos_thC;
+    let t15 = 1.0_f32 / t14;
+    let t16 = cos_thB * t11;
+    let t17 = t13 * t16;
+    let t18 = t15 * t16;
+    let t19 = t17 * t8;
+    let t20 = t18 * t10;
+    let t21 = t18 * t20 + t17 * t19;
+    let t22 = t15 * t6;
+    let t23 = 0.5_f32 * t22;
+    let t24 = t23 * t20;
+    let t25 = t13 * t5;
+    let t26 = 0.5_f32 * t25;
+    let t27 = t26 * t19;
+    let t28 = t24 + t27;
+    let t29 = t24 - t27;
+    let t30 = 0.8660254_f32 * t25 * t8 * t26;
+    let t31 = 0.8660254_f32 * t22 * t10 * t23;
+    let t32 = t31 + t30;
+    let t33 = t30 - t31;
     let k14 = p.k14;
-    let t38 = 1.7320508_f32 * t36 + k14;
-    let t39 = 0.57735026_f32 * t2;
-    let t40 = 1.0_f32 / t14;
-    let t41 = 0.57735026_f32 * t36;
-    let t42 = t40 * t39;
+    let t34 = 1.7320508_f32 * t32 + k14;
+    let t35 = 0.57735026_f32 * t2;
+    let t36 = 0.57735026_f32 * t32;
+    let t37 = cos_thA * cos_thA;
+    let t38 = 1.0_f32 / t37;
+    let t39 = t38 * t35;
     let k15 = p.k15;
-    let t43 = k15 + (t41 - t42 * (t42 * t9));
-    let t44 = t40 * t20;
+    let t40 = k15 + (t36 - t39 * (t39 * t9));
+    let t41 = t38 * t16;
     // Forces: generalised active and inertia forces.
-    let t45 = t40 * t9;
-    let t46 = t44 * t9;
-    let t47 = t42 * t46 + t33;
+    let t42 = t38 * t9;
+    let t43 = t41 * t9;
+    let t44 = t39 * t43 + t29;
     let k16 = p.k16;
-    let t48 = k16 + (t25 - t44 * t46);
-    let t49 = 1.7320508_f32 * t32;
+    let t45 = k16 + (t21 - t41 * t43);
+    let t46 = 1.7320508_f32 * t28;
     let sA = q[3]; // tile.toml:56
     let sC = q[11]; // tile.toml:56
-    let t50 = sA + 0.5_f32 * sC;
-    let t51 = 0.8660254_f32 * sC;
-    let k22 = p.k22;
-    let t52 = t51 * k22;
-    let t53 = 1.0_f32 / t51;
-    let t54 = 2.0_f32 * t37;
-    let t55 = t50 * t53;
-    let t56 = t55 * t38;
-    let t57 = t56 + t54;
-    let t58 = t56 + t37;
-    let t59 = t53 * t20;
-    let t60 = t59 * t58;
-    let t61 = t55 * t49 - t47;
+    let t47 = sA + 0.5_f32 * sC;
+    let t48 = 2.0_f32 * t33;
+    let t49 = 0.8660254_f32 * sC;
+    let t50 = 1.0_f32 / t49;
+    let t51 = t47 * t50;
+    let t52 = t51 * t34;
+    let t53 = t52 + t48;
+    let t54 = t52 + t33;
+    let t55 = t50 * t16;
+    let t56 = t55 * t54;
+    let t57 = t51 * t46 - t44;
     let sB = q[7]; // tile.toml:56
-    let t62 = 1.7320508_f32 * (sA + (sB + sC));
-    let k21 = p.k21;
-    let t63 = t62 * k21;
-    let t64 = 1.0_f32 / t62;
-    let t65 = 1.7320508_f32 * t64;
-    let t66 = t65 * t39;
-    let t67 = t60 + t66 * t61;
-    let t68 = t65 * t6;
-    let t69 = t60 - t68 * t61;
-    let t70 = t59 * t38;
-    let t71 = t66 * t49;
-    let t72 = 2.0_f32 * t71 + t70;
-    let t73 = t68 * t49;
-    let t74 = t70 + (t71 - t73);
-    let t75 = 2.0_f32 * t73 - t70;
-    let t76 = t65 * t5;
+    let t58 = 1.7320508_f32 * (sA + (sB + sC));
+    let t59 = 1.0_f32 / t58;
+    let t60 = 1.7320508_f32 * t59;
+    let t61 = t60 * t35;
+    let t62 = t56 + t61 * t57;
+    let t63 = t60 * t6;
+    let t64 = t56 - t63 * t57;
+    let t65 = t55 * t34;
+    let t66 = t61 * t46;
+    let t67 = 2.0_f32 * t66 + t65;
+    let t68 = t63 * t46;
+    let t69 = t65 + (t66 - t68);
+    let t70 = 2.0_f32 * t68 - t65;
+    let t71 = t60 * t5;
     let u_hA = u[0]; // tile.toml:53
     let u_hB = u[1]; // tile.toml:53
-    let t77 = u_hA * t66 - u_hB * t76;
-    let t78 = 0.57735026_f32 + t55;
-    let t79 = 0.8660254_f32 * sB;
-    let t80 = sA + t79 * t78;
-    let k23 = p.k23;
-    let t81 = t80 * k23;
-    let t82 = 1.0_f32 / t80;
-    let t83 = t79 * t59;
-    let t84 = t82 * (t20 + t83);
-    let t85 = t20 * t82;
-    let t86 = u_hA * t84;
-    let t87 = u_hB * t85 - t86;
+    let t72 = u_hA * t61 - u_hB * t71;
+    q_dot[0] = u_hA;
+    q_dot[4] = u_hB;
+    core::sync::atomic::compiler_fence(core::sync::atomic::Ordering::Release);
+    let t73 = 0.57735026_f32 + t51;
+    let t74 = 0.8660254_f32 * sB;
+    let t75 = sA + t74 * t73;
+    let t76 = 1.0_f32 / t75;
+    let t77 = t74 * t55;
+    let t78 = t76 * (t16 + t77);
+    let t79 = t16 * t76;
+    let t80 = u_hA * t78;
+    let t81 = u_hB * t79 - t80;
     let u_hC = u[2]; // tile.toml:53
-    let t88 = t77 + u_hC * t68;
-    let t89 = 1.7320508_f32 * sB * t88;
-    let t90 = 2.0_f32 * sin_thA;
-    let t91 = u_hB * t90 + t89;
-    let t92 = u_hC * t90;
-    let t93 = 1.7320508_f32 * sC;
-    let t94 = t92 - t93 * t88;
-    let t95 = t82 * t83;
-    let w_platform_y = t87 + u_hC * t95;
-    let t96 = t88 * t44 + w_platform_y * t42;
-    let t97 = 1.0_f32 / cos_thA;
-    let t98 = t97 * t20;
-    let t99 = t97 * t39;
-    let u_thA = w_platform_y * t98 - t88 * t99; // tile.toml:55
-    let t100 = 1.1547005_f32 * t6;
-    let t101 = 1.1547005_f32 * sC;
-    let t102 = t101 * t88;
-    let t103 = u_hC * t100 - t102;
-    let t104 = u_hA * t39;
-    let t105 = sA * t88;
-    let v_G_y = t105 - t104;
-    let v_G_x = 0.57735026_f32 * v_G_y - t103;
-    let t106 = u_hA * sin_thA + v_G_x;
-    let t107 = 2.0_f32 * v_G_x;
-    let u_sB = t91 + t107; // tile.toml:56
-    let u_sC = t107 + t94; // tile.toml:56
-    let w_platform_x = t59 * (u_hA - u_hC) + t55 * w_platform_y;
-    let t108 = 0.5_f32 * w_platform_y;
-    let t109 = 0.8660254_f32 * w_platform_x;
-    let t110 = t108 + t109;
-    let t111 = t109 - t108;
-    let t112 = t29 * t110 + t88 * t21;
-    let t113 = t13 * t8;
-    let t114 = cos_thB * t13;
-    let t115 = t19 * t110;
-    let t116 = sin_thB * t112;
-    let t117 = k13 * (t116 * (cos_thB * t112));
-    let t118 = t5 * t114;
-    let t119 = t114 * t117;
-    let t120 = t118 * t117;
-    let u_thB = t88 * t118 - t115; // tile.toml:55
-    let t121 = 2.0_f32 * cos_thB * (u_thB * t116);
-    let t122 = t26 * t111 + t88 * t22;
-    let t123 = 0.5_f32 * t20;
-    let t124 = t123 * t119;
-    let t125 = 1.0_f32 / cos_thC;
-    let t126 = t125 * t123;
-    let t127 = t125 * t20;
-    let t128 = t125 * t6;
-    let u_thC = t111 * t127 - t88 * t128; // tile.toml:55
-    let t129 = sin_thC * t122;
-    let t130 = k13 * (t129 * (cos_thC * t122));
-    let t131 = t130 * t126;
-    let t132 = t128 * t130;
-    let t133 = cos_thC * (2.0_f32 * (u_thC * t129));
-    let t134 = t124 - t131;
-    let t135 = t131 + t124;
-    let t136 = 0.8660254_f32 * w_platform_y;
-    let t137 = 0.5_f32 * w_platform_x;
-    let t138 = t136 - t137;
-    let t139 = t136 + t137;
-    let t140 = t88 * t138;
-    let t141 = t5 * t140 - t121;
-    let t142 = t110 * t138;
-    let t143 = sB * t140;
-    let t144 = sB * t142;
-    let t145 = t113 * (t141 - t20 * t142);
-    let t146 = k13 * t121 - t145;
-    let t147 = t30 * t146;
-    let t148 = t21 * t146;
-    let t149 = t88 * t139;
-    let t150 = t111 * t139;
-    let t151 = t6 * t149 - t133;
-    let t152 = sC * t149;
-    let t153 = sC * t150;
-    let u_psiC_dot_bias = t18 * (t151 - t20 * t150);
-    let t154 = t10 * u_psiC_dot_bias;
-    let t155 = k13 * t133 - t154;
-    let t156 = t27 * t155;
-    let t157 = t22 * t155;
-    let t158 = 2.0_f32 * u_sC;
-    let t159 = t111 * t158 - t152;
-    let t160 = t153 + t88 * t158;
-    let t161 = w_platform_y * w_platform_x;
-    let t162 = sA * t161;
-    let t163 = 2.0_f32 * t106;
-    let t164 = t162 + t88 * t163;
-    let t165 = t105 * w_platform_x - w_platform_y * t163;
+    let t82 = t72 + u_hC * t63;
+    q_dot[8] = u_hC;
+    core::sync::atomic::compiler_fence(core::sync::atomic::Ordering::Release);
+    let t83 = 1.7320508_f32 * sB * t82;
+    let t84 = 2.0_f32 * sin_thA;
+    let t85 = u_hB * t84 + t83;
+    let t86 = u_hC * t84;
+    let t87 = 1.7320508_f32 * sC;
+    let t88 = t86 - t87 * t82;
+    let t89 = t76 * t77;
+    let w_platform_y = t81 + u_hC * t89;
+    let t90 = t82 * t41 + w_platform_y * t39;
+    q_dot[1] = -t90;
+    core::sync::atomic::compiler_fence(core::sync::atomic::Ordering::Release);
+    let t91 = 1.0_f32 / cos_thA;
+    let t92 = t91 * t16;
+    let t93 = t91 * t35;
+    let u_thA = w_platform_y * t92 - t82 * t93; // tile.toml:55
+    q_dot[2] = u_thA;
+    core::sync::atomic::compiler_fence(core::sync::atomic::Ordering::Release);
+    let t94 = 1.1547005_f32 * t6;
+    let t95 = 1.1547005_f32 * sC;
+    let t96 = t95 * t82;
+    let t97 = u_hC * t94 - t96;
+    let t98 = u_hA * t35;
+    let t99 = sA * t82;
+    let v_G_y = t99 - t98;
+    let v_G_x = 0.57735026_f32 * v_G_y - t97;
+    let t100 = u_hA * sin_thA + v_G_x;
+    q_dot[3] = -t100;
+    core::sync::atomic::compiler_fence(core::sync::atomic::Ordering::Release);
+    let t101 = 2.0_f32 * v_G_x;
+    let u_sB = t85 + t101; // tile.toml:56
+    q_dot[7] = u_sB;
+    core::sync::atomic::compiler_fence(core::sync::atomic::Ordering::Release);
+    let u_sC = t101 + t88; // tile.toml:56
+    q_dot[11] = u_sC;
+    core::sync::atomic::compiler_fence(core::sync::atomic::Ordering::Release);
+    let w_platform_x = t55 * (u_hA - u_hC) + t51 * w_platform_y;
+    let t102 = 0.5_f32 * w_platform_y;
+    let t103 = 0.8660254_f32 * w_platform_x;
+    let t104 = t102 + t103;
+    let t105 = t103 - t102;
+    let t106 = t25 * t104 + t82 * t17;
+    q_dot[5] = -t106;
+    core::sync::atomic::compiler_fence(core::sync::atomic::Ordering::Release);
+    let t107 = t13 * t8;
+    let t108 = cos_thB * t13;
+    let t109 = t11 * t104;
+    let t110 = sin_thB * t106;
+    let t111 = k13 * (t110 * (cos_thB * t106));
+    let t112 = t5 * t108;
+    let t113 = t108 * t111;
+    let t114 = t112 * t111;
+    let u_thB = t82 * t112 - t109; // tile.toml:55
+    q_dot[6] = u_thB;
+    core::sync::atomic::compiler_fence(core::sync::atomic::Ordering::Release);
+    let t115 = u_thB * t110;
+    let t116 = 2.0_f32 * cos_thB * t115;
+    let t117 = t22 * t105 + t82 * t18;
+    q_dot[9] = -t117;
+    core::sync::atomic::compiler_fence(core::sync::atomic::Ordering::Release);
+    let t118 = 0.5_f32 * t16;
+    let t119 = t118 * t113;
+    let t120 = 1.0_f32 / cos_thC;
+    let t121 = t120 * t118;
+    let t122 = t120 * t16;
+    let t123 = t120 * t6;
+    let t124 = t105 * t122;
+    let t125 = sin_thC * t117;
+    let t126 = k13 * (t125 * (cos_thC * t117));
+    let t127 = t126 * t121;
+    let t128 = t123 * t126;
+    let u_thC = t124 - t82 * t123; // tile.toml:55
+    q_dot[10] = u_thC;
+    core::sync::atomic::compiler_fence(core::sync::atomic::Ordering::Release);
+    let t129 = cos_thC * (2.0_f32 * (u_thC * t125));
+    let t130 = t119 - t127;
+    let t131 = t127 + t119;
+    let t132 = 0.8660254_f32 * w_platform_y;
+    let t133 = 0.5_f32 * w_platform_x;
+    let t134 = t132 - t133;
+    let t135 = t132 + t133;
+    let t136 = 2.0_f32 * u_sB;
+    let t137 = t82 * t134;
+    let t138 = t5 * t137;
+    let t139 = t104 * t134;
+    let t140 = t104 * t136 - sB * t137;
+    let t141 = t82 * t136;
+    let t142 = sB * t139 + t141;
+    let t143 = t107 * (t138 - t116 - t16 * t139);
+    let t144 = k13 * t116 - t143;
+    let t145 = t26 * t144;
+    let t146 = t17 * t144;
+    let t147 = 2.0_f32 * u_sC;
+    let t148 = t82 * t135;
+    let t149 = t105 * t135;
+    let t150 = t105 * t147 - sC * t148;
+    let t151 = t82 * t147;
+    let t152 = sC * t149 + t151;
+    let u_psiC_dot_bias = t15 * (t6 * t148 - t129 - t16 * t149);
+    let t153 = t10 * u_psiC_dot_bias;
+    let t154 = k13 * t129 - t153;
+    let t155 = t23 * t154;
+    let t156 = t18 * t154;
+    let t157 = 2.0_f32 * t100;
+    let t158 = w_platform_y * w_platform_x;
+    let t159 = sA * t158 + t82 * t157;
+    let t160 = t99 * w_platform_x;
+    let t161 = t82 * w_platform_x;
+    let t162 = t82 * w_platform_y;
+    let t163 = t160 - w_platform_y * t157;
     let k18 = p.k18;
-    let t166 = t88 * w_platform_y * k18;
-    let t167 = t53 * (t165 - t159);
-    let t168 = t88 * w_platform_x;
-    let t169 = 2.0_f32 * u_sB;
-    let t170 = t144 + t88 * t169;
-    let t171 = t110 * t169 - t143;
-    let t172 = 1.7320508_f32 * (t160 - t164);
-    let t173 = t64 * (t172 + 1.7320508_f32 * t170);
-    let t174 = 1.7320508_f32 * (t134 + t147 + t156) - t49 * t173 - t166;
-    let t175 = t38 * t167 + t174;
-    let t176 = t55 * t57;
-    let t177 = t37 * t167;
-    let t178 = t79 * t167;
-    let t179 = t49 * t167;
-    let t180 = t59 * t49;
-    let t181 = t59 * t72;
-    let t182 = t59 * t74;
-    let t183 = t59 * t75;
-    let t184 = t55 * t175;
-    let t185 = t59 * t175;
-    let t186 = t82 * (t178 + (t165 + t171));
-    let t187 = sin_thA * t96;
-    let t188 = k13 * (t187 * (cos_thA * t96));
-    let t189 = t135 - t98 * t188;
-    let t190 = t147 + (t177 + (t173 * t47 + t189)) - t156;
-    let t191 = t99 * t188;
-    let t192 = cos_thA * (u_thA * (2.0_f32 * t187));
-    let t193 = k13 * t192;
-    let t194 = t39 * t168 + t192;
+    let t164 = t162 * k18;
+    let t165 = t50 * (t163 - t150);
+    let t166 = t76 * (t74 * t165 + (t163 + t140));
+    let t167 = 1.7320508_f32 * t142;
+    let t168 = t59 * (1.7320508_f32 * (t152 - t159) + t167);
+    let t169 = 1.7320508_f32 * (t130 + t145 + t155) - t46 * t168 - t164;
+    let t170 = t34 * t165 + t169;
+    let t171 = t51 * t53;
+    let t172 = t33 * t165;
+    let t173 = t46 * t165;
+    let t174 = t55 * t46;
+    let t175 = t55 * t67;
+    let t176 = t55 * t69;
+    let t177 = t55 * t70;
+    let t178 = t51 * t170;
+    let t179 = t55 * t170;
+    let t180 = sin_thA * t90;
+    let t181 = k13 * (t180 * (cos_thA * t90));
+    let t182 = t131 - t92 * t181;
+    let t183 = t145 + (t172 + (t168 * t44 + t182)) - t155;
+    let t184 = t93 * t181;
+    let t185 = cos_thA * (u_thA * (2.0_f32 * t180));
+    let t186 = k13 * t185;
+    let t187 = t35 * t161 + t185;
     let k19 = p.k19;
-    let t195 = t168 * k19;
-    let t196 = t193 - t45 * (t194 - t20 * t161);
-    let t197 = t184 + (t42 * t196 + t190 - t195);
-    let t198 = t44 * t196;
+    let t188 = t161 * k19;
+    let t189 = t186 - t42 * (t187 - t16 * t158);
+    let t190 = t178 + (t39 * t189 + t183 - t188);
+    let t191 = t41 * t189;
     let k20 = p.k20;
-    let t199 = t120 + t161 * k20 - t191 - t132 - t198 - t148 - t157 - t179;
+    let t192 = t114 + t158 * k20 - t184 - t128 - t191 - t146 - t156 - t173;
     let M = p.M;
-    let t200 = sA * M;
-    let t201 = t176 + (sA * t200 + t43);
-    let t202 = t200 * t20 + t67;
-    let t203 = t197 - t186 * t201;
+    let t193 = sA * M;
+    let t194 = t171 + (sA * t193 + t40);
+    let t195 = t193 * t16 + t62;
+    let t196 = t190 - t166 * t194;
     let k17 = p.k17;
-    let t204 = k17 * t160;
+    let t197 = k17 * t152;
     let k9 = p.k9;
-    let t205 = sin_thA * k9 - t204;
-    let t206 = M * t165 + k9 * t20;
-    let t207 = sA * t206 + t203;
-    let t208 = t20 * t206;
-    let t209 = t84 * t207 - t208;
-    let t210 = t20 * (M * t20);
-    let t211 = M * t101;
-    let t212 = t101 * t211 + t48;
-    let t213 = t76 * t61;
-    let t214 = 2.0_f32 * t213;
-    let t215 = t85 * t201;
-    let t216 = t214 - t215;
-    let t217 = t84 * (t213 - t215);
-    let t218 = t85 * t202 + t217;
-    let FB = inputs[1]; // tile.toml:59
-    let t219 = t186 * t213 - FB;
-    let t220 = t186 * t202 - t185;
-    let t221 = t185 - t186 * t69;
-    let t222 = 2.0_f32 * t202;
-    let t223 = t84 * t201 - t222;
-    let t224 = t95 * t213;
-    let t225 = t85 * t216;
-    let t226 = t95 * t202;
-    let t227 = t84 * t223;
-    let t228 = t95 * t201 - t69;
-    let t229 = t84 * t228;
-    let t230 = t228 - t69;
-    let t231 = t85 * t228;
-    let t232 = t85 * t207;
-    let t233 = t95 * t207;
-    let t234 = t95 * t230;
-    let k12 = p.k12;
-    let t235 = k12 * t39;
-    let t236 = t50 * t235;
-    let FA = inputs[0]; // tile.toml:59
-    let t237 = FA - t236 * t173;
-    let t238 = 0.57735026_f32 * t205;
-    let t239 = k12 * t164 + t238;
-    let t240 = k9 * t39 + t239;
-    let t241 = t101 * k17;
-    let t242 = sA * (sA * k12 + t241) + t212;
-    let t243 = t237 - t39 * t240 + t220;
-    let t244 = t173 * t242 + t199;
-    let t245 = sA * t240 + t244;
-    let k11 = p.k11;
-    let t246 = k11 * t164 + t205;
-    let t247 = t101 * t246 + t245;
-    let t248 = t100 * (t211 + sA * k11);
-    let t249 = k11 * t100;
-    let t250 = t100 * t246;
-    let FC = inputs[2]; // tile.toml:59
-    let t251 = FC - t248 * t173;
-    let t252 = t39 * t235;
-    let t253 = t39 * t249;
-    let t254 = t6 * (2.0_f32 * t249);
-    let t255 = t76 * t180;
-    let t256 = t224 - t255;
-    let t257 = t66 * t242;
-    let mass_u_hA_u_hB = t218 - (t255 + t76 * (t257 - t236));
-    let t258 = t181 + (t252 + t66 * (t257 - 2.0_f32 * t236));
-    let t259 = t253 - t68 * t236;
-    let k10 = p.k10;
-    let t260 = t227 + (t210 + (k10 + t258));
-    let t261 = t68 * t247 - t250;
-    let mass_u_hB_u_hB = k10 + t76 * (t76 * t242) - t225;
-    let k24 = p.k24;
-    let t262 = t260 * k24;
-    let t263 = 1.0_f32 / t260;
-    let t264 = t263 * mass_u_hA_u_hB;
-    let pivot_1 = mass_u_hB_u_hB - mass_u_hA_u_hB * t264;
-    let t265 = t68 * t242 - t248;
-    let mass_u_hA_u_hC = t226 + (t66 * t265 + t259 - t229) - t182;
-    let t266 = t66 * t247;
-    let t267 = t76 * t247;
-    let t268 = t76 * t265;
-    let mass_u_hC_u_hC = t234 + (k10 + (t254 + t68 * (t265 - t248) - t183));
-    let t269 = t268 + (t264 * mass_u_hA_u_hC + t256) - t231;
-    let t270 = t263 * mass_u_hA_u_hC;
-    let t271 = mass_u_hC_u_hC - mass_u_hA_u_hC * t270;
-    let k25 = p.k25;
-    let t272 = pivot_1 * k25;
-    let t273 = 1.0_f32 / pivot_1;
-    let t274 = t273 * t269;
-    let pivot_2 = t271 - t269 * t274;
-    let t275 = Real::abs(t272);
-    let k26 = p.k26;
-    let t276 = Real::min_size(Real::min_size(Real::min_size(Real::min_size(Real::abs(pivot_2 * k26), t275), Real::abs(t262)), Real::abs(t81)), Real::abs(t52));
-    let t277 = Real::min_size(Real::min_size(t276, Real::abs(t63)), t17);
-    let k8 = p.k8;
+    let t198 = sin_thA * k9 - t197;
+    let t199 = M * t163 + k9 * t16;
+    let t200 = sA * t199 + t196;
+    let t201 = t16 * t199;
+    let t202 = t78 * t200 - t201;
     let c = p.c;
-    let forcing_u_hA = t209 + (t243 - k8 - u_hA * c) + t266;
-    let t278 = k8 + (t267 + (t264 * forcing_u_hA + t219));
-    let t279 = t232 + (u_hB * c + t278);
-    let t280 = t273 * t279;
-    let t281 = t251 - t274 * t279;
-    let t282 = t263 * forcing_u_hA;
-    let t283 = (t221 + (t281 - t270 * forcing_u_hA) + t261 - k8 - u_hC * c - t233) / pivot_2;
-    let t284 = t274 * t283;
-    let t285 = t282 + (t264 * (t280 - t284) - t270 * t283);
-    let t286 = t284 - t280;
-    ([u_hA, -t96, u_thA, -t106, u_hB, -t112, u_thB, u_sB, u_hC, -t122, u_thC, u_sC], [t285, t286, t283], t277)
+    let t203 = u_hA * c;
+    // Results: elimination of M, accelerations and what else is returned.
+    let t204 = u_hB * c;
+    let t205 = u_hC * c;
+    let t206 = t16 * (M * t16);
+    let t207 = M * t95;
+    let t208 = t95 * t207 + t45;
+    let t209 = t71 * t57;
+    let t210 = 2.0_f32 * t209;
+    let t211 = t79 * t194;
+    let t212 = t210 - t211;
+    let t213 = t78 * (t209 - t211);
+    let t214 = t79 * t195 + t213;
+    let FB = inputs[1]; // tile.toml:59
+    let t215 = t166 * t209 - FB;
+    let t216 = t166 * t195 - t179;
+    let t217 = t179 - t166 * t64;
+    let t218 = 2.0_f32 * t195;
+    let t219 = t78 * t194 - t218;
+    let t220 = t89 * t209;
+    let t221 = t79 * t212;
+    let t222 = t89 * t195;
+    let t223 = t78 * t219;
+    let t224 = t89 * t194 - t64;
+    let t225 = t78 * t224;
+    let t226 = t224 - t64;
+    let t227 = t79 * t224;
+    let t228 = t79 * t200;
+    let t229 = t89 * t200;
+    let t230 = t89 * t226;
+    let k12 = p.k12;
+    let t231 = k12 * t35;
+    let t232 = t47 * t231;
+    let FA = inputs[0]; // tile.toml:59
+    let t233 = FA - t232 * t168;
+    let t234 = 0.57735026_f32 * t198;
+    let t235 = k12 * t159 + t234;
+    let t236 = k9 * t35 + t235;
+    let t237 = t95 * k17;
+    let t238 = sA * (sA * k12 + t237) + t208;
+    let k8 = p.k8;
+    let t239 = t202 + (t233 - t35 * t236 + t216 - k8 - t203);
+    let t240 = t168 * t238 + t192;
+    let t241 = sA * t236 + t240;
+    let k11 = p.k11;
+    let t242 = k11 * t159 + t198;
+    let t243 = t95 * t242 + t241;
+    let t244 = t94 * (t207 + sA * k11);
+    let t245 = k11 * t94;
+    let t246 = t94 * t242;
+    let FC = inputs[2]; // tile.toml:59
+    let t247 = FC - t244 * t168;
+    let t248 = t35 * t231;
+    let t249 = t35 * t245;
+    let t250 = t6 * (2.0_f32 * t245);
+    let forcing_u_hA = t239 + t61 * t243;
+    let t251 = t71 * t174;
+    let t252 = t220 - t251;
+    let t253 = t61 * t238;
+    let mass_u_hA_u_hB = t214 - (t251 + t71 * (t253 - t232));
+    let t254 = t175 + (t248 + t61 * (t253 - 2.0_f32 * t232));
+    let t255 = t249 - t63 * t232;
+    let k10 = p.k10;
+    let t256 = t223 + (t206 + (k10 + t254));
+    let t257 = 1.0_f32 / t256;
+    let t258 = t257 * mass_u_hA_u_hB;
+    let t259 = t258 * forcing_u_hA + t215;
+    let t260 = t228 + (t204 + (k8 + (t71 * t243 + t259)));
+    let t261 = t63 * t243 - t246;
+    let mass_u_hB_u_hB = k10 + t71 * (t71 * t238) - t221;
+    let pivot_1 = mass_u_hB_u_hB - mass_u_hA_u_hB * t258;
+    let t262 = t63 * t238 - t244;
+    let mass_u_hA_u_hC = t222 + (t61 * t262 + t255 - t225) - t176;
+    let t263 = t71 * t262;
+    let mass_u_hC_u_hC = t230 + (k10 + (t250 + t63 * (t262 - t244) - t177));
+    let t264 = t263 + (t258 * mass_u_hA_u_hC + t252) - t227;
+    let t265 = 1.0_f32 / pivot_1;
+    let t266 = t265 * t264;
+    let t267 = t265 * t260;
+    let t268 = t247 - t266 * t260;
+    let t269 = t257 * mass_u_hA_u_hC;
+    let pivot_2 = mass_u_hC_u_hC - mass_u_hA_u_hC * t269 - t264 * t266;
+    let t270 = t257 * forcing_u_hA;
+    let t271 = (t217 + (t268 - t269 * forcing_u_hA) + t261 - k8 - t205 - t229) / pivot_2;
+    u_dot[2] = t271;
+    core::sync::atomic::compiler_fence(core::sync::atomic::Ordering::Release);
+    let t272 = t266 * t271;
+    let t273 = t269 * t271;
+    let t274 = t272 - t267;
+    u_dot[1] = t274;
+    core::sync::atomic::compiler_fence(core::sync::atomic::Ordering::Release);
+    let t275 = t270 + (t258 * (t267 - t272) - t273);
+    u_dot[0] = t275;
+    core::sync::atomic::compiler_fence(core::sync::atomic::Ordering::Release);
+    let t276 = Real::min_size(Real::min_size(t37, t12), t14);
+    let k22 = p.k22;
+    let t277 = t49 * k22;
+    let k21 = p.k21;
+    let t278 = t58 * k21;
+    let k23 = p.k23;
+    let t279 = t75 * k23;
+    let k24 = p.k24;
+    let t280 = t256 * k24;
+    let k25 = p.k25;
+    let t281 = pivot_1 * k25;
+    let k26 = p.k26;
+    let t282 = pivot_2 * k26;
+    let t283 = Real::abs(t281);
+    let t284 = Real::min_size(Real::min_size(Real::min_size(Real::min_size(Real::min_size(Real::abs(t282), t283), Real::abs(t280)), Real::abs(t279)), Real::abs(t277)), Real::abs(t278));
+    let t285 = Real::min_size(t284, t276);
+    t285
+}
+/// Rates of the coordinates, of the independent speeds, and the worst pivot relative to nominal.
+///
+/// As [`rates_into`], which writes them to memory.
+#[allow(dead_code, reason = "a program reads what it needs")]
+#[must_use]
+#[inline]
+pub fn rates(
+    t: S,
+    q: &[S; 12usize],
+    u: &[S; 3usize],
+    inputs: &[S; 3usize],
+    p: &Prepared,
+) -> ([S; 12usize], [S; 3usize], S) {
+    let mut q_dot = [<S as Real>::ZERO; NQ];
+    let mut u_dot = [<S as Real>::ZERO; NU];
+    let worst_pivot = rates_into(t, q, u, inputs, p, &mut q_dot, &mut u_dot);
+    (q_dot, u_dot, worst_pivot)
 }
 /// Kinetic and potential energy (J).
 ///
@@ -1418,9 +1469,7 @@ impl smartbed_runtime::mechanism::Mechanism<S> for Tile {
         ) else {
             return Err(smartbed_runtime::mechanism::Fault::Shape);
         };
-        let pivot;
-        (*q_out, *u_out, pivot) = rates(t, q, u, inputs, &self.prepared);
-        Ok(pivot)
+        Ok(rates_into(t, q, u, inputs, &self.prepared, q_out, u_out))
     }
     #[allow(
         clippy::assign_op_pattern,

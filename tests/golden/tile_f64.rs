@@ -464,6 +464,9 @@ pub fn prepare(p: &Parameters) -> Prepared {
 /// - `t`: time (s)
 /// - `q`, `u`, `inputs`: coordinates, speeds and inputs (SI), at the places of the modules of these names
 /// - `p`: what [`prepare`] makes of the parameters
+/// - `q_dot`, `u_dot`: where the rates are written
+///
+/// Returns the worst pivot.
 ///
 /// 520 operations.
 #[rustfmt::skip]
@@ -475,13 +478,15 @@ pub fn prepare(p: &Parameters) -> Prepared {
     reason = "generated straight-line arithmetic"
 )]
 #[must_use]
-pub fn rates(
+pub fn rates_into(
     _t: S,
     q: &[S; 12usize],
     u: &[S; 3usize],
     inputs: &[S; 3usize],
     p: &Prepared,
-) -> ([S; 12usize], [S; 3usize], S) {
+    q_dot: &mut [S; 12usize],
+    u_dot: &mut [S; 3usize],
+) -> S {
     // Orientations: sines and cosines of angles, places.
     let thC = q[10]; // tile.toml:55
     let psiA = q[1]; // tile.toml:54
@@ -524,8 +529,10 @@ pub fn rates(
     let t27 = t22 + t21;
     let u_hA = u[0]; // tile.toml:53
     let t28 = u_hA * t23;
+    q_dot[0] = u_hA;
     let u_hB = u[1]; // tile.toml:53
     let t29 = u_hB * t24;
+    q_dot[4] = u_hB;
     let t30 = t15 * t18;
     let t31 = t26 * t25;
     let t32 = t26 * t27;
@@ -533,6 +540,7 @@ pub fn rates(
     let t34 = t29 - t28;
     let u_hC = u[2]; // tile.toml:53
     let t35 = u_hC * t30;
+    q_dot[8] = u_hC;
     let t36 = cos_thC * cos_thC;
     let t37 = u_hA * t31;
     let t38 = u_hB * t32;
@@ -583,18 +591,21 @@ pub fn rates(
     let t77 = t27 * t67;
     let t78 = 1.7320508075688772_f64 * sB;
     let t79 = t69 + t70;
+    q_dot[9] = -t79;
     let t80 = t58 * t71;
     let t81 = t49 * t72;
     let t82 = t73 * t49;
     let t83 = u_hC * t68;
     let t84 = u_hA * sin_thA;
     let t85 = t75 + t76;
+    q_dot[5] = -t85;
     let t86 = t49 * t77;
     let t87 = t10 * t64;
     let t88 = 2.0_f64 * v_G_x;
     let t89 = t78 * t49;
     let t90 = u_hB * t68;
     let u_thC = t80 - t81; // tile.toml:55
+    q_dot[10] = u_thC;
     let t91 = t83 - t82;
     let t92 = sin_thC * t79;
     let t93 = 0.8660254037844386_f64 * w_platform_y;
@@ -604,9 +615,12 @@ pub fn rates(
     let t96 = sin_thB * k13;
     let t97 = 1.0_f64 / cos_thA;
     let t98 = t84 + v_G_x;
+    q_dot[3] = -t98;
     let u_thB = t86 - t87; // tile.toml:55
+    q_dot[6] = u_thB;
     let t99 = t90 + t89;
     let u_sC = t88 + t91; // tile.toml:56
+    q_dot[11] = u_sC;
     let t100 = sin_thB * t85;
     let t101 = t93 - t94;
     let t102 = u_thC * t92;
@@ -617,6 +631,7 @@ pub fn rates(
     let t107 = t74 * t13;
     let t108 = t74 * t25;
     let u_sB = t99 + t88; // tile.toml:56
+    q_dot[7] = u_sB;
     let t109 = u_thB * t100;
     let t110 = 2.0_f64 * cos_thB;
     let t111 = t49 * t101;
@@ -649,6 +664,7 @@ pub fn rates(
     let t137 = t66 * t119;
     let t138 = k5 - t120;
     let t139 = t121 + t122;
+    q_dot[1] = -t139;
     let t140 = t97 * t13;
     let t141 = t97 * t25;
     let t142 = t100 * t123;
@@ -685,6 +701,7 @@ pub fn rates(
     let t173 = t157 + t158;
     let t174 = t107 * t156;
     let u_thA = t159 - t160; // tile.toml:55
+    q_dot[2] = u_thA;
     let t175 = t153 * t136;
     let t176 = t155 * t137;
     let t177 = t67 * t161;
@@ -1015,6 +1032,7 @@ pub fn rates(
     let k22 = p.k22;
     let t472 = t1 * k22;
     let t473 = t470 / pivot_2;
+    u_dot[2] = t473;
     let t474 = Real::abs(t472);
     let k21 = p.k21;
     let t475 = Real::abs(t14 * k21);
@@ -1033,9 +1051,29 @@ pub fn rates(
     let t488 = Real::min_size(t484, t475);
     let t489 = Real::min_size(t485, t36);
     let t490 = t487 + t486;
+    u_dot[0] = t490;
     let t491 = t477 - t478;
+    u_dot[1] = t491;
     let t492 = Real::min_size(t488, t489);
-    ([u_hA, -t139, u_thA, -t98, u_hB, -t85, u_thB, u_sB, u_hC, -t79, u_thC, u_sC], [t490, t491, t473], t492)
+    t492
+}
+/// Rates of the coordinates, of the independent speeds, and the worst pivot relative to nominal.
+///
+/// As [`rates_into`], which writes them to memory.
+#[allow(dead_code, reason = "a program reads what it needs")]
+#[must_use]
+#[inline]
+pub fn rates(
+    t: S,
+    q: &[S; 12usize],
+    u: &[S; 3usize],
+    inputs: &[S; 3usize],
+    p: &Prepared,
+) -> ([S; 12usize], [S; 3usize], S) {
+    let mut q_dot = [<S as Real>::ZERO; NQ];
+    let mut u_dot = [<S as Real>::ZERO; NU];
+    let worst_pivot = rates_into(t, q, u, inputs, p, &mut q_dot, &mut u_dot);
+    (q_dot, u_dot, worst_pivot)
 }
 /// Kinetic and potential energy (J).
 ///
@@ -1983,9 +2021,7 @@ impl smartbed_runtime::mechanism::Mechanism<S> for Tile {
         ) else {
             return Err(smartbed_runtime::mechanism::Fault::Shape);
         };
-        let pivot;
-        (*q_out, *u_out, pivot) = rates(t, q, u, inputs, &self.prepared);
-        Ok(pivot)
+        Ok(rates_into(t, q, u, inputs, &self.prepared, q_out, u_out))
     }
     #[allow(
         clippy::assign_op_pattern,

@@ -465,6 +465,9 @@ pub fn prepare(p: &Parameters) -> Prepared {
 /// - `t`: time (s)
 /// - `q`, `u`, `inputs`: coordinates, speeds and inputs (SI), at the places of the modules of these names
 /// - `p`: what [`prepare`] makes of the parameters
+/// - `q_dot`, `u_dot`: where the rates are written
+///
+/// Returns the worst pivot.
 ///
 /// 497 operations.
 #[rustfmt::skip]
@@ -476,13 +479,15 @@ pub fn prepare(p: &Parameters) -> Prepared {
     reason = "generated straight-line arithmetic"
 )]
 #[must_use]
-pub fn rates(
+pub fn rates_into(
     _t: S,
     q: &[S; 3usize],
     u: &[S; 3usize],
     inputs: &[S; 3usize],
     p: &Prepared,
-) -> ([S; 3usize], [S; 3usize], S) {
+    q_dot: &mut [S; 3usize],
+    u_dot: &mut [S; 3usize],
+) -> S {
     // Orientations: sines and cosines of angles, places.
     let hB = q[1]; // tile.toml:53
     let hC = q[2]; // tile.toml:53
@@ -572,8 +577,10 @@ pub fn rates(
     let t70 = t58 * t56;
     let u_hB = u[1]; // tile.toml:53
     let t71 = u_hB * t54;
+    q_dot[1] = u_hB;
     let u_hA = u[0]; // tile.toml:53
     let t72 = u_hA * t62;
+    q_dot[0] = u_hA;
     let t73 = Real::sqrt(t63);
     let t74 = t66 - t65;
     let t75 = t59 * t69;
@@ -582,6 +589,7 @@ pub fn rates(
     let t78 = t71 - t72;
     let u_hC = u[2]; // tile.toml:53
     let t79 = u_hC * t55;
+    q_dot[2] = u_hC;
     let t80 = Real::sqrt(t43);
     let t81 = t46 * t74;
     let t82 = t65 + t66;
@@ -996,6 +1004,7 @@ pub fn rates(
     let k23 = p.k23;
     let t450 = t19 * k23;
     let t451 = t448 / pivot_2;
+    u_dot[2] = -t451;
     let t452 = Real::abs(t450);
     let k22 = p.k22;
     let t453 = Real::abs(t11 * k22);
@@ -1004,6 +1013,7 @@ pub fn rates(
     let t456 = t415 * t428;
     let t457 = Real::min_size(t454, t446);
     let t458 = t455 + t456;
+    u_dot[1] = t458;
     let t459 = Real::min_size(t457, t449);
     let t460 = t393 * t458;
     let t461 = t426 * t451;
@@ -1014,8 +1024,27 @@ pub fn rates(
     let t466 = Real::min_size(t462, t453);
     let t467 = Real::min(t463, t43);
     let t468 = t465 + t464;
+    u_dot[0] = t468;
     let t469 = Real::min(t466, t467);
-    ([u_hA, u_hB, u_hC], [t468, t458, -t451], t469)
+    t469
+}
+/// Rates of the coordinates, of the independent speeds, and the worst pivot relative to nominal.
+///
+/// As [`rates_into`], which writes them to memory.
+#[allow(dead_code, reason = "a program reads what it needs")]
+#[must_use]
+#[inline]
+pub fn rates(
+    t: S,
+    q: &[S; 3usize],
+    u: &[S; 3usize],
+    inputs: &[S; 3usize],
+    p: &Prepared,
+) -> ([S; 3usize], [S; 3usize], S) {
+    let mut q_dot = [<S as Real>::ZERO; NQ];
+    let mut u_dot = [<S as Real>::ZERO; NU];
+    let worst_pivot = rates_into(t, q, u, inputs, p, &mut q_dot, &mut u_dot);
+    (q_dot, u_dot, worst_pivot)
 }
 /// Kinetic and potential energy (J).
 ///
@@ -1664,9 +1693,7 @@ impl smartbed_runtime::mechanism::Mechanism<S> for TileMinimal {
         ) else {
             return Err(smartbed_runtime::mechanism::Fault::Shape);
         };
-        let pivot;
-        (*q_out, *u_out, pivot) = rates(t, q, u, inputs, &self.prepared);
-        Ok(pivot)
+        Ok(rates_into(t, q, u, inputs, &self.prepared, q_out, u_out))
     }
     #[allow(
         clippy::assign_op_pattern,

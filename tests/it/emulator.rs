@@ -290,17 +290,17 @@ fn a_sheet_at_rest_at_each_pressure_keeps_real_time_and_a_thousandth() {
 fn the_equations_keep_to_their_instructions_and_bytes() {
     let _image = one_at_a_time();
     let chip = outcome(&Arguments { steps: Some(10), ..Arguments::default() });
-    assert!(chip.step.instructions[1] <= 5_100, "{:?}", chip.step);
+    assert!(chip.step.instructions[1] <= 5_000, "{:?}", chip.step);
     let equations = chip.equations.expect("a mechanism has equations");
     assert!(equations.sin_cos <= 60, "{equations:?}");
-    assert!(equations.by_operation() <= 1.53, "{equations:?}");
+    assert!(equations.by_operation() <= 1.49, "{equations:?}");
     // Stricter than the bar: the part that sines and cosines share counts as operations.
-    assert!(equations.by_operation_with_constants() <= 1.63, "{equations:?}");
+    assert!(equations.by_operation_with_constants() <= 1.60, "{equations:?}");
     assert!(equations.bytes <= 16 * 1024, "{equations:?}");
 }
 
 /// `derive --costs` counts the instructions in the code of a separate function; here they are executed in a call through
-/// the trait, which copies the results.
+/// the trait, which compares lengths.
 #[test]
 fn the_cost_sheet_counts_what_the_chip_executes() {
     let _image = one_at_a_time();

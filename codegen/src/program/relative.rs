@@ -6,7 +6,7 @@
 
 use super::derived::Program;
 use crate::expr::number::Number;
-use crate::expr::{Binary, Dag, ExprId, Node, Unary};
+use crate::expr::{Binary, Dag, Dependence, ExprId, Node, Unary};
 use crate::kinematics::sizes::Sizes;
 
 /// Makes the worst pivot of a program relative to its parameters.
@@ -14,14 +14,16 @@ pub(super) fn to_parameters(program: &mut Program, sizes: &Sizes) {
     let (dag, worst) = (&mut program.dag, program.rates.worst_pivot);
     let (numbers, pivots): (Vec<Number>, Vec<ExprId>) = pivots(dag, worst).into_iter().unzip();
     let growths = sizes.growth(dag, &pivots);
-    let mut groups: Vec<(Number, ExprId, ExprId)> = Vec::new();
+    // Pivots of parameters alone are compared with one another when a parameter changes, all others at each evaluation.
+    let [mut fixed, mut varying]: [Vec<(Number, ExprId, ExprId)>; 2] = Default::default();
     for ((number, pivot), growth) in numbers.into_iter().zip(pivots).zip(growths) {
+        let groups = if dag.dependence(pivot) == Dependence::State { &mut varying } else { &mut fixed };
         match groups.iter_mut().find(|(n, g, _)| (*n, *g) == (number, growth)) {
             Some((.., smallest)) => *smallest = dag.binary(Binary::Min, *smallest, pivot),
             None => groups.push((number, growth, pivot)),
         }
     }
-    let mut relative = |(number, growth, smallest): (Number, ExprId, ExprId)| {
+    let relative = |dag: &mut Dag, (number, growth, smallest): (Number, ExprId, ExprId)| {
         let number = dag.number(number);
         let scale = dag.div(number, growth);
         match dag.node(smallest) {
@@ -33,10 +35,13 @@ pub(super) fn to_parameters(program: &mut Program, sizes: &Sizes) {
             _ => dag.mul(scale, smallest),
         }
     };
-    let scaled: Vec<ExprId> = groups.into_iter().map(&mut relative).collect();
-    // Innermost the last pivots: ten instructions fewer of the tile's 962 on a Cortex-M4.
-    let smallest = scaled.into_iter().rev().reduce(|a, b| dag.binary(Binary::Min, a, b));
-    program.rates.worst_pivot = smallest.unwrap_or(worst);
+    let mut smallest = |groups: Vec<(Number, ExprId, ExprId)>| {
+        let scaled: Vec<ExprId> = groups.into_iter().map(|group| relative(dag, group)).collect();
+        // Innermost the last pivots: ten instructions fewer of the tile's 962 on a Cortex-M4.
+        scaled.into_iter().rev().reduce(|a, b| dag.binary(Binary::Min, a, b))
+    };
+    let smallest = [smallest(varying), smallest(fixed)].into_iter().flatten();
+    program.rates.worst_pivot = smallest.reduce(|a, b| dag.binary(Binary::Min, a, b)).unwrap_or(worst);
 }
 
 /// The pivots of which an expression is the minimum, each with its numeric factor.

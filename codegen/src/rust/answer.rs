@@ -12,6 +12,9 @@ use crate::program::Program;
 use crate::program::answer::{Answer, Function, Part, Request, Shape};
 use std::collections::BTreeMap;
 
+/// The answer that is written to memory.
+pub(super) const RATES: &str = "rates";
+
 /// Number of operations by kind.
 pub(super) type Cost = BTreeMap<&'static str, usize>;
 
@@ -19,6 +22,8 @@ pub(super) type Cost = BTreeMap<&'static str, usize>;
 pub(super) struct Emitted {
     /// Its name.
     pub name: String,
+    /// For rates alone: the name of the function that writes them to memory. The function itself then calls that one.
+    pub into: Option<String>,
     /// What it returns, for its documentation.
     pub doc: String,
     answers: Vec<Field>,
@@ -85,7 +90,11 @@ pub(super) fn functions(program: &Program, options: &EmitOptions) -> Vec<Emitted
                 format!("Together, what they share computed once: {}.", names.join(", "))
             }
         };
-        emitted.push(Emitted { name: names.unique(&function.name), doc, answers, role, together });
+        let is_rates =
+            matches!(answers.as_slice(), [only] if only.answer.name == RATES) && together.is_none();
+        let name = names.unique(&function.name);
+        let into = is_rates.then(|| names.unique(&format!("{name}_into")));
+        emitted.push(Emitted { name, into, doc, answers, role, together });
     }
     emitted
 }
@@ -109,6 +118,18 @@ impl Emitted {
     /// Does it take derivatives of the speeds as an argument?
     pub fn takes_u_dot(&self) -> bool {
         self.answers.iter().any(|field| field.answer.takes_u_dot)
+    }
+
+    /// The places of the results that are written to memory: all but the last, which is the worst pivot.
+    pub fn places(&self) -> Option<Vec<String>> {
+        self.into.as_ref()?;
+        let parts = self.answers.iter().flat_map(|field| &field.answer.parts);
+        let lists = parts.filter(|part| matches!(part.shape, Shape::List(_))).zip(name::RATES);
+        Some(
+            lists
+                .flat_map(|(part, name)| (0..part.values.len()).map(move |index| format!("{name}[{index}]")))
+                .collect(),
+        )
     }
 
     /// Does it return this answer?

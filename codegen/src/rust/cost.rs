@@ -3,6 +3,7 @@
 //! In: a program and a function of it. Out: operations per evaluation, and the largest number of values alive at once
 //! (register pressure): values that find no register go through the stack.
 
+use super::answer::RATES;
 use super::options::EmitOptions;
 use super::prepared::Prepared;
 use super::statement::{Body, Parameters};
@@ -14,7 +15,8 @@ use crate::program::answer::Function;
 pub struct FunctionCost {
     /// Operations of an evaluation.
     pub operations: usize,
-    /// Largest number of values alive at once; arguments count from their first use, results to the end.
+    /// Largest number of values alive at once; arguments count from their first use, results to the end
+    /// unless they are written to memory at once, as rates are.
     pub values_alive: usize,
 }
 
@@ -25,8 +27,10 @@ pub fn cost(program: &Program, function: &Function, options: &EmitOptions) -> Fu
     let prepared = Prepared::new(program, &roots);
     let takes_u_dot = program.answers_of(function).iter().any(|answer| answer.takes_u_dot);
     let parameters = Parameters::Prepared { prepared: &prepared, takes_u_dot };
+    let is_rates = matches!(function.requests.as_slice(), [only] if only.answer == RATES);
+    let written = if is_rates { program.q.len() + program.u.len() } else { 0 };
     FunctionCost {
         operations: program.dag.state_cost(&roots),
-        values_alive: Body::most_waiting(program, &roots, options, parameters),
+        values_alive: Body::most_waiting(program, (&roots, written), options, parameters),
     }
 }

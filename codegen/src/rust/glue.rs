@@ -92,9 +92,7 @@ impl $runtime::mechanism::Mechanism<S> for $name {
         ) else {
             return Err($runtime::mechanism::Fault::Shape);
         };
-$time_given        let pivot;
-        (*q_out, *u_out, pivot) = rates(t, q, u, inputs, &self.prepared);
-        Ok(pivot)
+$time_given        Ok(rates_into(t, q, u, inputs, &self.prepared, q_out, u_out))
     }
 $time_setter    #[allow(
         clippy::assign_op_pattern,

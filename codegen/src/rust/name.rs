@@ -20,6 +20,9 @@ const KEYWORDS: [&str; 53] = [
 /// values.
 pub(super) const ARGUMENTS: [&str; 6] = ["t", "q", "u", "inputs", "u_dot", "p"];
 
+/// The arguments to which a function writes the rates of coordinates and speeds.
+pub(super) const RATES: [&str; 2] = ["q_dot", "u_dot"];
+
 /// The argument, and the field of the return value, that hold sines and cosines of angles close by.
 pub(super) const NEAR: &str = "near";
 
@@ -175,7 +178,9 @@ impl Scope {
 
     /// The values of a function of the emitted file.
     pub fn of_function() -> Self {
-        Self::of(ARGUMENTS.iter().chain(&[NEAR]).chain(&CONSTANTS).chain(&TYPES).chain(&PRELUDE))
+        Self::of(
+            ARGUMENTS.iter().chain(&RATES).chain(&[NEAR]).chain(&CONSTANTS).chain(&TYPES).chain(&PRELUDE),
+        )
     }
 
     /// The wished name, with the first free number appended if it is taken.

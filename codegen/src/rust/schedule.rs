@@ -47,8 +47,18 @@ pub(super) struct Order {
     pub is_refined: bool,
 }
 
-/// An order of the steps, as indices; `results` stay alive to the end.
-pub(super) fn order(steps: &[Step], results: &[ExprId], order: Order) -> Vec<usize> {
+/// The values that a function computes.
+#[derive(Clone, Copy)]
+pub(super) struct Results<'r> {
+    /// All of them, in order.
+    pub all: &'r [ExprId],
+    /// The number of those, from the first on, that are written to memory as soon as they are computed. The others are
+    /// returned, and stay alive to the end.
+    pub written: usize,
+}
+
+/// An order of the steps, as indices.
+pub(super) fn order(steps: &[Step], results: Results, order: Order) -> Vec<usize> {
     let graph = Graph::new(steps, results);
     if order.core == Core::Host {
         return graph.critical_path_first(steps);
@@ -68,7 +78,7 @@ pub(super) fn order(steps: &[Step], results: &[ExprId], order: Order) -> Vec<usi
 }
 
 /// Largest number of values alive at once in the order of [`order()`].
-pub(super) fn most_waiting(steps: &[Step], results: &[ExprId], order: Order) -> usize {
+pub(super) fn most_waiting(steps: &[Step], results: Results, order: Order) -> usize {
     Graph::new(steps, results).waiting(&self::order(steps, results, order)).max().unwrap_or(0)
 }
 
@@ -87,7 +97,8 @@ struct Graph {
     maker: Vec<Option<usize>>,
     readers: Readers,
     results: Vec<usize>,
-    is_result: Vec<bool>,
+    /// Of the results, those that are returned, and stay alive to the end.
+    returned: Vec<usize>,
 }
 
 /// By value: the steps that use it, in order.
@@ -124,8 +135,8 @@ impl Readers {
 }
 
 impl Graph {
-    fn new(steps: &[Step], results: &[ExprId]) -> Self {
-        let ids = || steps.iter().flat_map(|step| step.makes.iter().chain(step.reads.iter())).chain(results);
+    fn new(steps: &[Step], Results { all, written }: Results) -> Self {
+        let ids = || steps.iter().flat_map(|step| step.makes.iter().chain(step.reads.iter())).chain(all);
         // By node: the index of its value plus 1; 0 if it is no value.
         let mut number = vec![0_u32; ids().map(|id| id.index() + 1).max().unwrap_or(0)];
         let mut n = 0;
@@ -141,14 +152,14 @@ impl Graph {
             steps.iter().map(|step| step.reads.iter().map(&mut value).collect()).collect();
         let makes: Vec<Makes<usize>> =
             steps.iter().map(|step| step.makes.iter().map(&mut value).collect()).collect();
-        let results: Vec<usize> = results.iter().map(&mut value).collect();
+        let results: Vec<usize> = all.iter().map(&mut value).collect();
+        let returned = results.get(written..).unwrap_or_default().to_vec();
         let n = n as usize;
-        let (mut maker, mut is_result) = (vec![None; n], vec![false; n]);
+        let mut maker = vec![None; n];
         for (step, makes) in makes.iter().enumerate() {
             makes.iter().for_each(|&value| maker[value] = Some(step));
         }
-        results.iter().for_each(|&value| is_result[value] = true);
-        Self { readers: Readers::new(&reads, n), makes, reads, maker, results, is_result }
+        Self { readers: Readers::new(&reads, n), makes, reads, maker, results, returned }
     }
 
     /// Operands before their users, the operand that needs more registers first (Sethi & Ullman).
@@ -181,7 +192,7 @@ impl Graph {
     /// Forwards: of the ready steps the one after which the fewest values are alive; among equals by rank.
     fn forward(&self, ranks: &[usize]) -> Vec<usize> {
         let mut readers_left = self.readers.counts(self.maker.len());
-        self.results.iter().for_each(|&value| readers_left[value] += 1);
+        self.returned.iter().for_each(|&value| readers_left[value] += 1);
         let mut live = vec![false; self.maker.len()];
         let is_made = |value: &&usize| self.maker[**value].is_some();
         let mut missing: Vec<usize> = self.reads.iter().map(|r| r.iter().filter(is_made).count()).collect();
@@ -237,7 +248,8 @@ impl Graph {
     fn backward(&self, ranks: &[usize]) -> Vec<usize> {
         let n = self.reads.len();
         let from_the_end: Vec<usize> = ranks.iter().map(|rank| n - rank).collect();
-        let mut live = self.is_result.clone();
+        let mut live = vec![false; self.maker.len()];
+        self.returned.iter().for_each(|&value| live[value] = true);
         let pending = |makes: &Makes<usize>| makes.iter().map(|&value| self.readers.of(value).len()).sum();
         let mut missing: Vec<usize> = self.makes.iter().map(pending).collect();
         let growth = |step: usize, live: &[bool]| -> isize {
@@ -277,7 +289,7 @@ impl Graph {
     /// Number of values alive after each step; arguments count from their first use on.
     fn waiting(&self, order: &[usize]) -> impl Iterator<Item = usize> {
         let mut left = self.readers.counts(self.maker.len());
-        self.results.iter().for_each(|&value| left[value] += 1);
+        self.returned.iter().for_each(|&value| left[value] += 1);
         let mut live = vec![false; self.maker.len()];
         let mut waiting = 0_usize;
         order.iter().map(move |&step| {
@@ -349,7 +361,7 @@ impl<'r> Ready<'r> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Core, Graph, Order, Step, order, ranks};
+    use super::{Core, Graph, Order, Results, Step, order, ranks};
     use crate::expr::ExprId;
     use crate::id::Id;
 
@@ -363,6 +375,12 @@ mod tests {
         };
         all.iter().map(step).collect()
     }
+
+    fn returned(all: &[ExprId]) -> Results<'_> {
+        Results { all, written: 0 }
+    }
+
+    const CHIP: Order = Order { core: Core::CortexM4, is_refined: false };
 
     /// Sums of `n` pairs of products of arguments, in an order that makes all products first.
     fn products_first(n: usize) -> (Vec<Step>, ExprId) {
@@ -378,7 +396,7 @@ mod tests {
     #[test]
     fn operands_come_before_their_users() {
         let (steps, last) = products_first(50);
-        let graph = Graph::new(&steps, &[last]);
+        let graph = Graph::new(&steps, returned(&[last]));
         let depth_first = graph.depth_first();
         let forward = graph.forward(&ranks(&depth_first));
         let backward = graph.backward(&ranks(&forward));
@@ -396,20 +414,26 @@ mod tests {
     #[test]
     fn what_would_wait_is_made_when_it_is_needed() {
         let (steps, last) = products_first(50);
-        let graph = Graph::new(&steps, &[last]);
+        let graph = Graph::new(&steps, returned(&[last]));
         assert!(graph.overfull(&(0..steps.len()).collect::<Vec<_>>()) > 0);
-        assert_eq!(
-            graph.overfull(&order(&steps, &[last], Order { core: Core::CortexM4, is_refined: false })),
-            0
-        );
+        assert_eq!(graph.overfull(&order(&steps, returned(&[last]), CHIP)), 0);
+    }
+
+    /// 10 = a b, 11 = a + b and 12 = c d, all results: a returned one takes a register to the end, a written one only while
+    /// it is computed.
+    #[test]
+    fn a_written_result_takes_no_register() {
+        let steps = steps(&[(10, &[0, 1]), (11, &[0, 1]), (12, &[2, 3])]);
+        let all = [10, 11, 12].map(ExprId::from_index);
+        let most = |written| super::most_waiting(&steps, Results { all: &all, written }, CHIP);
+        assert_eq!([most(0), most(2), most(3)], [3, 2, 2]);
     }
 
     #[test]
     fn the_operand_that_needs_more_registers_is_made_first() {
         // 10 = a + b; 14 = ((a + b) (c + d)); 15 = e - 14: e alone needs one register.
         let steps = steps(&[(10, &[0, 1]), (11, &[4]), (12, &[2, 3]), (14, &[10, 12]), (15, &[11, 14])]);
-        let order =
-            order(&steps, &[ExprId::from_index(15)], Order { core: Core::CortexM4, is_refined: false });
+        let order = order(&steps, returned(&[ExprId::from_index(15)]), CHIP);
         assert_eq!(order, [0, 2, 3, 1, 4]);
     }
 
@@ -418,6 +442,9 @@ mod tests {
         // 12 = ((a + b) + c) + d and 20 = a c; the chain's steps come before the single product.
         let steps = steps(&[(20, &[0, 2]), (10, &[0, 1]), (11, &[10, 2]), (12, &[11, 3])]);
         let results = [20, 12].map(ExprId::from_index);
-        assert_eq!(order(&steps, &results, Order { core: Core::Host, is_refined: false }), [1, 2, 0, 3]);
+        assert_eq!(
+            order(&steps, returned(&results), Order { core: Core::Host, is_refined: false }),
+            [1, 2, 0, 3]
+        );
     }
 }

@@ -6,17 +6,19 @@
 //! their only user, provided that every operation keeps the place that [`schedule`] gives it for the
 //! [`Core`](super::options::Core). Arguments are read before their first use.
 
+mod expressions;
+mod results;
 mod steps;
 
 use super::name::{ARGUMENTS, NEAR, Scope};
 use super::options::{Core, EmitOptions};
 use super::prepared::Prepared;
-use super::schedule::{self, Order, Step};
+use super::schedule::{self, Order, Results, Step};
 use super::sections::Sections;
 use super::sines::Sines;
 use crate::escape;
-use crate::expr::print::{binary_name, infix, unary_name};
-use crate::expr::{Binary, Dag, ExprId, Node, NodeSet, SymbolId, Unary};
+use crate::expr::print::unary_name;
+use crate::expr::{Dag, ExprId, Node, NodeSet, SymbolId, Unary};
 use crate::id::Id;
 use crate::program::{Effort, Program};
 use rustc_hash::FxHashMap as HashMap;
@@ -50,8 +52,14 @@ pub(super) struct Body<'p> {
     /// Statements in order, one per line.
     pub statements: String,
     n_statements: usize,
-    /// The text of each result.
+    /// The text of each result that is returned.
     pub results: Vec<String>,
+    /// The places of the results that are written to memory, which are the first of all; `None` if all are returned.
+    places: Option<&'p [String]>,
+    /// By value: the results that it is, and that are not written yet.
+    unwritten: HashMap<ExprId, Vec<usize>>,
+    /// Results whose values have been computed since the last were written.
+    ready: Vec<usize>,
     /// By node: number of uses.
     uses: Vec<u32>,
     /// Nodes that get a statement of their own.
@@ -68,32 +76,34 @@ pub(super) struct Body<'p> {
 }
 
 impl<'p> Body<'p> {
-    /// The statements that compute `roots`.
+    /// The statements that compute `roots`; the first of these are written to `places`, the others are returned.
     pub fn new(
         program: &'p Program,
-        roots: &[ExprId],
+        (roots, places): (&[ExprId], Option<&'p [String]>),
         options: &'p EmitOptions,
         (parameters, sines): (Parameters<'p>, Sines<'p>),
     ) -> Self {
         let mut body = Self::empty(program, roots, options, (parameters, sines));
+        body.places = places;
         let steps = body.steps(roots);
-        let results: Vec<ExprId> = roots.iter().map(|&root| body.value(root)).collect();
-        let order = schedule::order(&steps, &results, order_for(program, options));
-        body.write(roots, (&steps, &results), &order);
+        let values: Vec<ExprId> = roots.iter().map(|&root| body.value(root)).collect();
+        let results = Results { all: &values, written: places.map_or(0, <[String]>::len) };
+        let order = schedule::order(&steps, results, order_for(program, options));
+        body.write(roots, (&steps, &values), &order);
         body
     }
 
-    /// Largest number of values alive at once while `roots` are computed.
+    /// Largest number of values alive at once while `roots` are computed, of which the first are `written` to memory.
     pub fn most_waiting(
         program: &'p Program,
-        roots: &[ExprId],
+        (roots, written): (&[ExprId], usize),
         options: &'p EmitOptions,
         parameters: Parameters<'p>,
     ) -> usize {
         let mut body = Self::empty(program, roots, options, (parameters, Sines::Own));
         let steps = body.steps(roots);
-        let results: Vec<ExprId> = roots.iter().map(|&root| body.value(root)).collect();
-        schedule::most_waiting(&steps, &results, order_for(program, options))
+        let values: Vec<ExprId> = roots.iter().map(|&root| body.value(root)).collect();
+        schedule::most_waiting(&steps, Results { all: &values, written }, order_for(program, options))
     }
 
     fn empty(
@@ -112,6 +122,9 @@ impl<'p> Body<'p> {
             statements: String::new(),
             n_statements: 0,
             results: Vec::new(),
+            places: None,
+            unwritten: HashMap::default(),
+            ready: Vec::new(),
             uses: vec![0; n],
             own_statement: NodeSet::below(n),
             pairs: HashMap::default(),
@@ -127,6 +140,7 @@ impl<'p> Body<'p> {
     fn write(&mut self, roots: &[ExprId], (steps, results): (&[Step], &[ExprId]), order: &[usize]) {
         self.count_uses(steps, results);
         self.break_up(order.iter().map(|&step| &steps[step]));
+        self.await_results(results);
         let mut sections = matches!(self.parameters, Parameters::Prepared { .. })
             .then(|| Sections::new(&self.program.dag, roots));
         for &step in order {
@@ -137,16 +151,22 @@ impl<'p> Body<'p> {
                 }
                 steps[step].makes.iter().for_each(|&id| self.read_arguments(id));
                 self.statement(id);
+                self.write_results(roots);
             }
         }
         for &root in roots {
             self.read_arguments(root);
         }
-        self.results = roots.iter().map(|&root| self.operand(root)).collect();
+        self.write_other_results(roots);
+        self.results = roots[self.places().len()..].iter().map(|&root| self.operand(root)).collect();
     }
 
     fn dag(&self) -> &'p Dag {
         &self.program.dag
+    }
+
+    fn places(&self) -> &'p [String] {
+        self.places.unwrap_or_default()
     }
 
     /// Name of the field of `Prepared` that holds the node.
@@ -184,6 +204,7 @@ impl<'p> Body<'p> {
     fn name(&mut self, id: ExprId, ident: String) {
         self.idents.push(ident);
         self.named[id.index()] = self.idents.len() as u32;
+        self.ready.extend(self.unwritten.remove(&id).into_iter().flatten());
     }
 
     /// `let left = right;`
@@ -326,86 +347,6 @@ impl<'p> Body<'p> {
         format!("({})", names.join(", "))
     }
 
-    /// The text of a node as an operand: its name, or its expression.
-    fn operand(&self, id: ExprId) -> String {
-        let mut text = String::new();
-        self.write_operand(&mut text, id);
-        text
-    }
-
-    fn write_operand(&self, text: &mut String, id: ExprId) {
-        match self.ident(id) {
-            Some(ident) => text.push_str(ident),
-            None => self.write_expression(text, id),
-        }
-    }
-
-    fn write_expression(&self, text: &mut String, id: ExprId) {
-        let dag = self.dag();
-        if dag.is_constant(id) {
-            text.push_str(&self.options.scalar.literal(dag.evaluate_constant(id)));
-            return;
-        }
-        match dag.node(id) {
-            Node::Number(_) | Node::Pi | Node::Symbol(_) => text.push_str(self.ident(id).unwrap_or_default()),
-            Node::Negate(a) => {
-                text.push('-');
-                self.write_wrapped(text, a, is_sum);
-            }
-            Node::Unary(function, a) => {
-                for part in ["Real::", unary_name(function), "("] {
-                    text.push_str(part);
-                }
-                self.write_operand(text, a);
-                text.push(')');
-            }
-            Node::Binary(operator, a, b) => self.write_binary(text, operator, a, b),
-        }
-    }
-
-    /// Writes a binary operation with parentheses that keep the DAG's order of operations: a + (b + c) is not (a + b) +
-    /// c.
-    fn write_binary(&self, text: &mut String, operator: Binary, a: ExprId, b: ExprId) {
-        let sum_or_negation = |n: Node| is_sum(n) || matches!(n, Node::Negate(_));
-        let any = |n: Node| sum_or_negation(n) || matches!(n, Node::Binary(Binary::Mul | Binary::Div, ..));
-        let symbol = infix(operator).unwrap_or_default();
-        match operator {
-            Binary::Add | Binary::Sub => {
-                self.write_operand(text, a);
-                text.push_str(symbol);
-                self.write_wrapped(text, b, sum_or_negation);
-            }
-            Binary::Mul | Binary::Div => {
-                self.write_wrapped(text, a, is_sum);
-                text.push_str(symbol);
-                self.write_wrapped(text, b, any);
-            }
-            Binary::Atan2 | Binary::Min | Binary::Max => {
-                let is_size = |id| operator != Binary::Atan2 && self.dag().is_never_negative(id);
-                let of_sizes = if is_size(a) && is_size(b) { "_size" } else { "" };
-                for part in ["Real::", binary_name(operator), of_sizes, "("] {
-                    text.push_str(part);
-                }
-                self.write_operand(text, a);
-                text.push_str(", ");
-                self.write_operand(text, b);
-                text.push(')');
-            }
-        }
-    }
-
-    /// Writes an operand, in parentheses if it has no name and its node satisfies `needs`.
-    fn write_wrapped(&self, text: &mut String, id: ExprId, needs: impl Fn(Node) -> bool) {
-        let inline = self.ident(id).is_none() && !self.dag().is_constant(id);
-        if inline && needs(self.dag().node(id)) {
-            text.push('(');
-            self.write_operand(text, id);
-            text.push(')');
-        } else {
-            self.write_operand(text, id);
-        }
-    }
-
     /// `near: [Turn { .. }, ..]`, if the function returns its sines and cosines.
     pub fn handed_on(&self) -> Option<String> {
         matches!(self.sines, Sines::HandedOn(_)).then(|| format!("{NEAR}: [{}]", self.handed_on.join(", ")))
@@ -429,7 +370,9 @@ impl<'p> Body<'p> {
             let (runtime, read) = (self.options.runtime.trim(), !self.sines.given().is_empty());
             format!("{}{NEAR}: &[{runtime}::real::Turn<S>; N_NEAR]", underscore(read))
         });
-        named.map(|((name, ty), read)| format!("{}{name}: {ty}", underscore(read))).chain(near).collect()
+        let written = self.places.map(|_| self.written()).into_iter().flatten();
+        let named = named.map(|((name, ty), read)| format!("{}{name}: {ty}", underscore(read)));
+        named.chain(near).chain(written).collect()
     }
 }
 
@@ -437,8 +380,4 @@ impl<'p> Body<'p> {
 fn order_for(program: &Program, options: &EmitOptions) -> Order {
     let is_refined = options.core == Some(Core::CortexM4) && program.origin.settings.effort == Effort::All;
     Order { core: options.core(), is_refined }
-}
-
-fn is_sum(node: Node) -> bool {
-    matches!(node, Node::Binary(Binary::Add | Binary::Sub, ..))
 }

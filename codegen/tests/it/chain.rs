@@ -1,6 +1,7 @@
 //! Chains and trees: the forces between mass centres as unknowns against the mass matrix, and their operations.
 
 use crate::augmented::{agree, with_augmented};
+use smartbed_codegen::expr::{Binary, Dependence, ExprId, Node};
 use smartbed_codegen::{Effort, Interpreted, Optimise, Program, Settings, model};
 use smartbed_runtime::mechanism::Mechanism;
 use std::fmt::Write;
@@ -95,6 +96,34 @@ fn check_energy(program: &Program, masses: &[f64]) {
 /// Masses of [`pendulum`].
 fn masses(n: usize) -> Vec<f64> {
     (0..n).map(|i| 1.0 + 0.1 * (i % 3) as f64).collect()
+}
+
+/// Pivots of parameters alone are compared when a parameter changes, and still watched: with a mass of 0 the equations are
+/// singular at every configuration.
+#[test]
+fn pivots_of_parameters_alone_are_compared_once() {
+    let program = derived(&pendulum(10));
+    let is_minimum = |id: &ExprId| matches!(program.dag.node(*id), Node::Binary(Binary::Min, ..));
+    let minima = program.dag.reachable(&[program.rates.worst_pivot]).into_iter().filter(is_minimum);
+    let (varying, fixed): (Vec<_>, Vec<_>) =
+        minima.partition(|&id| program.dag.dependence(id) == Dependence::State);
+    assert!(varying.len() <= 9 && fixed.len() >= 9, "{} {}", varying.len(), fixed.len());
+    let mut mechanism = Interpreted::<f64>::new(&program);
+    let nominal: Vec<f64> = program.parameters.iter().map(|p| p.value).collect();
+    let q: Vec<f64> = (0..10).map(|i| 0.3 * f64::from(i)).collect();
+    let mut pivot = |parameters: &[f64]| {
+        mechanism.set_parameters(parameters);
+        mechanism.rates(0.0, &q, &[0.1; 10], &[], &mut [0.0; 10], &mut [0.0; 10]).expect("lengths fit")
+    };
+    assert!(pivot(&nominal) > 0.01);
+    for name in ["m0", "m4", "m9", "l0", "l9"] {
+        let mut singular = nominal.clone();
+        singular[program.parameters.iter().position(|p| p.name == name).expect(name)] = 0.0;
+        let found = pivot(&singular);
+        println!("{name} = 0: {found:e}");
+        assert!(found.is_nan() || found.abs() < 1e-12, "{name} = 0: {found:e}");
+    }
+    assert!(pivot(&nominal) > 0.01);
 }
 
 /// Operations of a chain grow linearly: every link costs the same.

@@ -153,7 +153,7 @@ fn function<'t>(text: &'t str, name: &str) -> &'t str {
     &rest[..rest.find("\n}\n").expect("an end")]
 }
 
-/// `rates_near` updates by rotation every sine and cosine that `begin_step` passes to it, and evaluates none from an angle;
+/// `rates_near_into` updates by rotation every sine and cosine that `begin_step` passes to it, and evaluates none from an angle;
 /// without the option neither function exists.
 #[test]
 fn functions_of_a_step_share_their_sines() {
@@ -162,7 +162,7 @@ fn functions_of_a_step_share_their_sines() {
         let emit = |shared_work| rust::emit(&program, &EmitOptions { shared_work, ..EmitOptions::default() });
         let (text, usual) = (emit(true), emit(false));
         assert!(!usual.contains("begin_step") && !usual.contains("rates_near"), "{name}");
-        let (first, near) = (function(&text, "begin_step"), function(&text, "rates_near"));
+        let (first, near) = (function(&text, "begin_step"), function(&text, "rates_near_into"));
         let turned = near.matches("Real::sin_cos_near(").count();
         assert!(!near.contains("Real::sin_cos(") && !near.contains("Real::sin_cos_of_two("), "{name}");
         assert_eq!(first.matches("real::Turn {").count(), turned, "{name}");

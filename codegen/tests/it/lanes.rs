@@ -8,9 +8,6 @@ use std::process::Command;
 
 /// Time of a tile among others over that of one alone, at most.
 const MOST: f64 = 0.2;
-/// What the test refuses: the ratio hangs on the processor, 0.184 on a Xeon, 0.204 on a busy Zen 4.
-#[cfg(target_arch = "x86_64")]
-const LIMIT: f64 = 0.25;
 
 /// Evaluates both, compares their bits, prints the quotient of their times.
 const MAIN: &str = r#"mod alone;
@@ -65,16 +62,20 @@ fn main() {
             assert_eq!(bits(pivot), expected.to_bits(), "pivot of {n}");
         }
     }
+    let (mut q_dot, mut u_dot) = ([0.0; alone::NQ], [0.0; alone::NU]);
+    let (mut q_dots, mut u_dots) = ([zero; lanes::NQ], [zero; lanes::NU]);
     let (mut single, mut several) = (f64::INFINITY, f64::INFINITY);
     for _ in 0..ROUNDS {
         single = single.min(least(|| {
             for ((q, u), f) in black_box(&q).iter().zip(&u).zip(&f) {
-                black_box(alone::rates(0.0, q, u, f, &one));
+                black_box(alone::rates_into(0.0, q, u, f, &one, &mut q_dot, &mut u_dot));
+                black_box((&q_dot, &u_dot));
             }
         }));
         several = several.min(least(|| {
             for (q, u, f) in black_box(&many) {
-                black_box(lanes::rates(zero, q, u, f, &eight));
+                black_box(lanes::rates_into(zero, q, u, f, &eight, &mut q_dots, &mut u_dots));
+                black_box((&q_dots, &u_dots));
             }
         }));
     }
@@ -123,7 +124,7 @@ fn a_tile_among_others_takes_a_fifth_of_the_time_of_one_alone() {
         }
     }
     println!("{least:.3}, {MOST} asked");
-    assert!(least <= LIMIT, "{least:.3}");
+    assert!(least <= MOST, "{least:.3}");
 }
 
 /// Builds the program of the folder, where it is not built, and runs it.

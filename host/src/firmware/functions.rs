@@ -35,6 +35,21 @@ pub struct Measured {
     pub takes_u_dot: bool,
 }
 
+impl Measured {
+    /// The function that computes: rates are written by one function and returned by another, which calls that one.
+    fn computing(&self, equations: &str) -> String {
+        let into = format!("{}_into", self.name);
+        if equations.contains(&format!("pub fn {into}(")) { into } else { self.name.clone() }
+    }
+
+    /// A call of it with arguments unknown to the compiler.
+    fn call(&self, computing: &str) -> String {
+        let u_dot = if self.takes_u_dot { ", &u" } else { "" };
+        let written = if computing == self.name { "" } else { ", &mut q_dot, &mut u_dot" };
+        format!("    black_box({computing}(black_box(0.0), &q, &u, &inputs{u_dot}, &p{written}));\n")
+    }
+}
+
 /// A toolchain for the chip, if there is one; nothing is installed.
 #[must_use]
 pub fn toolchain() -> Option<Toolchain> {
@@ -50,16 +65,21 @@ pub fn costs(
     mut files: Files,
     functions: &[Measured],
 ) -> Result<Vec<ChipCost>, Failure> {
+    let equations = files.iter().find(|(path, _)| path == "src/equations.rs");
+    let equations = equations.map_or("", |(_, text)| text.as_str());
+    let computing: Vec<String> = functions.iter().map(|function| function.computing(equations)).collect();
+    let calls = functions.iter().zip(&computing).map(|(function, computing)| function.call(computing));
+    let entry = entry(&calls.collect::<String>());
     for (path, text) in &mut files {
         if path == "src/equations.rs" {
-            for Measured { name, .. } in functions {
+            for name in &computing {
                 // If it were inlined, its instructions would be counted with the caller.
                 *text =
                     text.replace(&format!("pub fn {name}("), &format!("#[inline(never)]\npub fn {name}("));
             }
         }
         if path == "src/lib.rs" {
-            *text = text.replace("#![no_std]", "#![no_std]\n#![no_main]") + &calls(functions);
+            *text = text.replace("#![no_std]", "#![no_std]\n#![no_main]") + &entry;
         }
         if path == "Cargo.toml" {
             *text = text.replace(
@@ -83,15 +103,11 @@ pub fn costs(
         written.map_err(|e| Failure::Lacking(format!("{}: {e}", file.display())))?;
     }
     let image = Image::open(&build(toolchain, &source, &folder)?)?;
-    functions.iter().map(|function| cost(&image, &function.name)).collect()
+    computing.iter().map(|name| cost(&image, name)).collect()
 }
 
-/// An entry function that calls every function with arguments unknown to the compiler.
-fn calls(functions: &[Measured]) -> String {
-    let call = |Measured { name, takes_u_dot }: &Measured| {
-        let u_dot = if *takes_u_dot { "&u, " } else { "" };
-        format!("    black_box({name}(black_box(0.0), &q, &u, &inputs, {u_dot}&p));\n")
-    };
+/// An entry function with these calls.
+fn entry(calls: &str) -> String {
     format!(
         "
 #[panic_handler]
@@ -105,10 +121,11 @@ pub extern \"C\" fn _start() -> ! {{
     use core::hint::black_box;
     let p = black_box(prepare(&Parameters::default()));
     let (q, u, inputs) = (black_box([0.0; NQ]), black_box([0.0; NU]), black_box([0.0; N_INPUTS]));
-{}    loop {{}}
+    let (mut q_dot, mut u_dot) = ([0.0; NQ], [0.0; NU]);
+{calls}    black_box((&mut q_dot, &mut u_dot));
+    loop {{}}
 }}
-",
-        functions.iter().map(call).collect::<String>()
+"
     )
 }
 

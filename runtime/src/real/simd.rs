@@ -50,6 +50,10 @@ macro_rules! lanes {
                 <$lanes>::splat(<$t as Real>::from_f64(x))
             }
             #[inline(always)]
+            fn align_frame() {
+                core::hint::black_box(&core::mem::MaybeUninit::<Self>::uninit());
+            }
+            #[inline(always)]
             fn sqrt(self) -> Self {
                 <$lanes>::sqrt(self)
             }
