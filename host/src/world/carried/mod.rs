@@ -7,6 +7,7 @@
 
 mod air;
 pub mod apart;
+mod between;
 mod breathing;
 mod build;
 mod choice;
