@@ -225,3 +225,94 @@ fn a_fold_of_facets_holds_what_falls_into_it() {
         }
     }
 }
+
+/// Scene of held facets in a plane: nodes, facets, a part on it, and seconds.
+fn on_facets(name: &str, law: &str, (nodes, facets): (&str, &str), part: &str, seconds: f64) -> String {
+    let held: Vec<usize> = (0..nodes.matches("], [").count() + 1).collect();
+    let text = format!(
+        "format = 2\n[parts.floor]\npoints = [{nodes}, [9, 9, 9]]\nfacets = [{facets}]\nsprings = [[0, {}]]\n\
+         fixed = {held:?}\nmass = 1\n[parts.load]\n{part}\n\
+         [[contacts]]\nbetween = [\"load\", \"floor\"]\nimpact = \"{law}\"\n\
+         [run]\nseconds = {seconds}\nstep = 1e-3\n",
+        held.len()
+    );
+    scene(&format!("{name}_{law}"), &text)
+}
+
+/// Laws, each as it is written in a scene.
+const LAWS: [&str; 5] = ["moreau", "plastic", "stronge", "newton", "compensation"];
+
+#[test]
+fn a_ball_near_a_corner_of_a_facet_rests_on_it() {
+    let floor = ("[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]", "[0, 1, 2, 3]");
+    let ball = "rigid = \"sphere\"\nradius = 0.02\nmass = 1\nstart = { position = [0.1, 0.1, 0.0201] }";
+    for law in LAWS {
+        let done = json(&[&on_facets("near_corner", law, floor, ball, 0.5)]);
+        let z = number(&done["last"]["load.z"]);
+        println!("{law}: z {z}");
+        // What rebounds stays below where it fell from.
+        let elastic = matches!(law, "compensation" | "newton" | "stronge");
+        let rests = (z - 0.02).abs() < 1e-6;
+        assert!(rests || (elastic && 0.02 < z && z < 0.0202), "{law}: {z}");
+    }
+}
+
+#[test]
+fn a_box_slides_over_a_node_without_friction() {
+    let floor = (
+        "[-1, -1, 0], [0, -1, 0], [1, -1, 0], [-1, 0, 0], [0, 0, 0], [1, 0, 0], [-1, 1, 0], [0, 1, 0], [1, 1, 0]",
+        "[0, 1, 4, 3], [1, 2, 5, 4], [3, 4, 7, 6], [4, 5, 8, 7]",
+    );
+    let block = "rigid = \"box\"\nsize = [0.8, 0.8, 0.2]\nmass = 1\nstart = { position = [-0.5, 0.01, 0.1], velocity = [0.5, 0, 0] }";
+    for law in LAWS {
+        let done = json(&[&on_facets("over_node", law, floor, block, 0.6)]);
+        let [x, z, vx] = ["x", "z", "vx"].map(|name| number(&done["last"][format!("load.{name}")]));
+        println!("{law}: x {x} z {z} vx {vx}");
+        assert!(
+            (x + 0.2).abs() < 1e-9 && (vx - 0.5).abs() < 1e-9 && (z - 0.1).abs() < 1e-9,
+            "{law}: {x} {z} {vx}"
+        );
+    }
+}
+
+/// Scene of a stretched sheet whose rim is held, and of a part over it.
+fn over_sheet(name: &str, law: &str, part: &str) -> String {
+    let text = format!(
+        "format = 2\n[parts.ground]\nrigid = \"half_space\"\n[parts.sheet]\nshape = \"sheet\"\nrows = 7\ncolumns = 7\n\
+         width = 0.28\ndepth = 0.28\nmass = 0.01\nK = 2000\nC = 2\nstretch = 1.2\nstart = {{ position = [0, 0, 0.04] }}\n\
+         attach = [{{ nodes = \"rim\", to = \"ground\" }}]\n[parts.load]\n{part}\n\
+         [[contacts]]\nbetween = [\"sheet\", \"load\"]\nimpact = \"{law}\"\n[run]\nseconds = 0.5\nstep = 5e-4\nevery = 100\n"
+    );
+    scene(&format!("{name}_{law}"), &text)
+}
+
+#[test]
+fn a_small_ball_beside_a_node_of_a_sheet_stays_on_it() {
+    let ball = "rigid = \"sphere\"\nradius = 0.005\nmass = 0.02\nstart = { position = [0.16, 0.16, 0.05] }";
+    for law in ["moreau", "plastic"] {
+        let done = json(&[&over_sheet("small_ball", law, ball)]);
+        let z = number(&done["last"]["load.z"]);
+        println!("{law}: z {z}, ledger {}", number(&done["imbalance"]));
+        assert!(0.02 < z && z < 0.06, "{law}: {z}");
+    }
+}
+
+#[test]
+fn a_bar_that_can_fall_between_nodes_is_named() {
+    for (kind, bar, said) in [
+        ("capsule", "rigid = \"capsule\"\nradius = 0.01\nlength = 0.5", true),
+        ("box", "rigid = \"box\"\nsize = [0.02, 0.5, 0.02]", true),
+        ("short", "rigid = \"capsule\"\nradius = 0.01\nlength = 0.1", false),
+        ("plate", "rigid = \"box\"\nsize = [0.1, 0.5, 0.02]", false),
+    ] {
+        let part = format!("{bar}\nmass = 1\nstart = {{ position = [0.14, 0.1633, 0.2] }}");
+        let output = smartbed(&["run", &over_sheet(kind, "moreau", &part), "--set", "run.seconds=0.01"]);
+        let text = String::from_utf8_lossy(&output.stderr);
+        assert!(output.status.success(), "{text}");
+        assert_eq!(
+            text.contains("`load` is longer than `sheet` and narrower than its facets"),
+            said,
+            "{kind}: {text}"
+        );
+    }
+}

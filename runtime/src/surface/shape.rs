@@ -158,6 +158,26 @@ impl<S: Scalar> Surface<S> for Cuboid<S> {
 }
 
 impl<S: Scalar> Cuboid<S> {
+    /// Way from a place along a unit vector to where the line enters the box (m), < 0 where the place is inside or beyond;
+    /// None where the line misses it (slabs, Kay and Kajiya 1986).
+    #[must_use]
+    pub fn along(&self, place: Vec3<S>, way: Vec3<S>) -> Option<S> {
+        let far = S::from_f64(f64::INFINITY);
+        let (mut enter, mut leave) = (-far, far);
+        for (half, (x, rate)) in self.half.iter().zip(place.iter().zip(way)) {
+            if rate.abs() <= S::EPSILON {
+                if x.abs() > *half {
+                    return None;
+                }
+                continue;
+            }
+            let ends = [(-*half - *x) / rate, (*half - *x) / rate];
+            enter = enter.max(ends[0].min(ends[1]));
+            leave = leave.min(ends[0].max(ends[1]));
+        }
+        (enter <= leave).then_some(enter)
+    }
+
     /// For a point inside: the nearest face; of equally near ones the first in the order of the axes.
     fn nearest_face(&self, place: Vec3<S>) -> Nearest<S> {
         let depth = |i: usize| vec3::pick(&self.half, i) - vec3::pick(&place, i).abs();

@@ -4,8 +4,8 @@
 //! gap.
 //! ```text
 //! rigid on rigid    features of both shapes (`rigid::narrow`)
-//! mesh on rigid     every node over the shape's surface; the shape's corners over the facet below them, round ones over every
-//!                   facet that has a foot for them (a ball may lie between two)
+//! mesh on rigid     every node over the shape's surface (`over_shape`); the shape's corners over the facet below them, round
+//!                   ones over every facet that has a foot for them (a ball may lie between two; `round`)
 //! mesh on mesh      every node of each over the nearest facet of the other
 //! in a fold         a node or corner between two facets that face each other is over both
 //! ```
@@ -13,7 +13,7 @@
 //! line. Exception: a node over a facet, where friction has the gap as its arm. Edges of facets that cross, and a mesh
 //! on itself, are not detected.
 
-use super::scenery::{Extent, Feet, Foot, Mesh, Over, Scenery, Standing};
+use super::scenery::{EDGE, Extent, Feet, Foot, Mesh, Over, Scenery, Standing, shares};
 use super::thing::{Pair, Thing};
 use super::trail::Trail;
 use crate::mechanism::Fault;
@@ -21,19 +21,14 @@ use crate::real::Scalar;
 use crate::rigid::contact::{Contact, Side};
 use crate::rigid::impact::InverseMass;
 use crate::rigid::narrow::{Placed, core_points, features};
-use crate::surface::facet::FacetNearest;
 use crate::vec3::{self, Vec3};
 
 /// Contact numbers from here on are those of a shape's points over facets; smaller ones are those of nodes.
-const OF_SHAPE: u32 = 1 << 30;
+pub(super) const OF_SHAPE: u32 = 1 << 30;
 /// Most points of a shape: contacts over the next facet are numbered this much higher.
-const POINTS: u32 = 8;
+pub(super) const POINTS: u32 = 8;
 /// Added to the number of a point in a fold, one for each of its two facets.
 const IN_FOLD: [u32; 2] = [1 << 28, 1 << 29];
-
-/// A foot with more than this weight at one corner is dropped in favour of that corner's own contact: two contacts
-/// there could share one load in any proportion, and sweeps would converge slowly.
-pub(super) const AT_NODE: f64 = 0.75;
 
 /// A contact of a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -94,7 +89,7 @@ impl<S: Scalar> Touch<S> {
 }
 
 /// A place of contact: gap, point, contact.
-type Place<S> = (S, Vec3<S>, Contact<S>);
+pub(super) type Place<S> = (S, Vec3<S>, Contact<S>);
 
 /// The list of contacts while it is filled.
 pub(super) struct Found<'a, S> {
@@ -104,7 +99,14 @@ pub(super) struct Found<'a, S> {
 }
 
 impl<S: Scalar> Found<'_, S> {
-    fn push(&mut self, pair: (usize, &Pair<S>), id: u32, gap: S, point: Vec3<S>, mut contact: Contact<S>) {
+    pub(super) fn push(
+        &mut self,
+        pair: (usize, &Pair<S>),
+        id: u32,
+        gap: S,
+        point: Vec3<S>,
+        mut contact: Contact<S>,
+    ) {
         let (number, law) = pair;
         (contact.friction, contact.restitution) = (law.friction, law.restitution);
         match self.touches.get_mut(self.count) {
@@ -114,6 +116,31 @@ impl<S: Scalar> Found<'_, S> {
             }
             None => self.full = true,
         }
+    }
+
+    /// The contacts from this one on.
+    pub(super) fn from(&self, first: usize) -> &[Touch<S>] {
+        self.touches.get(first..self.count).unwrap_or_default()
+    }
+
+    /// Removes those contacts from `first` to `end` for which one of the later ones stands; the others keep their order.
+    pub(super) fn leave_out(
+        &mut self,
+        [first, end]: [usize; 2],
+        stands: impl Fn(&Touch<S>, &Touch<S>) -> bool,
+    ) {
+        let mut kept = first;
+        for k in first..self.count {
+            let Some(own) = self.touches.get(k).copied() else { break };
+            if k < end && self.from(end).iter().any(|later| stands(&own, later)) {
+                continue;
+            }
+            if let Some(place) = self.touches.get_mut(kept) {
+                *place = own;
+            }
+            kept += 1;
+        }
+        self.count = kept;
     }
 }
 
@@ -175,9 +202,12 @@ impl<'a, S: Scalar> Scenery<'a, S> {
         found: &mut Found<S>,
     ) {
         let Some(mesh) = self.mesh(mesh).filter(|mesh| self.may_meet(mesh, &shape)) else { return };
+        let first = found.count;
         for (id, node) in (0..).zip(mesh.nodes[0]..mesh.nodes[1]) {
-            if self.near_node(node, &shape).gap <= self.margin {
-                let (gap, point, contact) = self.node_over_shape(node, &shape);
+            if self.near_node(node, &shape).gap <= self.margin
+                && let Some((gap, point, contact)) = self.node_over_shape(&mesh, node, &shape)
+                && gap <= self.margin
+            {
                 found.push(pair, id, gap, point, contact);
             }
         }
@@ -185,59 +215,33 @@ impl<'a, S: Scalar> Scenery<'a, S> {
         for (number, place) in (0..).zip(points.iter().take(count)) {
             let point = shape.2.point(*place);
             if radius > S::ZERO {
-                for (facet, corners) in (0..).zip(mesh.facets) {
-                    let near = self.over_facet(&mesh, corners, (point, radius), S::ZERO);
-                    let place = near.and_then(|near| self.shape_over_facet(&shape, (corners, near)));
-                    let Some((gap, point, contact)) = place else { continue };
-                    found.push(pair, OF_SHAPE + POINTS * facet + number, gap, point, contact);
-                }
+                self.round_over_mesh(pair, &mesh, &shape, (number, point, radius), (first, &mut *found));
                 continue;
             }
             for (flag, foot) in self.flagged_feet(&mesh, point) {
-                if let Some((gap, point, contact)) = self.shape_over_facet(&shape, foot) {
+                if !self.on_a_node(&mesh, &foot, &shape) {
+                    let (gap, point, contact) = self.shape_over_facet(&shape, foot);
                     found.push(pair, OF_SHAPE + number + flag, gap, point, contact);
                 }
             }
         }
     }
 
-    /// The contact of a node with the surface of a shape.
-    fn node_over_shape(&self, node: usize, standing: &Standing<S>) -> Place<S> {
-        let (x, near, (_, port, frame)) =
-            (vec3::at(self.pos, node), self.near_node(node, standing), standing);
-        let sides = [self.side_of_node(node), self.side_of_port(*port, x)];
-        (near.gap, x, Contact::between(sides, frame.to_inertial(near.normal)))
-    }
-
-    /// The contact of a point of a shape's core with a facet; None where the facet's corners make it.
-    fn shape_over_facet(&self, standing: &Standing<S>, (facet, near): Foot<'a, S>) -> Option<Place<S>> {
+    /// The contact of a point of a shape's core with a facet.
+    pub(super) fn shape_over_facet(&self, standing: &Standing<S>, (facet, near): Foot<S>) -> Place<S> {
         let (shape, port, _) = standing;
         let (_, _, radius) = core_points(shape);
-        let gap = near.gap - radius;
-        let one_corner = near.weights.iter().any(|weight| *weight > self.at_node);
-        if one_corner || self.left_to_corners(facet, &near, gap, standing) {
-            return None;
-        }
         let sides = [self.side_of_port(*port, near.foot), self.side_of_facet(facet, &near)];
-        Some((gap, near.foot, Contact::between(sides, near.normal)))
+        (near.gap - radius, near.foot, Contact::between(sides, near.normal))
     }
 
-    /// Whether the corners below a foot are nearer to the shape's surface than the foot is, on average by its weights.
-    ///
-    /// A chord between corners that touch a round shape lies inside the shape: a contact at the foot would repeat those
-    /// of the corners and share their load in any proportion.
-    fn left_to_corners(
-        &self,
-        facet: &[usize; 4],
-        near: &FacetNearest<S>,
-        gap: S,
-        shape: &Standing<S>,
-    ) -> bool {
-        let mean = facet
-            .iter()
-            .zip(near.weights)
-            .fold(S::ZERO, |sum, (node, weight)| sum + weight * self.near_node(*node, shape).gap.abs());
-        self.at_node < S::ONE && mean < gap.abs()
+    /// Whether the foot of a box's corner is a node, up to rounding, that touches the box itself.
+    fn on_a_node(&self, mesh: &Mesh<S>, (facet, near): &Foot<S>, shape: &Standing<S>) -> bool {
+        shares(facet, near).into_iter().any(|(node, weight)| {
+            weight > S::ONE - S::from_f64(EDGE) * S::EPSILON
+                && mesh.has(node)
+                && self.node_over_shape(mesh, node, shape).is_some_and(|(gap, ..)| gap <= self.margin)
+        })
     }
 
     /// The contact of a node with a facet.
@@ -306,12 +310,12 @@ impl<'a, S: Scalar> Scenery<'a, S> {
             (Some(shape), None) | (None, Some(shape)) => {
                 let mesh = self.mesh(one).or_else(|| self.mesh(other))?;
                 if id < OF_SHAPE {
-                    self.node_over_shape(mesh.nodes[0] + number, &shape)
+                    self.node_over_shape(&mesh, mesh.nodes[0] + number, &shape)?
                 } else {
                     let (points, _, radius) = core_points(&shape.0);
                     let point = shape.2.point(*points.get(number % POINTS as usize)?);
                     let over = if radius > S::ZERO { Over::Facet(number / POINTS as usize) } else { over };
-                    self.shape_over_facet(&shape, self.foot(&mesh, (point, radius), over)?)?
+                    self.shape_over_facet(&shape, self.foot(&mesh, (point, radius), over)?)
                 }
             }
         };

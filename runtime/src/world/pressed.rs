@@ -133,7 +133,7 @@ impl<S: Scalar, C: Carrier<S>> Pressed<'_, '_, '_, S, C> {
         let StepMemory { twists: [_, twists, _], normals, .. } = &mut *self.memory;
         self.world.turn_normals(normals);
         Self::read_twists(self.world, twists);
-        let scenery = self.world.scenery(normals, self.rounding[0], S::ONE + S::ONE);
+        let scenery = self.world.scenery(normals, self.rounding[0]);
         for own in self.list.iter_mut() {
             let pair = self.world.pairs.get(own.pair).ok_or(Fault::Shape)?;
             if let Some((gap, place, mut contact)) = scenery.again(pair, own.id) {

@@ -15,7 +15,7 @@ use crate::vec3::{self, Vec3};
 /// Cosine of the angle between a facet's normal and the mean normal at a corner, below which the corner is sharp: there
 /// the facet keeps its own normal (edges of a cube); at smaller angles normals are interpolated from facet to facet
 /// without a jump (a sheet).
-const CREASE: f64 = 0.85;
+pub(super) const CREASE: f64 = 0.85;
 
 /// Least sine of the angle by which the middle of a facet rises over another's plane for the two to form a fold.
 const FOLD: f64 = 0.2;
@@ -23,6 +23,9 @@ const FOLD: f64 = 0.2;
 /// Facets of a fold are extended behind their edge by this many times the depth of a point: the largest tangent of
 /// their slope.
 const BEYOND: f64 = 8.0;
+
+/// A foot within this many rounding units of a facet's edge or corner, relative to the facet, is on it.
+pub(super) const EDGE: f64 = 1e3;
 
 /// Geometry of all things at one instant.
 pub(super) struct Scenery<'a, S> {
@@ -35,8 +38,6 @@ pub(super) struct Scenery<'a, S> {
     pub(super) normals: &'a [Vec3<S>],
     /// Gaps up to this count as near (m).
     pub(super) margin: S,
-    /// Feet with more than this weight at one corner are left to the corner's own contact.
-    pub(super) at_node: S,
 }
 
 /// Nodes and facets of a mesh, and how deep a point may be below them (m).
@@ -45,6 +46,13 @@ pub(super) struct Mesh<'a, S> {
     pub(super) nodes: [usize; 2],
     pub(super) facets: &'a [[usize; 4]],
     pub(super) depth: S,
+}
+
+impl<S> Mesh<'_, S> {
+    /// Whether a node is one of its own, so that it can touch.
+    pub(super) fn has(&self, node: usize) -> bool {
+        self.nodes[0] <= node && node < self.nodes[1]
+    }
 }
 
 /// A shape, the port that carries it, its frame.
@@ -72,6 +80,17 @@ impl<S: Scalar> Extent<S> {
     pub(super) fn is_near(&self, other: &Extent<S>, margin: S) -> bool {
         (0..3).all(|i| self.low[i] - margin <= other.high[i] && other.low[i] - margin <= self.high[i])
     }
+}
+
+/// How far a facet is extended beyond its edges.
+#[derive(Clone, Copy, PartialEq)]
+pub(super) enum Beyond {
+    /// By rounding.
+    Edges,
+    /// In proportion to a point's depth: [`BEYOND`] times.
+    Depth,
+    /// By its own width: a lasting contact is followed past an edge to the end of the piece of a step.
+    Width,
 }
 
 /// The facets on which a point has a foot.
@@ -134,15 +153,7 @@ impl<'a, S: Scalar> Scenery<'a, S> {
     }
 
     pub(super) fn side_of_facet(&self, facet: &[usize; 4], near: &FacetNearest<S>) -> Side<S> {
-        let [a, b, c, d] = *facet;
-        let [p, q, r, s] = near.weights;
-        // A triangle repeats its third corner.
-        let corners = if c == d {
-            [(a, p), (b, q), (c, r + s), (d, S::ZERO)]
-        } else {
-            [(a, p), (b, q), (c, r), (d, s)]
-        };
-        Side::blend(corners.map(|(node, weight)| self.point_of_node(node, weight)))
+        Side::blend(shares(facet, near).map(|(node, weight)| self.point_of_node(node, weight)))
     }
 
     /// Whether the shape's bounding sphere is near the box around the mesh's nodes; if not, none of them is near the
@@ -164,13 +175,12 @@ impl<'a, S: Scalar> Scenery<'a, S> {
     }
 
     /// The facet whose surface is nearest to a point, with its number, unless the point is deeper than the mesh allows.
-    /// With `faces`, a foot on another facet, only facets that face that one count. See [`Scenery::over_facet`] for
-    /// `beyond`.
+    /// With `faces`, a foot on another facet, only facets that face that one count.
     fn nearest_facet(
         &self,
         mesh: &Mesh<'a, S>,
         point: Vec3<S>,
-        beyond: S,
+        beyond: Beyond,
         faces: Option<&Foot<'a, S>>,
     ) -> Option<(usize, Foot<'a, S>)> {
         let mut best: Option<(usize, Foot<'a, S>)> = None;
@@ -189,9 +199,9 @@ impl<'a, S: Scalar> Scenery<'a, S> {
     /// the nearest of those that face it) in the order of the mesh. A point below both, at the bottom of a fold,
     /// projects onto neither, so the facets are extended behind their edge in proportion to the point's depth.
     pub(super) fn feet(&self, mesh: &Mesh<'a, S>, point: Vec3<S>) -> Feet<'a, S> {
-        let below = self.nearest_facet(mesh, point, S::ZERO, None);
-        let first = below.or_else(|| self.nearest_facet(mesh, point, S::ONE, None));
-        let second = first.and_then(|(_, foot)| self.nearest_facet(mesh, point, S::ONE, Some(&foot)));
+        let below = self.nearest_facet(mesh, point, Beyond::Edges, None);
+        let first = below.or_else(|| self.nearest_facet(mesh, point, Beyond::Depth, None));
+        let second = first.and_then(|(_, foot)| self.nearest_facet(mesh, point, Beyond::Depth, Some(&foot)));
         match (first, second) {
             (Some((m, one)), Some((n, two))) if m < n => Feet::Fold(one, two),
             (Some((_, one)), Some((_, two))) => Feet::Fold(two, one),
@@ -213,9 +223,9 @@ impl<'a, S: Scalar> Scenery<'a, S> {
         match over {
             Over::Facet(number) => {
                 let facet = mesh.facets.get(number)?;
-                Some((facet, self.over_facet(mesh, facet, (point, radius), S::ZERO)?))
+                Some((facet, self.over_facet(mesh, facet, (point, radius), Beyond::Width)?))
             }
-            Over::Nearest => Some(self.nearest_facet(mesh, point, S::ZERO, None)?.1),
+            Over::Nearest => Some(self.nearest_facet(mesh, point, Beyond::Edges, None)?.1),
             Over::First => Some(in_fold()?.0),
             Over::Second => Some(in_fold()?.1),
         }
@@ -228,14 +238,13 @@ impl<'a, S: Scalar> Scenery<'a, S> {
         vec3::dot(near.normal, way) > S::from_f64(FOLD) * vec3::norm(way)
     }
 
-    /// The foot of a ball on a facet, if it is near the surface and not deeper than the mesh allows. With
-    /// `beyond` 1 the facet is extended behind its edges by [`BEYOND`] times the depth of the point.
+    /// The foot of a ball on a facet, if it is near the surface and not deeper than the mesh allows.
     pub(super) fn over_facet(
         &self,
         mesh: &Mesh<'a, S>,
         facet: &[usize; 4],
         (point, radius): (Vec3<S>, S),
-        beyond: S,
+        beyond: Beyond,
     ) -> Option<FacetNearest<S>> {
         let corners = facet.map(|node| vec3::at(self.pos, node));
         let [a, _, c, _] = corners;
@@ -245,18 +254,29 @@ impl<'a, S: Scalar> Scenery<'a, S> {
         if vec3::norm(vec3::sub(point, middle)) > far {
             return None;
         }
-        let own = vec3::direction(vec3::cross(vec3::sub(c, a), vec3::sub(corners[3], corners[1]))).0;
-        let normals = facet.map(|node| {
+        let normals = self.corner_normals(facet, &corners);
+        let edge = S::from_f64(EDGE) * S::EPSILON;
+        let widest = if beyond == Beyond::Edges { edge } else { S::ONE };
+        let near = (Facet { corners, normals }).nearest(point, widest)?;
+        let gap = near.gap - radius;
+        let outside = -near.weights.iter().fold(S::ZERO, |least, weight| least.min(*weight));
+        let allowed = match beyond {
+            Beyond::Edges => edge,
+            Beyond::Depth => edge.max(S::from_f64(BEYOND) * -gap / reach),
+            Beyond::Width => S::from_f64(f64::INFINITY),
+        };
+        (-mesh.depth <= gap && gap <= self.margin && outside <= allowed).then_some(near)
+    }
+
+    /// Normals at the corners of a facet, by which its own normals are interpolated.
+    pub(super) fn corner_normals(&self, facet: &[usize; 4], corners: &[Vec3<S>; 4]) -> [Vec3<S>; 4] {
+        let [a, b, c, d] = *corners;
+        let own = vec3::direction(vec3::cross(vec3::sub(c, a), vec3::sub(d, b))).0;
+        facet.map(|node| {
             let mean = vec3::at(self.normals, node);
             let smooth = vec3::dot(mean, own) > S::from_f64(CREASE);
             if smooth { mean } else { own }
-        });
-        let edge = S::from_f64(1e3) * S::EPSILON;
-        let near = (Facet { corners, normals }).nearest(point, edge.max(beyond))?;
-        let gap = near.gap - radius;
-        let outside = -near.weights.iter().fold(S::ZERO, |least, weight| least.min(*weight));
-        let allowed = edge.max(beyond * S::from_f64(BEYOND) * -gap / reach);
-        (-mesh.depth <= gap && gap <= self.margin && outside <= allowed).then_some(near)
+        })
     }
 
     /// Box around a mesh's nodes.
@@ -287,4 +307,10 @@ impl<'a, S: Scalar> Scenery<'a, S> {
         };
         Extent { low: low.map(|x| x - wider), high: high.map(|x| x + wider) }
     }
+}
+
+/// The corners of a facet with their weights at a foot; a triangle repeats its third corner.
+pub(super) fn shares<S: Scalar>(facet: &[usize; 4], near: &FacetNearest<S>) -> [(usize, S); 4] {
+    let ([a, b, c, d], [p, q, r, s]) = (*facet, near.weights);
+    if c == d { [(a, p), (b, q), (c, r + s), (d, S::ZERO)] } else { [(a, p), (b, q), (c, r), (d, s)] }
 }

@@ -14,7 +14,7 @@
 
 use super::accounts::Accounts;
 use super::carrier::{Carrier, Wrench};
-use super::detect::{AT_NODE, Touch};
+use super::detect::Touch;
 use super::inertia::Inertias;
 use super::island::{Attachment, Cut, Island};
 use super::observer::{Forces, Observer, Push};
@@ -350,7 +350,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
             return Ok(());
         }
         self.turn_normals(normals);
-        let count = self.scenery(normals, margin, S::from_f64(AT_NODE)).find(self.pairs, now, extents)?;
+        let count = self.scenery(normals, margin).find(self.pairs, now, extents)?;
         let island = &mut self.island;
         counts[0] = count;
         if count == 0 {
@@ -395,7 +395,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
     }
 
     /// The geometry of everything as placed last.
-    pub(super) fn scenery<'s>(&'s self, normals: &'s [Vec3<S>], margin: S, at_node: S) -> Scenery<'s, S> {
+    pub(super) fn scenery<'s>(&'s self, normals: &'s [Vec3<S>], margin: S) -> Scenery<'s, S> {
         let island = &self.island;
         Scenery {
             things: self.things,
@@ -405,7 +405,6 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
             pos: island.memory.pos,
             normals,
             margin,
-            at_node,
         }
     }
 

@@ -17,6 +17,7 @@ mod located;
 mod march;
 mod massless;
 mod narrow;
+mod on_facets;
 mod random;
 mod rigid_scene;
 mod scenery;

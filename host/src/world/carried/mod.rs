@@ -8,6 +8,7 @@
 mod air;
 pub mod apart;
 mod balance;
+mod between;
 mod breathing;
 mod build;
 mod choice;

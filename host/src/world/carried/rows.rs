@@ -237,7 +237,7 @@ impl<S: Settle> Engine for CarriedWorld<S> {
 
     fn warnings(&self) -> Vec<String> {
         let steps = |count: usize| smartbed_codegen::words::count(count, "step");
-        let mut said = Vec::new();
+        let mut said = self.bars_between_nodes();
         if self.unsettled > 0 {
             let count = steps(self.unsettled);
             said.push(format!(

@@ -17,7 +17,7 @@ mod strike;
 
 use super::accounts::Accounts;
 use super::carrier::Carrier;
-use super::detect::{AT_NODE, Touch};
+use super::detect::Touch;
 use super::observer::{Observer, Strike};
 use super::pressed::{Pressed, Pressing};
 use super::step::{StepMemory, World};
@@ -259,8 +259,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
             &mut *way.memory;
         self.turn_normals(normals);
         Pressed::read_twists(self, twists);
-        let count =
-            self.scenery(normals, way.rounding.gap, S::from_f64(AT_NODE)).find(self.pairs, now, extents)?;
+        let count = self.scenery(normals, way.rounding.gap).find(self.pairs, now, extents)?;
         for touch in now.iter_mut().take(count) {
             touch.start = touch.contact.relative(twists);
         }

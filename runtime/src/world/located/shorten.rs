@@ -9,7 +9,6 @@ use crate::real::Scalar;
 use crate::vec3;
 use crate::world::accounts::Accounts;
 use crate::world::carrier::Carrier;
-use crate::world::detect::AT_NODE;
 use crate::world::observer::Observer;
 use crate::world::pressed::Pressing;
 use crate::world::step::{StepMemory, World};
@@ -72,8 +71,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         let list = way.pressing.get(..way.held).unwrap_or_default();
         let StepMemory { normals, extents, touches: [known, found], .. } = &mut *way.memory;
         self.turn_normals(normals);
-        let count =
-            self.scenery(normals, way.rounding.gap, S::from_f64(AT_NODE)).find(self.pairs, found, extents)?;
+        let count = self.scenery(normals, way.rounding.gap).find(self.pairs, found, extents)?;
         let known = known.get(..way.known).unwrap_or_default();
         let mut clear = S::ONE;
         for touch in found.iter().take(count) {
