@@ -227,3 +227,64 @@ fn a_face_on_a_face_touches_in_the_corners_of_what_they_share() {
     assert_eq!(found((&rod, &above), (&rod, &level), 1e-9).len(), 1);
     assert_eq!(found((&Shape::HalfSpace, &level), (&Shape::HalfSpace, &above), 1.0).len(), 0);
 }
+
+#[test]
+fn a_capsule_across_a_box_touches_both_rims_of_the_face() {
+    let mut random = Random::new(8);
+    let half = [0.4, 0.3, 0.2];
+    let (rod, cuboid) =
+        (Shape::Capsule(Capsule { radius: 0.02, half_length: 0.9 }), Shape::Cuboid(Cuboid { half }));
+    let tilts = [0.0, 1e-12, 1e-9, 1e-6, 1e-3, 0.02];
+    for trial in 0..2000 {
+        let body = random_frame(&mut random, 0.5);
+        // Over one of the six faces, at any angle in the face and any gap.
+        let (face, upper) = (trial % 3, trial % 2 == 0);
+        let normal = body.axes[face].map(|x| if upper { x } else { -x });
+        let (side, yaw) = (body.axes[(face + 1) % 3], random.between(0.0, 6.3));
+        // The axis stays outside: inside the box the distance to it is not that of a segment.
+        let gap = random.between(-0.007, 0.05);
+        let [u, v] = [random.between(-0.1, 0.1), random.between(-0.1, 0.1)];
+        let shift = along(along([0.0; 3], u, side), v, body.axes[(face + 2) % 3]);
+        let level = turned([side, side, side], normal, yaw)[0];
+        let at = |tilt: f64| {
+            // Right-handed axes whose last is the rod's.
+            let across = turned([level; 3], normal, std::f64::consts::FRAC_PI_2)[0];
+            let axes = turned([across, normal, level], across, tilt);
+            let up = half[face] + 0.02 + gap;
+            let origin = along(along(body.origin, up, normal), 1.0, shift);
+            Frame { origin, axes, velocity: [0.0; 3], angular_velocity: [0.0; 3] }
+        };
+        let mut before: Option<(f64, Vec<Feature<f64>>)> = None;
+        let both = tilts.iter().rev().map(|t| -t).chain(tilts);
+        for tilt in both {
+            let frame = at(tilt);
+            let list = found((&rod, &frame), (&cuboid, &body), 0.1);
+            let deepest = list.iter().map(|f| f.gap).fold(f64::INFINITY, f64::min);
+            let exact = distance((&rod, &frame), (&cuboid, &body));
+            assert!((deepest - exact).abs() <= 1e-9, "{trial}, {tilt}: {deepest} {exact}");
+            // The features span the centre: none lies alone on one side of it.
+            let places = list.iter().map(|f| dot(sub(f.point, frame.origin), level));
+            let (low, high) =
+                places.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), s| (a.min(s), b.max(s)));
+            assert!(low < -0.05 && high > 0.05, "{trial}, {tilt}: {list:?}");
+            // A turn moves no crossing by more than that of two lines at this angle, and none appears or goes.
+            if let Some((last, old)) = &before {
+                for f in list.iter().filter(|f| f.id > 16) {
+                    let cosine = dot(level, body.axes[(f.id as usize - 17) / 4]);
+                    let way = 2.0 * (tilt - last).abs() / (1.0 - cosine * cosine).sqrt() + 1e-13;
+                    let Some(g) = old.iter().find(|g| g.id == f.id) else {
+                        // Near a corner of the box the corner's own feature was there before.
+                        let near =
+                            |g: &&Feature<f64>| (2..10).contains(&g.id) && (f.gap - g.gap).abs() <= way;
+                        assert!(old.iter().any(|g| near(&g)), "{trial}: {f:?} appears, {last} to {tilt}");
+                        continue;
+                    };
+                    assert!((f.gap - g.gap).abs() <= way, "{trial}, {last} to {tilt}: {f:?} {g:?}");
+                    let turn = sub(f.normal, g.normal);
+                    assert!(dot(turn, turn).sqrt() <= way, "{trial}, {last} to {tilt}: {f:?} {g:?}");
+                }
+            }
+            before = Some((tilt, list));
+        }
+    }
+}

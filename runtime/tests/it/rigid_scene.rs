@@ -493,3 +493,49 @@ fn bodies_that_overlap_and_part_fly_freely() {
         close(world.states[2].position[0], 0.095 + 0.03 * t, 1e-12);
     }
 }
+
+#[test]
+fn a_capsule_rests_across_a_box_and_a_plank_on_two_rollers() {
+    let quarter = core::f64::consts::FRAC_PI_2;
+    let rod = |half_length| Shape::Capsule(Capsule { radius: 0.02, half_length });
+    // A rod along y, tilted by a small angle in the plane of y, z.
+    let lying = |tilt: f64| {
+        let half = 0.5 * (quarter + tilt);
+        Attitude::new([half.cos(), half.sin(), 0.0, 0.0])
+    };
+    let fixed = |shape| Part { shape, body: None };
+    let at = |attitude, position| RigidState { attitude, ..RigidState::at_rest(position) };
+    let slab = Shape::Cuboid(Cuboid { half: [0.1, 0.15, 0.05] });
+    let long = Part { shape: rod(0.25), ..ball(0.7, 0.02) };
+    let rest = |bodies: &[(Part<f64>, RigidState<f64>)], own: usize, weight: f64| {
+        let mut world = World::new(0.0, stronge(0.0, 0.4), bodies);
+        // Only what lies on the last part counts.
+        world.pairs.retain(|pair| pair.parts[0] == own && pair.parts[1] != 0);
+        let start = world.states[own].position;
+        for step in 1..=1000 {
+            let report = world.step(1e-2);
+            let now = world.states[own];
+            assert!((now.position[2] - start[2]).abs() < 2e-3, "{step}: {now:?}");
+            if step > 900 {
+                close(report.pressing, weight, 1e-9 * weight);
+                assert!(now.velocity.iter().all(|v| v.abs() < 1e-9), "{now:?}");
+            }
+        }
+        world.states[own].position[2]
+    };
+    for size in [0.0, 1e-12, 1e-6, 1e-3] {
+        for tilt in [size, -size] {
+            let bodies = [
+                (fixed(slab), at(Attitude::identity(), [0.0; 3])),
+                (long, at(lying(tilt), [0.03, 0.0, 0.07 + 0.15 * size])),
+            ];
+            close(rest(&bodies, 2, 0.7 * G), 0.07, 1e-8);
+            // A plank on two rollers that are longer than it is wide; it comes to lie inclined as they are.
+            let roller = |x| (fixed(rod(0.3)), at(lying(tilt), [x, 0.0, 0.0]));
+            let plank =
+                (cuboid(1.0, [0.4, 0.15, 0.015]), at(Attitude::identity(), [0.0, 0.0, 0.035 + 0.15 * size]));
+            let height = rest(&[roller(-0.2), roller(0.2), plank], 3, G * tilt.cos());
+            close(height, 0.035, 1e-8 + size * size);
+        }
+    }
+}

@@ -110,7 +110,8 @@ pub(super) fn push_capsules<S: Scalar>(found: &mut Features<S>, one: Placed<S>, 
     }
 }
 
-/// Adds the crossings of a capsule's side with the edges of a box.
+/// Adds the crossings of a capsule's side with the edges of a box: where the axis runs over a face, those above the two
+/// edges where it enters and leaves; else that of the nearest edge.
 pub(super) fn push_capsule_on_box<S: Scalar>(
     found: &mut Features<S>,
     capsule: Placed<S>,
@@ -118,16 +119,73 @@ pub(super) fn push_capsule_on_box<S: Scalar>(
     margin: S,
 ) {
     let Some((axis, radius)) = axis_of(capsule) else { return };
+    let course = course(&axis, cuboid, frame);
     for number in 0..12 {
         let (edge, faces) = box_edge(cuboid, frame, number);
-        let Some(feature) = crossing(&axis, &edge, None, CROSSING + 1 + number) else { continue };
-        // Nearest only if the normal lies between the normals of the edge's faces.
-        let outside = faces.iter().all(|face| vec3::dot(*face, feature.normal) >= S::ZERO);
+        let below = course.as_ref().filter(|c| c.edges.contains(&Some(number))).map(|c| c.normal);
+        let Some(feature) = crossing(&axis, &edge, below, CROSSING + 1 + number) else { continue };
+        // Over an edge alone the crossing is nearest only if the normal lies between the normals of the edge's faces.
+        let between = faces.iter().all(|face| vec3::dot(*face, feature.normal) >= S::ZERO);
         let feature = between_surfaces(feature, radius, radius);
-        if outside && feature.gap <= margin {
+        if (below.is_some() || between) && feature.gap <= margin {
             found.push(feature);
         }
     }
+}
+
+/// The face of a box over which a part of a segment runs.
+struct Course<S> {
+    /// Height of the lowest point of that part over the face (m), < 0 inside the box.
+    height: S,
+    /// Outward normal of the face.
+    normal: Vec3<S>,
+    /// Numbers of the edges over which the segment enters and leaves; None where it ends over the face.
+    edges: [Option<u32>; 2],
+}
+
+/// The face nearest to the part of a segment between that face's sides, if a face has such a part.
+fn course<S: Scalar>(segment: &Edge<S>, cuboid: &Cuboid<S>, frame: &Frame<S>) -> Option<Course<S>> {
+    let (middle, direction) = (frame.place(segment.middle), frame.to_local(segment.direction));
+    let mut best: Option<Course<S>> = None;
+    for face in 0..3 {
+        let mut part = [-segment.half_length, segment.half_length];
+        let mut sides = [None; 2];
+        for across in [(face + 1) % 3, (face + 2) % 3] {
+            let [at, slope, half] = [&middle, &direction, &cuboid.half].map(|v| vec3::pick(v, across));
+            if slope == S::ZERO {
+                // Runs along these two sides: between them, or nowhere over the face.
+                part[1] = if at.abs() <= half { part[1] } else { part[0] };
+                continue;
+            }
+            let rises = slope > S::ZERO;
+            let half = if rises { half } else { -half };
+            let (from, to) = ((-half - at) / slope, (half - at) / slope);
+            if from > part[0] {
+                (part[0], sides[0]) = (from, Some((across, !rises)));
+            }
+            if to < part[1] {
+                (part[1], sides[1]) = (to, Some((across, rises)));
+            }
+        }
+        let [at, slope, half] = [&middle, &direction, &cuboid.half].map(|v| vec3::pick(v, face));
+        let [first, last] = part.map(|s| at + s * slope);
+        let above = first + last >= S::ZERO;
+        let height = if above { first.min(last) } else { (-first).min(-last) } - half;
+        if part[0] < part[1] && best.as_ref().is_none_or(|least| height.abs() < least.height.abs()) {
+            let sense = if above { S::ONE } else { -S::ONE };
+            let normal = vec3::scale(vec3::pick(&frame.axes, face), sense);
+            let edges = sides.map(|side| side.map(|side| edge_between((face, above), side)));
+            best = Some(Course { height, normal, edges });
+        }
+    }
+    best
+}
+
+/// Number of the edge between two faces, each given by its axis and whether it is the upper one.
+fn edge_between(one: (usize, bool), other: (usize, bool)) -> u32 {
+    let along = 3 - one.0 - other.0;
+    let bit = |(axis, upper): (usize, bool)| u32::from(upper) << if axis == (along + 1) % 3 { 0 } else { 1 };
+    4 * along as u32 + bit(one) + bit(other)
 }
 
 /// Edge 0 to 11 of a box with the outward normals of its two faces: four along each axis.
