@@ -9,6 +9,7 @@
 // Printing macros would panic on a closed or full stream: all text goes through `output`.
 #![deny(clippy::print_stdout, clippy::print_stderr)]
 
+pub mod csv;
 pub mod diagnostics;
 pub mod failure;
 pub mod grouped;

@@ -134,10 +134,12 @@ impl std::error::Error for RunError {}
 /// Extremes and totals of a motion.
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
 pub struct Watched {
-    /// Largest mean over 10 ms of the upward force of all contacts (N).
+    /// Largest mean over 10 ms, or over a longer step, of the upward force of all contacts (N).
     pub peak: f64,
     /// End of the interval of that mean (s).
     pub peak_time: f64,
+    /// Length of that interval (s): whole steps, the nearest to 10 ms; less at the start of a run.
+    pub peak_window: f64,
     /// Time (s) since which everything has been slower than 1 mm/s; `None` if it never was.
     pub still: Option<f64>,
     /// Largest kinetic energy (J).

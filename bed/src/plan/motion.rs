@@ -129,12 +129,16 @@ impl Watch {
         let up = pressed + (motion.blows.upwards - own.blows.upwards) / seconds;
         self.forces.push_back([up, seconds]);
         let mut length: f64 = self.forces.iter().map(|own| own[1]).sum();
-        while self.forces.front().is_some_and(|first| length - first[1] > WINDOW - 0.5 * first[1]) {
-            length -= self.forces.pop_front().map_or(0.0, |own| own[1]);
+        // The last step stays, however long it is: its force is a mean over the step.
+        while let Some([_, first]) = self.forces.front().filter(|_| self.forces.len() > 1)
+            && length - first > WINDOW - 0.5 * first
+        {
+            length -= first;
+            self.forces.pop_front();
         }
         let mean = self.forces.iter().map(|[force, seconds]| force * seconds).sum::<f64>() / length;
         if mean > own.peak {
-            (own.peak, own.peak_time) = (mean, motion.time());
+            (own.peak, own.peak_time, own.peak_window) = (mean, motion.time(), length);
         }
         own.still = if motion.fastest() >= STILL { None } else { own.still.or(Some(motion.time())) };
         own.left_over = own.left_over.max(motion.ledger.left_over().abs());

@@ -66,6 +66,21 @@ fn from_one_equilibrium_both_clocks_go_the_same_way() {
 }
 
 #[test]
+fn a_load_at_rest_presses_with_its_weight_over_any_step() {
+    for (step, window) in [(2e-3, 10e-3), (4e-3, 12e-3), (20e-3, 20e-3), (25e-3, 25e-3), (50e-3, 50e-3)] {
+        let mut p = plan(2, 2, Vec::new());
+        (p.seconds, p.every) = (0.1, 0.1);
+        p.clock = Clock::Dynamics(Dynamics { step, start: Start::AtRest, ..Dynamics::default() });
+        let watched = run(&p, |_| true).expect("motion").watched.expect("a motion");
+        let weight = p.load.body.mass() * GRAVITY;
+        println!("{step} s: {} N of {weight} N over {} s", watched.peak, watched.peak_window);
+        assert!((watched.peak / weight - 1.0).abs() < 1e-3, "{watched:?}");
+        // The first windows, while a run is younger than 10 ms, may be shorter.
+        assert!(watched.peak_window <= window + 1e-12 && watched.peak_window >= step - 1e-12, "{watched:?}");
+    }
+}
+
+#[test]
 fn both_clocks_come_to_the_same_rest() {
     for is_sealed in [false, true] {
         let mut p = plan(2, 2, vec![Move { pressure: Some(3500.0), at: 4.0, over: 2.0, ..change(&[0]) }]);

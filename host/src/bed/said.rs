@@ -6,7 +6,7 @@ use super::readings;
 use super::report::RunReport;
 use super::rows::table;
 use super::words;
-use crate::number::{json_number, json_string};
+use crate::number::{json_number, json_string, six_digits};
 use crate::origin::{Origin, seeds_json};
 use crate::plan::{Read, sensing};
 use smartbed_bed::metrics::DISCLAIMER;
@@ -95,12 +95,13 @@ fn moments(history: &History) -> &'static str {
 /// The JSON object's additional part for a run with motion.
 fn motion_json(watched: &Watched) -> String {
     format!(
-        "{{\"step\": {}, \"steps\": {}, \"peak_force\": {}, \"peak_time\": {}, \"still\": {}, \"touches\": {}, \
+        "{{\"step\": {}, \"steps\": {}, \"peak_force\": {}, \"peak_time\": {}, \"peak_window\": {}, \"still\": {}, \"touches\": {}, \
          \"energy_handed_on\": {}, \"energy_lost\": {}, \"energy_turned\": {}, \"energy_left_over\": {}}}",
         json_number(watched.step),
         watched.steps,
         json_number(watched.peak),
         json_number(watched.peak_time),
+        json_number(watched.peak_window),
         watched.still.map_or_else(|| "null".to_owned(), json_number),
         watched.blows.touches,
         json_number(watched.blows.handed_on),
@@ -117,10 +118,11 @@ fn motion_text(watched: &Watched) -> String {
         |time| format!("slower than 1 mm/s from {time:.2} s on"),
     );
     format!(
-        "motion: {} steps of {:.4} ms; the largest force over 10 ms is {:.0} N at {:.3} s; {rest}; {} impacts pass \
+        "motion: {} steps of {:.4} ms; the largest force over {} ms is {:.0} N at {:.3} s; {rest}; {} impacts pass \
          on {:.3} J; {:.3} J are dissipated, {:.1e} J are in no account\n",
         watched.steps,
         1e3 * watched.step,
+        six_digits(1e3 * watched.peak_window),
         watched.peak,
         watched.peak_time,
         watched.blows.touches,

@@ -1,7 +1,7 @@
 //! Reads `[policy]`: the policy that gives orders while a plan runs, and its bounds.
 
 use crate::world::read::value::{Bound, count, number, one_of};
-use smartbed_bed::plan::Plan;
+use smartbed_bed::plan::{Move, Plan};
 use smartbed_bed::policy::Policy;
 use smartbed_bed::policy::bounds::Bounds;
 use smartbed_bed::policy::planner::{Goal, Planner};
@@ -65,25 +65,46 @@ pub(super) fn read(table: &Table, found: &mut Diagnostics) -> Option<Chosen> {
     let bounds =
         Bounds { most_low: count(&fields, "most_low", 0, found).unwrap_or(bounds.most_low), ..bounds };
     fields.finish(found);
-    if 2.0 * goal.ramp + goal.hold > goal.cycle / goal.slots as f64 {
-        let error =
-            Diagnostic::error("a slot of the cycle is too short to deflate, hold and refill a bladder");
-        found.push(
-            error.label(table.span, "of this policy").help("fewer `slots`, or a shorter `ramp` or `hold`"),
+    let chosen = Chosen { name, goal, bounds };
+    let slot = goal.cycle / goal.slots as f64;
+    // Only the planner has slots; an alternation divides its cycle itself.
+    if let Some(relief) = chosen.relief().filter(|relief| *relief > slot) {
+        let Goal { cycle, slots, ramp, hold, .. } = goal;
+        let what = "a slot of the cycle is shorter than deflating, holding and refilling";
+        let place = format!(
+            "`cycle` / `slots` = {cycle} s / {slots} = {slot} s, `ramp` + `hold` + `ramp` = {ramp} + {hold} + {ramp} = {relief} s"
         );
+        let help = "a longer `cycle`, fewer `slots`, or a shorter `ramp` or `hold`";
+        found.push(Diagnostic::error(what).label(table.span, place).help(help));
         return None;
     }
-    Some(Chosen { name, goal, bounds })
+    Some(chosen)
 }
 
 impl Chosen {
+    /// Time (s) in which the planner relieves a tile and brings it back; `None` for other policies.
+    #[must_use]
+    pub fn relief(&self) -> Option<f64> {
+        (self.name == "planner").then_some(2.0 * self.goal.ramp + self.goal.hold)
+    }
+
+    /// Moves that the policy is known to make, counted from its first decision.
+    #[must_use]
+    pub fn scheduled(&self, plan: &Plan) -> Vec<Move> {
+        match self.relief() {
+            Some(_) => Vec::new(),
+            None => {
+                Plan::alternating(&plan.layout, self.goal.low, plan.pressure, self.goal.cycle, plan.seconds)
+            }
+        }
+    }
+
     /// Creates the policy.
     #[must_use]
     pub fn policy(&self, plan: &Plan) -> Box<dyn Policy> {
-        let Goal { low, cycle, .. } = self.goal;
-        match self.name {
-            "planner" => Box::new(Planner::new(self.goal)),
-            _ => Box::new(Scheduled::alternating(&plan.layout, low, plan.pressure, cycle, plan.seconds)),
+        match self.relief() {
+            Some(_) => Box::new(Planner::new(self.goal)),
+            None => Box::new(Scheduled::new(self.scheduled(plan))),
         }
     }
 }

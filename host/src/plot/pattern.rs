@@ -3,12 +3,18 @@
 use crate::failure::Failure;
 use crate::suggest;
 
-/// The names that match one of the patterns separated by commas, in the names' order.
+/// The names that match one of the patterns separated by commas, in the names' order. A comma in brackets belongs to a
+/// name of a grid (`bed[0,1].x`).
 ///
 /// # Errors
 /// [`Failure::Wrong`] for a pattern that matches none.
 pub fn chosen<'a>(patterns: &str, names: &[&'a str]) -> Result<Vec<&'a str>, Failure> {
-    let patterns: Vec<&str> = patterns.split(',').map(str::trim).filter(|p| !p.is_empty()).collect();
+    let mut depth = 0;
+    let separates = |c: char| {
+        depth += i32::from(c == '[') - i32::from(c == ']');
+        c == ',' && depth <= 0
+    };
+    let patterns: Vec<&str> = patterns.split(separates).map(str::trim).filter(|p| !p.is_empty()).collect();
     if let Some(wrong) = patterns.iter().find(|p| !names.iter().any(|n| fits(p, n))) {
         let help = suggest::help(wrong, names.iter().copied());
         return Err(Failure::Wrong(format!("--show {wrong}: no curve has such a name{help}")));
@@ -63,6 +69,8 @@ mod tests {
     #[test]
     fn what_fits_nothing_is_refused() {
         assert_eq!(chosen("h*, u_hA", &["hA", "hB", "u_hA"]), Ok(vec!["hA", "hB", "u_hA"]));
+        let grid = ["b[0,0].x", "b[0,1].x", "b[0,1].y", "total"];
+        assert_eq!(chosen("b[0,1].*,total", &grid), Ok(grid[1..].to_vec()));
         assert!(chosen("hD", &["hA", "hB"]).expect_err("no hD").to_string().contains("did you mean"));
     }
 }

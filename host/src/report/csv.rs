@@ -1,6 +1,7 @@
 //! All points as CSV: one row per run, its command in the last column.
 
 use super::point::{Control, Report};
+use crate::csv::field;
 use crate::number::digits;
 use std::fmt::Write as _;
 
@@ -22,26 +23,18 @@ pub fn text(report: &Report) -> String {
             let _ = writeln!(
                 text,
                 "{},{},{},{},{step},{tolerance},{},{evaluations},{},{},{},{},{}",
-                quoted(&section.name),
+                field(&section.name),
                 digits(section.seconds),
-                quoted(&p.method),
-                quoted(&p.scalar),
+                field(&p.method),
+                field(&p.scalar),
                 digits(p.error),
                 digits(p.nanoseconds),
                 p.front,
                 p.is_peer,
                 digits(section.reference.agreement),
-                quoted(&p.command)
+                field(&p.command)
             );
         }
     }
     text
-}
-
-fn quoted(text: &str) -> String {
-    if text.contains([',', '"', '\n', '\r']) {
-        format!("\"{}\"", text.replace('"', "\"\""))
-    } else {
-        text.to_owned()
-    }
 }

@@ -17,7 +17,7 @@ use crate::plot::panels;
 use crate::progress::{Progress, Waiting};
 use crate::view::film::{Film, Series};
 use crate::view::stage::Stage;
-use crate::{interrupt, model_argument, plot};
+use crate::{csv, interrupt, model_argument, plot};
 use smartbed_codegen::model::Model;
 use smartbed_codegen::program;
 use smartbed_codegen::words::count;
@@ -56,7 +56,7 @@ fn record<S: EngineScalar>(
     let names = columns(setup.program, setup.observers);
     let mut csv = arguments.csv.as_deref().map(Output::open).transpose()?;
     if let Some(csv) = &mut csv {
-        csv.write(&(names.join(",") + "\n"))?;
+        csv.write(&csv::header(&names))?;
     }
     let mut recording = arguments.plot.as_ref().map(|_| Recording::new(names.len()));
     let (series, shown) = series(model, &names);

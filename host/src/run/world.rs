@@ -97,7 +97,7 @@ fn record(arguments: &Arguments, assembly: &Assembly) -> Result<Done, Failure> {
     let names = names(assembly, &columns);
     let mut csv = arguments.csv.as_deref().map(Output::open).transpose()?;
     if let Some(csv) = &mut csv {
-        csv.write(&(names.join(",") + "\n"))?;
+        csv.write(&crate::csv::header(&names))?;
         interrupt::watch();
     }
     let csv_file = arguments.csv.as_deref();

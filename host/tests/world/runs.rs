@@ -1,6 +1,6 @@
 //! What a run of a world writes: rows, plots, pages, checkpoints, sensors.
 
-use super::support::{fails, json, rows, run, times};
+use super::support::{fails, json, rows, run, scene, times};
 use std::path::Path;
 
 #[test]
@@ -24,6 +24,37 @@ fn a_world_has_rows_plots_and_a_page() {
     }
     let page = std::fs::read_to_string(&page).expect("a page");
     assert!(page.contains("\"kind\":\"box\"") && page.contains("\"ground\":{"), "stage");
+}
+
+#[test]
+fn names_with_commas_stay_one_column_each() {
+    let text = r#"
+format = 2
+[parts.floor]
+rigid = "half_space"
+[parts.b]
+rigid = "sphere"
+radius = 0.1
+mass = 1
+grid = { count = [1, 2], pitch = [0.5, 0.5] }
+start = { height = 0.5 }
+[parts."a,\"b\""]
+rigid = "sphere"
+radius = 0.1
+mass = 1
+start = { height = 0.5, position = [3, 0, 0] }
+[run]
+seconds = 0
+"#;
+    let file = scene("names_with_commas", text);
+    let (names, found) = rows(&[&file]);
+    assert!(found.iter().all(|row| row.len() == names.len()), "{names:?}");
+    // Each name has the number that its part starts with: a pitch away from its neighbour, at the same height.
+    let of =
+        |name: &str| found[0][names.iter().position(|n| n == name).unwrap_or_else(|| panic!("{names:?}"))];
+    let places = [of("b[0,1].x") - of("b[0,0].x"), of("b[0,1].y") - of("b[0,0].y")];
+    assert_eq!((places[0].hypot(places[1]), of("b[0,1].z") - of("b[0,0].z")), (0.5, 0.0), "{places:?}");
+    assert_eq!(of("a,\"b\".x"), 3.0);
 }
 
 #[test]

@@ -64,11 +64,28 @@ pub fn times(json: &serde_json::Value) -> Vec<f64> {
     json["events"].as_array().expect("events").iter().map(|event| number(&event["time"])).collect()
 }
 
+/// Fields of a row of CSV by RFC 4180: what stands in quotes is one field, a quote in it is doubled.
+pub fn fields(line: &str) -> Vec<String> {
+    let (mut fields, mut is_quoted) = (vec![String::new()], false);
+    let mut letters = line.chars().peekable();
+    while let Some(letter) = letters.next() {
+        match letter {
+            '"' if is_quoted && letters.next_if_eq(&'"').is_some() => {
+                fields.last_mut().expect("one").push('"')
+            }
+            '"' => is_quoted = !is_quoted,
+            ',' if !is_quoted => fields.push(String::new()),
+            _ => fields.last_mut().expect("one").push(letter),
+        }
+    }
+    fields
+}
+
 /// Numbers of a scene's rows, by column.
 pub fn rows(arguments: &[&str]) -> (Vec<String>, Vec<Vec<f64>>) {
     let text = run(&[&["run"], arguments, &["--csv", "-"]].concat());
     let mut lines = text.lines();
-    let names = lines.next().expect("a header").split(',').map(str::to_owned).collect();
+    let names = fields(lines.next().expect("a header"));
     let row = |line: &str| line.split(',').map(|x| x.parse().expect("a number")).collect();
     (names, lines.map(row).collect())
 }
