@@ -146,8 +146,13 @@ pub fn warnings(model: &Model, program: &Program) -> Diagnostics {
 
 /// Prints the derivation's warnings to standard error.
 pub fn print_warnings(program: &Program) {
-    if !program.warnings.items.is_empty() {
-        output::say(grouped::text(&program.warnings, Stream::Error, false).trim_end());
+    say_warnings(&program.warnings);
+}
+
+/// Prints warnings to standard error, if there are any.
+pub fn say_warnings(found: &Diagnostics) {
+    if !found.items.is_empty() {
+        output::say(grouped::text(found, Stream::Error, false).trim_end());
     }
 }
 

@@ -6,6 +6,7 @@
 pub mod check;
 pub mod history;
 pub mod maps;
+pub mod moments;
 pub mod motion;
 pub mod readings;
 pub mod run;

@@ -5,6 +5,7 @@ use smartbed_bed::body::figure::{Figure, Posture};
 use smartbed_bed::body::{Body, Segment, Shape};
 use smartbed_bed::metrics::{spatial, time};
 use smartbed_bed::plan::check::check;
+use smartbed_bed::plan::moments::{overridden, unseen};
 use smartbed_bed::plan::run::run;
 use smartbed_bed::plan::{Clock, Laying, Layout, Load, Move, Plan};
 use smartbed_bed::pose::Pose;
@@ -52,6 +53,52 @@ fn orders_follow_moves() {
     assert_eq!(p.order(0, 40.0).pressure, 4000.0);
     assert_eq!(p.times(), [0.0, 10.0, 20.0, 30.0, 40.0]);
     assert_eq!(Layout::default().neighbours().count(), 45);
+}
+
+#[test]
+fn moves_taken_back_between_moments_are_found() {
+    // Times of a dip from 4 to 1.6 kPa and of its return, each with its duration, under moments every 10 s; whether any
+    // of 10,000 intermediate orders that differ from 4 kPa is at a moment says whether a run can see it.
+    let dip = |[at, over]: [f64; 2], [back, up]: [f64; 2]| {
+        let down = Move { pressure: Some(1600.0), at, over, ..change(&[1]) };
+        plan(2, 2, vec![down, Move { pressure: Some(4000.0), at: back, over: up, ..change(&[0, 1]) }])
+    };
+    for (down, back) in [
+        ([1.0, 2.0], [6.0, 2.0]),
+        ([1.0, 2.0], [8.0, 2.0]),
+        ([1.0, 2.0], [9.0, 2.0]),
+        ([0.0, 2.0], [6.0, 2.0]),
+        ([10.0, 0.0], [15.0, 2.0]),
+        ([10.0, 1.0], [15.0, 2.0]),
+        ([12.0, 0.0], [20.0, 0.0]),
+        ([12.0, 0.0], [20.0, 1.0]),
+        ([5.0, 5.0], [10.0, 5.0]),
+        ([38.0, 1.0], [39.0, 5.0]),
+    ] {
+        let p = dip(down, back);
+        let is_seen = p.times().iter().any(|time| p.order(1, *time).pressure != 4000.0);
+        let found = unseen(&p);
+        assert_eq!(found.is_none(), is_seen, "{down:?} {back:?}: {found:?}");
+        if let Some(found) = found {
+            let expected = (0, 1, down[0], back[0] + back[1]);
+            assert_eq!((found.index, found.tile, found.from, found.to), expected);
+        }
+    }
+    // Two steps in one direction leave a trace, and so does a move that nothing takes back.
+    let mut p = dip([1.0, 1.0], [3.0, 1.0]);
+    p.moves[1].pressure = Some(1000.0);
+    assert_eq!(unseen(&p), None);
+    p.moves.truncate(1);
+    assert_eq!(unseen(&p), None);
+    // An alternation of 1 s seen every 5 s.
+    p.moves = Plan::alternating(&p.layout, 1600.0, 4000.0, 1.0, 40.0);
+    assert!(unseen(&p).is_some());
+    p.moves = Plan::alternating(&p.layout, 1600.0, 4000.0, 40.0, 40.0);
+    assert_eq!(unseen(&p), None);
+    assert_eq!(overridden(&p), [[0; 3]; 0]);
+    // A pressure ordered anew while it still changes, not where one move begins as the other ends.
+    assert_eq!(overridden(&dip([1.0, 2.0], [2.5, 2.0])), [[0, 1, 1]]);
+    assert_eq!(overridden(&dip([1.0, 2.0], [3.0, 2.0])), [[0; 3]; 0]);
 }
 
 #[test]

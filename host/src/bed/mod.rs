@@ -14,6 +14,7 @@ mod words;
 
 use crate::failure::Failure;
 use crate::interrupt;
+use crate::model_argument;
 use crate::origin::{Meshes, Origin};
 use crate::output;
 use crate::plan::Read;
@@ -141,7 +142,9 @@ fn opened(does: &str, plan: &str, settings: &[String]) -> Result<(Origin, Read),
     let file = PlanFile::open(plan)?;
     let command = format!("smartbed bed {does} {plan}");
     let origin = Origin::new(command, &file, settings.to_vec(), &mut Meshes::new());
-    Ok((origin, file.read(settings)?))
+    let read = file.read(settings)?;
+    model_argument::say_warnings(&read.warnings);
+    Ok((origin, read))
 }
 
 fn history(read: &Read) -> Result<History, Failure> {

@@ -2,7 +2,7 @@
 //!
 //! In: TOML of format 1 with numbers and units as in scenes, and settings of the command line, which override it. Out:
 //! a plan within its limits, or what is wrong. One file per table: `layout` (tiles), `load` (and `mesh`, its file if it
-//! has one), `timing` and `dynamics` (clocks), `moves` (orders to tiles), `sensing` and `instruments` (sensors),
+//! has one), `timing` and `dynamics` (clocks), `moves` (orders to tiles; `moments`: whether a run shows them), `sensing` and `instruments` (sensors),
 //! `policy` (who gives orders; `supervised`: who checks them), `estimates` (parameters of metrics).
 
 mod dynamics;
@@ -12,6 +12,7 @@ pub mod instruments;
 mod layout;
 mod load;
 pub mod mesh;
+mod moments;
 mod moves;
 pub mod policy;
 pub mod sensing;
@@ -30,7 +31,7 @@ use smartbed_bed::policy::Supervisor;
 use smartbed_codegen::diagnostic::{Diagnostic, Diagnostics};
 use smartbed_codegen::model::Fields;
 use smartbed_codegen::model::document::{self, Table, Value, wrong_kind};
-use smartbed_codegen::source::Source;
+use smartbed_codegen::source::{Source, Span};
 use std::path::PathBuf;
 use supervised::Controller;
 use timing::Timing;
@@ -54,6 +55,8 @@ pub struct Read {
     pub braden: Option<Braden>,
     /// Parameters of the metrics.
     pub thresholds: Thresholds,
+    /// What is odd in it, with places.
+    pub warnings: Diagnostics,
 }
 
 impl Read {
@@ -105,8 +108,8 @@ pub fn parse(path: &str, text: &str, settings: &[String]) -> Result<Read, Diagno
     };
     let table = settings::apply(table, settings, &mut found);
     match read(path, &table, &mut found) {
-        Some(read) => found.finish(read),
-        None => Err(found),
+        Some(read) if !found.has_errors() => Ok(Read { warnings: found, ..read }),
+        _ => Err(found),
     }
 }
 
@@ -148,6 +151,7 @@ fn read(path: &str, table: &Table, found: &mut Diagnostics) -> Option<Read> {
     let Timing { seconds, every, cycle, clock, laying, is_supervised } =
         timing::read(&fields, load.body.segments.is_empty(), found)?;
     let moves = moves::read(&fields, &layout, pressure, [seconds, every], found)?;
+    let (moves, places): (Vec<Move>, Vec<Span>) = moves.into_iter().unzip();
     let area = layout.count() as f64 * layout.pitch[0] * layout.pitch[1];
     let sensors = match fields.table("sensors", found) {
         Some(table) => Some(sensing::read(table, area, found)?),
@@ -162,7 +166,8 @@ fn read(path: &str, table: &Table, found: &mut Diagnostics) -> Option<Read> {
         None => None,
     };
     let thresholds = estimates::read(&fields, cycle, found);
-    let policy = match fields.table("policy", found) {
+    let governed = fields.table("policy", found);
+    let policy = match governed {
         Some(table) => Some(policy::read(table, found)?),
         None => None,
     };
@@ -177,5 +182,7 @@ fn read(path: &str, table: &Table, found: &mut Diagnostics) -> Option<Read> {
     let axes = fields.table("sweep", found).map_or_else(Vec::new, |table| moves::axes(table, found));
     fields.finish(found);
     let plan = Plan { title, layout, pressure, load, moves, seconds, every, cycle, clock, laying };
-    Some(Read { plan, axes, sensors, instruments, policy, is_supervised, braden, thresholds })
+    moments::check(&plan, &places, policy.as_ref().zip(governed.map(|table| table.span)), found);
+    let warnings = Diagnostics::default();
+    Some(Read { plan, axes, sensors, instruments, policy, is_supervised, braden, thresholds, warnings })
 }

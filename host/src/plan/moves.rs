@@ -13,7 +13,7 @@ pub type Axes = Vec<(String, Vec<String>)>;
 /// Most moves times equilibria: each equilibrium evaluates each move.
 const MOST_ORDERS: f64 = 1e7;
 
-/// All moves of a plan, sorted by their beginning; `pressure` (Pa) is the initial one, `seconds` the length of the run,
+/// All moves of a plan, sorted by their beginning, each with its place; `pressure` (Pa) is the initial one, `seconds` the length of the run,
 /// `every` the interval between its moments.
 pub(super) fn read(
     plan: &Fields<'_>,
@@ -21,18 +21,19 @@ pub(super) fn read(
     pressure: f64,
     [seconds, every]: [f64; 2],
     found: &mut Diagnostics,
-) -> Option<Vec<Move>> {
+) -> Option<Vec<(Move, Span)>> {
     let mut moves = Vec::new();
     for item in plan.array("move", found).map_or(&[][..], |(items, _)| items) {
         match item {
-            Value::Table(table) => moves.extend(change(table, layout, found)),
+            Value::Table(table) => moves.extend(change(table, layout, found).map(|told| (told, table.span))),
             other => found.push(wrong_kind("move", "tables, each under [[move]]", other)),
         }
     }
     let mut span = plan.span;
     if let Some(table) = plan.table("alternating", found) {
         span = table.span;
-        moves.extend(alternating(table, layout, pressure, seconds, found)?);
+        let all = alternating(table, layout, pressure, seconds, found)?;
+        moves.extend(all.into_iter().map(|told| (told, span)));
     }
     let asked = moves.len() as f64 * (seconds / every + 2.0 * moves.len() as f64);
     if asked > MOST_ORDERS {
@@ -42,7 +43,7 @@ pub(super) fn read(
         found.push(error.label(span, "of these").help("fewer cycles, or a longer `every`"));
         return None;
     }
-    moves.sort_by(|a, b| a.at.total_cmp(&b.at));
+    moves.sort_by(|(a, _), (b, _)| a.at.total_cmp(&b.at));
     Some(moves)
 }
 

@@ -89,6 +89,67 @@ fn refusal(text: &str) -> String {
 }
 
 #[test]
+fn moves_that_no_equilibrium_sees_are_refused_where_they_stand() {
+    let told = |lines: &str| {
+        let text = format!("format = 1\n[patient]\n{lines}");
+        parse("plan.toml", &text, &[])
+            .map(|read| read.warnings.to_string())
+            .map_err(|found| found.to_string())
+    };
+    let dip = |every: u32, clock: &str| {
+        told(&format!(
+            "[[move]]\nat = 1\nover = 2\ntiles = [2]\npressure = 1600\n[[move]]\nat = 6\nover = 2\ntiles = \"all\"\n\
+             pressure = 4000\n[run]\nseconds = 20\nevery = {every}\n{clock}"
+        ))
+    };
+    for every in [1, 2, 5] {
+        assert_eq!(dip(every, ""), Ok(String::new()), "{every}");
+    }
+    let said = dip(10, "").expect_err("unseen");
+    for words in [
+        "a move of tile 2 is taken back between two equilibria\n --> plan.toml:3:1",
+        "from 1 s to 8 s, equilibria stand every 10 s",
+        "run.every below 7 s, or a longer move",
+    ] {
+        assert!(said.contains(words), "{said}");
+    }
+    assert_eq!(dip(10, "clock = \"dynamics\""), Ok(String::new()));
+    // The policies: an alternation asks for its cycle alone, a planner for time to relieve a tile within a slot.
+    let policy =
+        |words: &str, every: u32| told(&format!("[policy]\n{words}\n[run]\nseconds = 600\nevery = {every}"));
+    assert_eq!(policy("kind = \"alternating\"\ncycle = 300", 10), Ok(String::new()));
+    let said = policy("kind = \"alternating\"\ncycle = 1", 10).expect_err("unseen");
+    assert!(said.contains("taken back between two equilibria\n --> plan.toml:3:1"), "{said}");
+    let said = policy("kind = \"planner\"\ncycle = 300", 10).expect_err("no time");
+    assert!(
+        said.contains(
+            "`cycle` / `slots` = 300 s / 10 = 30 s, `ramp` + `hold` + `ramp` = 10 + 40 + 10 = 60 s"
+        ),
+        "{said}"
+    );
+    assert!(policy("kind = \"planner\"", 60).expect_err("unseen").contains("within 60 s"));
+}
+
+#[test]
+fn a_pressure_ordered_anew_too_early_is_warned_of() {
+    let told = |at: f64| {
+        let text = format!(
+            "format = 1\n[patient]\n[[move]]\nover = 20\ntiles = [3]\npressure = 3000\n[[move]]\nat = {at}\nover = 20\n\
+             tiles = [2, 3]\npressure = 5000\n[run]\nseconds = 60"
+        );
+        let read = parse("plan.toml", &text, &[]).expect("a plan");
+        let warnings = read.warnings.to_string();
+        // What the code of the tiles' controller says to the same orders: it takes them.
+        checked("plan.toml", read).map(|_| warnings)
+    };
+    let said = told(10.0).expect("taken");
+    let words =
+        "warning: the pressure of tile 3 is ordered anew at 10 s, while an order for it lasts until 20 s";
+    assert!(said.starts_with(words) && said.contains("plan.toml:7:1"), "{said}");
+    assert_eq!(told(20.0), Ok(String::new()));
+}
+
+#[test]
 fn every_refusal_of_a_plan_has_its_cause_and_cure() {
     let moved = |words: &str| format!("[[move]]\ntiles = \"all\"\nat = 10\n{words}\n[run]\nseconds = 60");
     let texts = [
@@ -146,6 +207,8 @@ fn every_refusal_of_a_plan_has_its_cause_and_cure() {
         "[sensors]\nmodulus = 1e30".to_owned(),
         "[instruments]\ndelay = 1".to_owned(),
         "[policy]\nkind = \"planner\"\nslots = 60".to_owned(),
+        "[policy]\nkind = \"planner\"\n[run]\nseconds = 120\nevery = 60".to_owned(),
+        "[alternating]\nlow = 1600\ncycle = 1\n[run]\nseconds = 60\nevery = 5".to_owned(),
     ];
     let mut found: Vec<String> = texts.iter().map(|text| refusal(text)).collect();
     let faults = [
