@@ -34,6 +34,14 @@ impl PlanFile {
         crate::plan::mesh_file(&self.path, &self.text, settings)
     }
 
+    /// A refusal of the plan in one line, without the place of its file: the same on every machine.
+    #[must_use]
+    pub fn refusal(&self, failure: &Failure) -> String {
+        let text = failure.to_string();
+        let line = text.lines().next().unwrap_or_default();
+        line.strip_prefix(&format!("{}: ", self.path)).unwrap_or(line).to_owned()
+    }
+
     /// Parses the plan with `settings` applied and checks it against its limits.
     ///
     /// # Errors

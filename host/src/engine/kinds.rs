@@ -26,6 +26,15 @@ pub enum ScalarKind {
 }
 
 impl ScalarKind {
+    /// Its name on the command line.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::F32 => "f32",
+            Self::F64 => "f64",
+        }
+    }
+
     /// Rounding error, accumulated over a run, of a difference of numbers of size 1.
     #[must_use]
     pub fn noise(self) -> f64 {

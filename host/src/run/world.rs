@@ -175,7 +175,15 @@ fn record(arguments: &Arguments, assembly: &Assembly) -> Result<Done, Failure> {
         }
         let (steps, step) = (assembly.run.steps(), assembly.run.step);
         let scene = assembly.fingerprint();
-        let checkpoint = Checkpoint { steps, step, scene, start: total[0], state: engine.save(), seen };
+        let checkpoint = Checkpoint {
+            steps,
+            step,
+            scalar: engine.scalar(),
+            scene,
+            start: total[0],
+            state: engine.save(),
+            seen,
+        };
         output::write(file, checkpoint.text().as_bytes())?;
     }
     let note = noted(format!("{method}, step {} s", six_digits(assembly.run.step)), arguments);

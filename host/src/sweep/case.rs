@@ -10,6 +10,7 @@ use crate::number::{json_number, json_string};
 use crate::origin::{Meshes, Origin, seeds_json};
 use crate::plan::Axes;
 use crate::plan_file::PlanFile;
+use smartbed_bed::plan::history::RunError;
 use std::path::{Path, PathBuf};
 
 /// Most cases of a sweep.
@@ -96,12 +97,19 @@ impl Case {
         pairs
     }
 
-    /// Runs it; returns the text of its file.
+    /// Runs it; returns the text of its file. A case that is refused, or comes to no equilibrium, has the reason as
+    /// its result.
     pub fn compute(&self) -> Result<String, Failure> {
-        let read = self.plan.read(&self.origin.settings)?;
-        let history = read
-            .run(|_| !crate::interrupt::is_asked())
-            .map_err(|e| format!("{}: {e}", self.origin.settings.join(" ")))?;
+        let read = match self.plan.read(&self.origin.settings) {
+            Ok(read) => read,
+            Err(Failure::Lacking(what)) => return Err(Failure::Lacking(what)),
+            Err(failure) => return Ok(self.refused(&self.plan.refusal(&failure))),
+        };
+        let history = match read.run(|_| !crate::interrupt::is_asked()) {
+            Ok(history) => history,
+            Err(RunError::Stopped) => return Err(Failure::Wrong("interrupted".to_owned())),
+            Err(error) => return Ok(self.refused(&error.to_string())),
+        };
         let mut rows = Vec::new();
         let report = RunReport::new(&read, &history);
         // A sweep compares whole beds; rows of single tiles are left to the reports.
@@ -120,17 +128,29 @@ impl Case {
             json_string(smartbed_bed::metrics::DISCLAIMER)
         ))
     }
+
+    /// Its file if it is refused.
+    fn refused(&self, why: &str) -> String {
+        let (head, why) = (self.head(), json_string(why));
+        let note = json_string(smartbed_bed::metrics::DISCLAIMER);
+        format!("{head}\"valid\": false, \"refused\": {why}, \"metrics\": {{}}, \"note\": {note}}}\n")
+    }
 }
+
+/// The column that says why a case is refused, empty for all others.
+pub const REFUSED: &str = "refused";
 
 /// The table of all cases: a column for each key of the sweep and each metric that occurs.
 #[derive(Clone, Debug)]
 pub struct Table {
-    /// Keys of the sweep.
+    /// Keys of the sweep; if cases are refused, also [`REFUSED`].
     pub keys: Vec<String>,
     /// Metrics.
     pub metrics: Vec<String>,
     /// Values of the keys and of the metrics, case by case; empty where a case has no such metric.
     pub rows: Vec<[Vec<String>; 2]>,
+    /// Number of cases that are refused.
+    pub refused: usize,
 }
 
 impl Table {
@@ -147,10 +167,13 @@ impl Table {
             for name in own.keys().filter(|name| !metrics.contains(*name)).cloned().collect::<Vec<String>>() {
                 metrics.push(name);
             }
-            read.push(own);
+            read.push((own, value[REFUSED].as_str().map(str::to_owned)));
         }
-        let row = |(case, own): (&Case, &serde_json::Map<String, serde_json::Value>)| {
-            let values = case.values.iter().map(|(_, value)| value.trim_matches('"').to_owned());
+        let refused = read.iter().filter(|(_, why)| why.is_some()).count();
+        let row = |(case, (own, why)): (&Case, &(serde_json::Map<String, serde_json::Value>, _))| {
+            let why: &Option<String> = why;
+            let why = (refused > 0).then(|| why.clone().unwrap_or_default());
+            let values = case.values.iter().map(|(_, value)| value.trim_matches('"').to_owned()).chain(why);
             let number = |name: &String| match own.get(name) {
                 Some(serde_json::Value::Number(x)) => x.to_string(),
                 _ => String::new(),
@@ -158,9 +181,9 @@ impl Table {
             [values.collect(), metrics.iter().map(number).collect()]
         };
         let rows = all.iter().zip(&read).map(row).collect();
-        let keys =
-            all.first().map_or(&[][..], |case| &case.values).iter().map(|(key, _)| key.clone()).collect();
-        Ok(Table { keys, metrics, rows })
+        let keys = all.first().map_or(&[][..], |case| &case.values).iter().map(|(key, _)| key.clone());
+        let keys = keys.chain((refused > 0).then(|| REFUSED.to_owned())).collect();
+        Ok(Table { keys, metrics, rows, refused })
     }
 
     /// As CSV.

@@ -56,7 +56,7 @@ pub struct Arguments {
 /// Runs the command.
 ///
 /// # Errors
-/// Status 1 for a wrong plan or shard, a case without equilibrium, a folder that cannot be written.
+/// Status 1 for a wrong plan or shard, a folder that cannot be written.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     if arguments.parquet.is_some() && !cfg!(feature = "parquet") {
         let what = "--parquet: this program was built without it; build it with --features parquet";
@@ -97,7 +97,12 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     if let Some(file) = &arguments.parquet {
         write_parquet(file, &found, &all)?;
     }
-    output::print(&format!("{}: {}\n", table.display(), smartbed_codegen::words::count(all.len(), "case")))
+    let refused = match found.refused {
+        0 => String::new(),
+        count => format!(", {count} of them refused: the column `{}` says why", case::REFUSED),
+    };
+    let words = smartbed_codegen::words::count(all.len(), "case");
+    output::print(&format!("{}: {words}{refused}\n", table.display()))
 }
 
 /// The table as Parquet.

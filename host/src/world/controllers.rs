@@ -10,7 +10,7 @@
 
 use super::assembly::{Assembly, Controlling};
 use super::engine::{Column, Engine};
-use super::sensors::whole_steps;
+use super::sensors::{unread, whole_steps};
 
 /// The value that a controller reads.
 #[derive(Clone, Copy, Debug)]
@@ -159,7 +159,7 @@ fn source(own: &Controlling, assembly: &Assembly, columns: &[Column]) -> Result<
             assembly.sensors.iter().map(|sensor| format!("sensors.{}", sensor.name)).collect();
         let known =
             columns.iter().map(|column| column.name.as_str()).chain(sensors.iter().map(String::as_str));
-        let help = crate::suggest::help(&own.reads, known);
+        let help = unread(&own.reads).unwrap_or_else(|| crate::suggest::help(&own.reads, known));
         format!("controllers.{}: no number `{}` in the rows or of a sensor{help}", own.name, own.reads)
     })
 }

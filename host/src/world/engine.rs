@@ -4,6 +4,7 @@
 
 use super::accounts::Accounts;
 use super::picture::Picture;
+use crate::engine::ScalarKind;
 
 /// A value in each row.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -162,6 +163,10 @@ pub trait Engine {
     /// # Errors
     /// Values of another world.
     fn load(&mut self, numbers: &[f64]) -> Result<(), String>;
+    /// The scalar in which the world moves.
+    fn scalar(&self) -> ScalarKind {
+        ScalarKind::F64
+    }
     /// Warnings to be shown at the end.
     fn warnings(&self) -> Vec<String> {
         Vec::new()

@@ -7,6 +7,7 @@ use super::carried::{CarriedWorld, apart, rounded};
 use super::engine::{Energies, Engine, Event};
 use super::feedback::Feedback;
 use super::rigid::RigidWorld;
+use crate::engine::ScalarKind;
 
 /// The engine for a world.
 ///
@@ -67,6 +68,8 @@ pub struct Checkpoint {
     pub steps: usize,
     /// Their length (s).
     pub step: f64,
+    /// Scalar of the run.
+    pub scalar: ScalarKind,
     /// Fingerprint of the scene ([`Assembly::fingerprint`]); empty if the file has none.
     pub scene: String,
     /// Energy at the very start (J).
@@ -90,9 +93,9 @@ impl Checkpoint {
     /// Text that preserves every bit of the numbers.
     #[must_use]
     pub fn text(&self) -> String {
-        let Self { steps, step, scene, start, state, seen } = self;
+        let Self { steps, step, scalar, scene, start, state, seen } = self;
         let text = serde_json::json!({
-            "steps": steps, "step": step, "scene": scene, "start": start, "state": state, "seen": seen,
+            "steps": steps, "step": step, "scalar": scalar.name(), "scene": scene, "start": start, "state": state, "seen": seen,
         });
         text.to_string() + "\n"
     }
@@ -107,6 +110,12 @@ impl Checkpoint {
         Some(Self {
             steps: usize::try_from(value["steps"].as_u64()?).ok()?,
             step: value["step"].as_f64()?,
+            // Absent in files of versions that did not say it.
+            scalar: match value["scalar"].as_str().unwrap_or("f64") {
+                "f32" => ScalarKind::F32,
+                "f64" => ScalarKind::F64,
+                _ => return None,
+            },
             scene: value["scene"].as_str().unwrap_or_default().to_owned(),
             start: value["start"].as_f64()?,
             state: numbers(&value["state"])?,
@@ -143,6 +152,12 @@ pub fn run<E: From<String>>(
                 return Err(E::from(format!(
                     "the checkpoint was reached by steps of {} s, the run takes {} s; give --step {}",
                     checkpoint.step, assembly.run.step, checkpoint.step
+                )));
+            }
+            let (saved, own) = (checkpoint.scalar.name(), engine.scalar().name());
+            if saved != own {
+                return Err(E::from(format!(
+                    "the checkpoint was reached in {saved}, the run computes in {own}; give --scalar {saved}"
                 )));
             }
             (checkpoint.steps, checkpoint.start)

@@ -4,7 +4,7 @@
 //! noise of a sample depends on its number and the seed alone, so that the same seed gives the same readings.
 
 use super::assembly::{Assembly, Sensing, Transducer};
-use super::engine::Column;
+use super::engine::{ACCOUNTS, Column};
 use smartbed_runtime::sensor::kinds::{Lvdt, Membrane, Switch};
 use smartbed_runtime::sensor::{Channel, Remembered, Sensor};
 
@@ -48,6 +48,14 @@ pub(super) fn whole_steps(of: &str, what: &str, seconds: f64, step: f64) -> Resu
         .ok_or_else(|| format!("{of}: {what} = {seconds} s is no whole number of steps of {step} s"))
 }
 
+/// The help for a column that stands in the rows but is no state of a part; `None` for any other name.
+pub(super) fn unread(name: &str) -> Option<String> {
+    let is_told = name == "t" || ACCOUNTS.contains(&name);
+    is_told.then(|| {
+        " that is a part's: times and energies are written, not sensed; read PART.x or another".to_owned()
+    })
+}
+
 impl Probes {
     /// For an assembly whose rows have these columns.
     ///
@@ -57,7 +65,7 @@ impl Probes {
         let probe = |own: &Sensing| {
             let names = columns.iter().map(|c| c.name.as_str());
             let column = columns.iter().position(|c| c.name == own.of).ok_or_else(|| {
-                let help = crate::suggest::help(&own.of, names);
+                let help = unread(&own.of).unwrap_or_else(|| crate::suggest::help(&own.of, names));
                 format!("sensors.{}: no number `{}` in the rows{help}", own.name, own.of)
             })?;
             let name = format!("sensors.{}", own.name);

@@ -267,6 +267,46 @@ fn a_sweep_gives_the_same_bytes_in_shards_on_any_cores_and_after_a_break() {
     assert!(smartbed(&["sweep", "alternating", "-o", &one]).message().contains("it has no [sweep]"));
 }
 
+#[test]
+fn a_sweep_with_refused_cases_has_its_table_and_says_why() {
+    let plan = written(
+        "sweep_refused.toml",
+        "format = 1\n[bed]\nrows = 1\ncolumns = 1\nintervals = [8, 8]\n[load]\nshape = \"ball\"\nradius = \"150_mm\"\nmass = 1\n\
+         [sweep]\n\"load.mass\" = [1, 2]\n\"bed.pressure\" = [100, 4000]\n",
+    );
+    let [whole, shards] = ["sweep_refused_whole", "sweep_refused_shards"].map(file);
+    let _ = [&whole, &shards].map(std::fs::remove_dir_all);
+    let [one, two] = [&whole, &shards].map(|f| f.display().to_string());
+    let run = |arguments: &[&str]| {
+        let done = smartbed(&[&["sweep", &plan], arguments].concat());
+        assert_eq!(done.status, 0, "{done:?}");
+        done.out
+    };
+    let said = "4 cases, 2 of them refused: the column `refused` says why";
+    assert!(run(&["-o", &one, "--cores", "1"]).contains(said));
+    run(&["-o", &two, "--shard", "2/2"]);
+    run(&["-o", &two, "--shard", "1/2"]);
+    assert!(run(&["-o", &two, "--merge"]).contains(said));
+    assert_eq!(texts(&whole), texts(&shards));
+    let table = &texts(&whole)["sweep.csv"];
+    let lines: Vec<&str> = table.lines().collect();
+    assert!(
+        lines.len() == 5 && lines[0].starts_with("case,\"load.mass\",\"bed.pressure\",\"refused\","),
+        "{table}"
+    );
+    // 100 Pa on a tile of 219 x 279.7 mm bear 6 N, the balls weigh 10 and 20 N.
+    let why = "at 0.0000 s: all bladders can carry 6 N, expected at least 1.2 times the weight of";
+    for (line, weight) in [(1, "10 N"), (3, "20 N")] {
+        assert!(lines[line].contains(&format!("\"{why} {weight}\",,")), "{}", lines[line]);
+    }
+    for line in [2, 4] {
+        let numbers = lines[line].split_once("\"4000\",\"\",").expect("no reason").1;
+        assert!(numbers.starts_with(|letter: char| letter.is_ascii_digit()), "{}", lines[line]);
+    }
+    let case: serde_json::Value = serde_json::from_str(&texts(&whole)["case_00001.json"]).expect("JSON");
+    assert!(case["refused"].as_str().is_some_and(|text| text.starts_with(why)) && case["valid"] == false);
+}
+
 /// Starts the program and kills it after a while.
 fn killed(arguments: &[&str], milliseconds: u64) {
     let mut child = command(arguments).stdout(Stdio::null()).stderr(Stdio::null()).spawn().expect("runs");

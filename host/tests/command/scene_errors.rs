@@ -70,6 +70,8 @@ fn every_refusal_of_a_scene_has_its_cause_and_cure() {
         "[parts.a]\nrigid = \"ball\"\nradius = 1".to_owned(),
         "[parts.a]\nmass = 1".to_owned(),
         "[parts.\"a b\"]\nrigid = \"half_space\"".to_owned(),
+        "[parts.\"\"]\nrigid = \"half_space\"".to_owned(),
+        "[parts.sensors]\nrigid = \"half_space\"".to_owned(),
         "[parts.a]\nrigid = \"half_space\"\nfixed = false".to_owned(),
         rigid("size = [1, 1, 0]"),
         rigid("size = [1, 1, 1]\ninertia = [1, 1, 3]"),

@@ -96,6 +96,17 @@ fn a_run_that_is_resumed_goes_on_bit_for_bit() {
 }
 
 #[test]
+fn what_no_sensor_reads_is_said() {
+    for name in ["kinetic", "total", "t"] {
+        let sensor = format!("sensors={{ seen = {{ of = \"{name}\" }} }}");
+        let said = fails(&["run", "rigid_ball_rests", "--seconds", "0.01", "--set", &sensor]);
+        let words =
+            format!("sensors.seen: no number `{name}` in the rows that is a part's: times and energies");
+        assert!(said.contains(&words), "{said}");
+    }
+}
+
+#[test]
 fn sensors_read_late_and_coarse_and_change_nothing() {
     let sensors = "sensors={ seen = { of = \"ball.z\", resolution = 0.001, period = 0.01, delay = 0.01 }, \
                    low = { of = \"ball.z\", kind = \"switch\", closes = 0.3 } }";

@@ -56,6 +56,13 @@ fn a_run_in_single_precision_is_resumed_bit_for_bit() {
     run(&["--seconds", "0.04", "--save", &file]);
     let resumed = run(&["--seconds", "0.06", "--resume", &file]);
     assert_eq!(whole["last"], resumed["last"]);
+    // Neither is a state of f32 continued in f64, nor the reverse; a file that says no scalar is one of f64.
+    let said = fails(&["run", "ball_on_bladder", "--resume", &file]);
+    assert!(said.contains("reached in f32, the run computes in f64; give --scalar f32"), "{said}");
+    let text = std::fs::read_to_string(&file).expect("a state");
+    std::fs::write(&file, text.replace("\"scalar\":\"f32\",", "")).expect("written");
+    let said = fails(&["run", "ball_on_bladder", "--resume", &file, "--scalar", "f32"]);
+    assert!(said.contains("reached in f64, the run computes in f32; give --scalar f64"), "{said}");
     assert!(
         whole["method"].as_str().is_some_and(|method| method.ends_with(", in f32")),
         "{}",

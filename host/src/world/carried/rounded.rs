@@ -4,6 +4,7 @@
 
 use super::air::Air;
 use super::{CarriedWorld, Fixed, Place, Room};
+use crate::engine::ScalarKind;
 use crate::world::accounts::Accounts;
 use crate::world::assembly::{Assembly, Kind};
 use crate::world::carriers::HostCarrier;
@@ -83,6 +84,10 @@ impl Engine for Single {
 
     fn load(&mut self, numbers: &[f64]) -> Result<(), String> {
         self.own.load(numbers)
+    }
+
+    fn scalar(&self) -> ScalarKind {
+        ScalarKind::F32
     }
 
     fn warnings(&self) -> Vec<String> {

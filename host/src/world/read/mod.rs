@@ -132,9 +132,14 @@ fn parts(entries: &[(Key, Value)], find: Find<'_>, found: &mut Diagnostics) -> (
             whole = false;
             continue;
         };
-        if key.name.contains(['[', '.', ' ']) {
+        if key.name.is_empty() || key.name.contains(['[', '.', ' ']) {
             let error = Diagnostic::error("a part's name is one word");
             found.push(error.label(key.span, "this is none").help("letters, digits, _ and -"));
+        }
+        if key.name == "sensors" {
+            let error = Diagnostic::error("no part is called `sensors`");
+            let error = error.label(key.span, "columns `sensors.NAME` are the readings of sensors");
+            found.push(error.help("another name"));
         }
         let places = copies(key, table, found);
         for (suffix, offset) in places {
