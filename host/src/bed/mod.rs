@@ -15,7 +15,6 @@ mod words;
 use crate::diagnostics;
 use crate::failure::Failure;
 use crate::interrupt;
-use crate::model_argument;
 use crate::origin::{Meshes, Origin};
 use crate::output;
 use crate::plan::Read;
