@@ -21,6 +21,8 @@ pub enum Fault {
     TooManyContacts,
     /// Forces of lasting contacts were not found: friction jams a sliding body (Painleve's paradox).
     Jammed,
+    /// Forces of lasting contacts were not found: the sweeps over them did not converge.
+    Unbalanced,
 }
 
 impl Fault {
@@ -34,6 +36,7 @@ impl Fault {
             Self::StepSize => "the tolerance is not met even with the smallest step",
             Self::Unsettled => "the iteration of an implicit step does not settle",
             Self::TooManyContacts => "there are more contacts at once than there is room for",
+            Self::Unbalanced => "forces of contacts that last were not found: sweeps over them do not settle",
             Self::Jammed => "forces of contacts that last were not found: friction jams what slides",
         }
     }
