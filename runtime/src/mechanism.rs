@@ -21,6 +21,8 @@ pub enum Fault {
     TooManyContacts,
     /// Forces of lasting contacts were not found: friction jams a sliding body (Painleve's paradox).
     Jammed,
+    /// Forces of lasting contacts were not found: the sweeps over them did not converge.
+    Unbalanced,
 }
 
 impl Fault {
@@ -34,6 +36,9 @@ impl Fault {
             Self::StepSize => "the tolerance is not met even with the smallest step",
             Self::Unsettled => "the iteration of an implicit step does not converge",
             Self::TooManyContacts => "there are more contacts at once than the memory allows",
+            Self::Unbalanced => {
+                "no contact forces were found: redundant contacts, the sweeps over them do not converge"
+            }
             Self::Jammed => "no contact forces were found: friction jams a sliding contact",
         }
     }

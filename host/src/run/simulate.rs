@@ -239,7 +239,7 @@ fn refused(t: f64, fault: Fault) -> Failure {
         Fault::NonFinite | Fault::StepSize | Fault::Unsettled => {
             "; try a smaller --step or another --method; `smartbed check` says where a model is singular"
         }
-        Fault::Shape | Fault::TooManyContacts | Fault::Jammed => "",
+        Fault::Shape | Fault::TooManyContacts | Fault::Jammed | Fault::Unbalanced => "",
     };
     Failure::Wrong(format!("t = {t:.6} s: {}{hint}", explain(fault)))
 }

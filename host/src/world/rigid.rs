@@ -312,6 +312,10 @@ fn message(fault: Fault) -> String {
             "friction jams a sliding body (Painleve's paradox): no contact force exists; take less friction"
                 .to_owned()
         }
+        Fault::Unbalanced => {
+            "the forces of contacts that last were not found: sweeps over them do not settle; take impact = \"moreau\""
+                .to_owned()
+        }
         Fault::TooFast => "a part turns too far in one step; take a smaller step".to_owned(),
     }
 }

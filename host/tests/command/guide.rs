@@ -207,6 +207,7 @@ fn every_error_of_a_run_has_its_cause_and_cure() {
         Fault::Unsettled,
         Fault::TooManyContacts,
         Fault::Jammed,
+        Fault::Unbalanced,
     ]
     .map(|f| explain(f).to_owned());
     let bodies = [

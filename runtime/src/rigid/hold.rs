@@ -35,20 +35,32 @@ pub struct Held<S> {
     pub slip: Option<[S; 2]>,
 }
 
+/// Why the forces were not found.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Unheld {
+    /// More normal force would press a sliding contact together (Painleve), or nothing can move there.
+    Jammed,
+    /// The sweeps did not converge.
+    Unbalanced,
+}
+
 impl<S> AsMut<Held<S>> for Held<S> {
     fn as_mut(&mut self) -> &mut Held<S> {
         self
     }
 }
 
-/// Computes the forces and adds their effect to the accelerations. Returns false if the sweeps did not converge.
+/// Computes the forces and adds their effect to the accelerations.
 ///
 /// Sweeps start from the forces that the contacts have; `accelerations` must not contain these yet.
+///
+/// # Errors
+/// [`Unheld`]; forces and accelerations are then those of the last sweep.
 pub fn hold<S: Scalar>(
     held: &mut [impl AsMut<Held<S>>],
     inertia: &(impl Inertia<S> + ?Sized),
     accelerations: &mut [Twist<S>],
-) -> bool {
+) -> Result<(), Unheld> {
     // Scale of the forces, even where they nearly cancel: those that would stop the initial accelerations.
     let mut scale = S::ZERO;
     for h in held.iter_mut().map(AsMut::as_mut) {
@@ -68,18 +80,18 @@ pub fn hold<S: Scalar>(
                 None => rest(h, inertia, accelerations),
             };
             if !goes {
-                return false;
+                return Err(Unheld::Jammed);
             }
             moved = moved.max(vec3::norm(vec3::sub(h.contact.impulse, before)));
             largest = largest.max(vec3::norm(h.contact.impulse));
         }
         if moved <= S::from_f64(4.0) * S::EPSILON * largest {
-            return true;
+            return Ok(());
         }
         left = moved / largest;
     }
     // Where contacts are redundant, rounding keeps changing forces that cancel one another.
-    left <= S::from_f64(0.01) * S::EPSILON.sqrt()
+    if left <= S::from_f64(0.01) * S::EPSILON.sqrt() { Ok(()) } else { Err(Unheld::Unbalanced) }
 }
 
 /// Normal force of a sliding contact with friction on the rim, against the slip. Returns false if it jams.

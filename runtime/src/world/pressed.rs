@@ -244,7 +244,7 @@ impl<S: Scalar, C: Carrier<S>> Pressed<'_, '_, '_, S, C> {
         if left <= S::from_f64(LEFT).max(S::EPSILON.sqrt() * S::from_f64(1e-2)) * scale {
             Ok(())
         } else {
-            Err(Fault::Jammed)
+            Err(Fault::Unbalanced)
         }
     }
 

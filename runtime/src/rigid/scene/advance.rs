@@ -6,7 +6,7 @@ use super::touching::Touching;
 use crate::real::Scalar;
 use crate::rigid::RigidState;
 use crate::rigid::contact::{Twist, solve_tangential};
-use crate::rigid::hold::{Held, hold};
+use crate::rigid::hold::{Held, Unheld, hold};
 use crate::rigid::motion;
 use crate::vec3::{self, Vec3};
 
@@ -71,7 +71,10 @@ impl<S: Scalar> RigidScene<'_, S> {
             };
         }
         let list = list.get_mut(..count).ok_or(Fault::TooManyContacts)?;
-        if hold(list, &**mobilities, spare) { Ok(()) } else { Err(Fault::Jammed) }
+        hold(list, &**mobilities, spare).map_err(|unheld| match unheld {
+            Unheld::Jammed => Fault::Jammed,
+            Unheld::Unbalanced => Fault::Unbalanced,
+        })
     }
 
     /// Advances the states so far by a length of time into the trial states; returns the number of contacts in `along`.

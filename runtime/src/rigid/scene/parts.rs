@@ -44,8 +44,10 @@ pub enum Fault {
     TooManyContacts,
     /// Slices whose lengths differ from the number of parts, or a pair of parts that do not exist.
     WrongSizes,
-    /// The forces of the contacts did not converge: friction jams a sliding body (Painleve's paradox).
+    /// No contact force goes on: friction jams a sliding body (Painleve's paradox).
     Jammed,
+    /// The sweeps over the forces of lasting contacts did not converge.
+    Unbalanced,
     /// A part rotates too far in one step, or a state is not finite: take a shorter step.
     TooFast,
 }

@@ -5,7 +5,7 @@ use crate::mechanism::Fault;
 use crate::ode::Ode;
 use crate::real::Scalar;
 use crate::rigid::contact::Twist;
-use crate::rigid::hold::hold;
+use crate::rigid::hold::{Unheld, hold};
 use crate::vec3;
 use crate::world::carrier::Carrier;
 use crate::world::detect::Touch;
@@ -84,9 +84,10 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         let StepMemory { twists: [gained, ..], inertias, .. } = &mut *way.memory;
         gained.fill(Twist::zero());
         let list = way.pressing.get_mut(..way.held).unwrap_or_default();
-        if !hold(list, &*inertias, gained) {
-            return Err(Fault::Jammed);
-        }
+        hold(list, &*inertias, gained).map_err(|unheld| match unheld {
+            Unheld::Jammed => Fault::Jammed,
+            Unheld::Unbalanced => Fault::Unbalanced,
+        })?;
         let largest = list.iter().fold(S::ZERO, |most, own| most.max(own.held.contact.impulse[0]));
         let mut held = 0;
         for k in 0..list.len() {
