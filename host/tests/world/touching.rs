@@ -305,7 +305,7 @@ fn a_bar_that_can_fall_between_nodes_is_named() {
         ("short", "rigid = \"capsule\"\nradius = 0.01\nlength = 0.1", false),
         ("plate", "rigid = \"box\"\nsize = [0.1, 0.5, 0.02]", false),
     ] {
-        let part = format!("{bar}\nmass = 1\nstart = {{ position = [0.14, 0.1633, 0.2] }}");
+        let part = format!("{bar}\nmass = 1\nstart = {{ position = [0.14, 0.1633, 0.4] }}");
         let output = smartbed(&["run", &over_sheet(kind, "moreau", &part), "--set", "run.seconds=0.01"]);
         let text = String::from_utf8_lossy(&output.stderr);
         assert!(output.status.success(), "{text}");

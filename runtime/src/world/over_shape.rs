@@ -2,15 +2,16 @@
 //!
 //! In: a node, its facets, a shape. Out: gap, place and axes of their contact.
 //!
-//! The shape's surface point nearest to a node gives the normal of a round shape or a plane. A box has edges: a node that is
-//! flush with its lower face and just ahead of its side is nearest to the side, which would stop a box that slides over a
-//! floor of facets (an internal edge). So the direction from the node to a box must lie in the cone of the normals of the
-//! node's facets,
+//! The shape's surface point nearest to a node gives the normal of a round shape or a plane. A box has edges: a node
+//! that is flush with its lower face and just ahead of its side is nearest to the side, which would stop a box that
+//! slides over a floor of facets (an internal edge). So the direction from the node to a box must lie in the cone of
+//! the normals of the node's facets,
 //! ```text
 //! w = sum l_j n_j,  l_j >= 0
 //! ```
-//! or behind all of them (a sheet is touched from both sides); at a rim it must not point into the mesh. Otherwise the gap
-//! is measured along that facet's normal along which the box is nearest; a box that no such line meets does not touch the node.
+//! or behind all of them (a sheet is touched from both sides); at a rim it must not point into the mesh. Otherwise the
+//! gap is measured along that facet's normal along which the box is nearest; a box that no such line meets does not
+//! touch the node.
 
 use super::detect::Place;
 use super::scenery::{CREASE, Mesh, Scenery, Standing};
@@ -87,8 +88,8 @@ impl<S: Scalar> Scenery<'_, S> {
         Some((gap, x, Contact::between(sides, normal)))
     }
 
-    /// Gap and normal of a node and a box along that normal of the node's facets, on either side of them, along which the
-    /// box is nearest.
+    /// Gap and normal of a node and a box along that normal of the node's facets, on either side of them, along which
+    /// the box is nearest.
     fn along_a_normal(
         &self,
         around: &Around<S>,

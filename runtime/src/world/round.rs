@@ -2,16 +2,16 @@
 //!
 //! In: the centre of a ball, facets. Out: feet on facets and touching nodes, without those that say the same twice.
 //!
-//! With N_i the normals at a facet's corners and r_i the directions from the corners to the centre, the facet bends with the
-//! ball where
+//! With N_i the normals at a facet's corners and r_i the directions from the corners to the centre, the facet bends
+//! with the ball where
 //! ```text
 //! sum over both diagonals of (N_a - N_c) . (r_a - r_c)  >  1/2 sum of |r_a - r_c|^2
 //! ```
-//! A node of a facet that bends lies on the ball, and chords to it are inside the ball: it carries, and a foot is left out
-//! where it is near such a node or corners are nearer. At any other node the foot carries, and the node is left out where the
-//! foot is nearer: the node's gap grows as d^2/(2 R) with the distance d from the foot, and its rate d v/R would stop a rolling
-//! ball within d = 2 v h of it. Of a foot on a node, or on the edge of two facets, one contact is kept. Nothing is left out
-//! unless what stands for it is a contact itself.
+//! A node of a facet that bends lies on the ball, and chords to it are inside the ball: it carries, and a foot is left
+//! out where it is near such a node or corners are nearer. At any other node the foot carries, and the node is left out
+//! where the foot is nearer: the node's gap grows as d^2/(2 R) with the distance d from the foot, and its rate d v/R
+//! would stop a rolling ball within d = 2 v h of it. Of a foot on a node, or on the edge of two facets, one contact is
+//! kept. Nothing is left out unless what stands for it is a contact itself.
 
 use super::detect::{Found, OF_SHAPE, POINTS, Touch};
 use super::scenery::{Beyond, EDGE, Mesh, Scenery, Standing, shares};
@@ -20,7 +20,8 @@ use crate::real::Scalar;
 use crate::surface::facet::FacetNearest;
 use crate::vec3::{self, Vec3};
 
-/// A foot with more than this weight at one corner on the ball is left out in favour of the corner: two contacts there could share one load in any proportion, and sweeps would converge slowly.
+/// A foot with more than this weight at one corner on the ball is left out in favour of the corner: two contacts there
+/// could share one load in any proportion, and sweeps would converge slowly.
 const AT_NODE: f64 = 0.75;
 /// Least share of the ball's curvature that a facet has that bends with it.
 const BENDS: f64 = 0.5;

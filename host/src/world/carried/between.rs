@@ -1,4 +1,5 @@
-//! Warnings of pairs in which a long rigid part can fall through between the nodes of a mesh: edges of facets do not touch.
+//! Warnings of pairs in which a long rigid part can fall through between the nodes of a mesh: edges of facets do not
+//! touch.
 
 use super::CarriedWorld;
 use crate::world::rounding::{wide, wide_shape};
@@ -8,8 +9,8 @@ use smartbed_runtime::vec3;
 use smartbed_runtime::world::Thing;
 
 impl<S: Scalar> CarriedWorld<S> {
-    /// One warning for each pair of a bar that is longer than a mesh, so that its ends need not be over facets, and narrower
-    /// than a facet, so that it need not be over a node.
+    /// One warning for each pair of a bar that is longer than a mesh, so that its ends need not be over facets, and
+    /// narrower than a facet, so that it need not be over a node.
     pub(super) fn bars_between_nodes(&self) -> Vec<String> {
         let Some(touching) = &self.touching else { return Vec::new() };
         let mut said = Vec::new();
