@@ -313,7 +313,7 @@ fn message(fault: Fault) -> String {
                 .to_owned()
         }
         Fault::Unbalanced => {
-            "the forces of contacts that last were not found: sweeps over them do not settle; take impact = \"moreau\""
+            "the forces of redundant contacts were not found: the sweeps over them do not converge; take impact = \"moreau\""
                 .to_owned()
         }
         Fault::TooFast => "a part turns too far in one step; take a smaller step".to_owned(),
