@@ -13,10 +13,12 @@
 use super::accounts::Accounts;
 use super::anderson::eliminate;
 use super::carrier::{Carrier, Wrench};
+use super::contacts::{load_contacts, press};
 use super::observer::{Forces, Observer, Push};
-use super::step::{StepMemory, StepReport, World, load_contacts, press};
+use super::step::StepReport;
 use super::sweep::Sweeps;
 use super::trail::DEPTH;
+use super::whole::{StepMemory, World};
 use crate::flexible::{force, mean};
 use crate::mechanism::Fault;
 use crate::ode::nodes::MeanStep;

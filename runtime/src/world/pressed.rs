@@ -15,7 +15,7 @@ use super::carrier::Carrier;
 use super::detect::Touch;
 use super::island::{Island, free_nodes};
 use super::observer::{Forces, Observer, Push};
-use super::step::{StepMemory, World};
+use super::whole::{StepMemory, World};
 use crate::mechanism::Fault;
 use crate::ode::Ode;
 use crate::real::Scalar;

@@ -9,8 +9,10 @@
 //! Bridson & Fedkiw 2003).
 
 use super::carrier::Carrier;
-use super::step::{Course, StepMemory, StepReport, World, load_contacts};
+use super::contacts::load_contacts;
+use super::step::{Course, StepReport};
 use super::sweep::sweep;
+use super::whole::{StepMemory, World};
 use crate::mechanism::Fault;
 use crate::ode::{Ode, State, state::advance, trial::split};
 use crate::real::Scalar;

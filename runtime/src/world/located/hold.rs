@@ -10,7 +10,7 @@ use crate::vec3;
 use crate::world::carrier::Carrier;
 use crate::world::detect::Touch;
 use crate::world::pressed::Pressing;
-use crate::world::step::{StepMemory, World};
+use crate::world::whole::{StepMemory, World};
 
 /// Forces below this share of the largest one count as zero.
 pub(super) const LIGHT: f64 = 1e-9;

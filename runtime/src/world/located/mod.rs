@@ -20,7 +20,7 @@ use super::carrier::Carrier;
 use super::detect::Touch;
 use super::observer::{Observer, Strike};
 use super::pressed::{Pressed, Pressing};
-use super::step::{StepMemory, World};
+use super::whole::{StepMemory, World};
 use crate::mechanism::Fault;
 use crate::ode::{Method, Ode, State, trial::split};
 use crate::real::Scalar;

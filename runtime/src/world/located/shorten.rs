@@ -11,7 +11,7 @@ use crate::world::accounts::Accounts;
 use crate::world::carrier::Carrier;
 use crate::world::observer::Observer;
 use crate::world::pressed::Pressing;
-use crate::world::step::{StepMemory, World};
+use crate::world::whole::{StepMemory, World};
 
 impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
     /// Advances from the state so far by a length of time, into the trial state.

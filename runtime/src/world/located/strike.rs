@@ -12,7 +12,7 @@ use crate::world::impact::{Setting, Spare};
 use crate::world::island::Island;
 use crate::world::observer::Ends;
 use crate::world::pressed::Pressed;
-use crate::world::step::{StepMemory, World};
+use crate::world::whole::{StepMemory, World};
 
 impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
     /// Resolves the impact of all contacts, if any of them closes.

@@ -1,0 +1,57 @@
+//! A world as a whole: the parts that move together, what of them can touch, and the memory of a step.
+
+use super::detect::Touch;
+use super::inertia::Inertias;
+use super::island::Island;
+use super::scenery::Extent;
+use super::thing::{Pair, Thing};
+use crate::real::Scalar;
+use crate::rigid::contact::Twist;
+use crate::surface::Frame;
+use crate::vec3::Vec3;
+
+/// Parts that move together, with the things that can touch and the contact law of each pair.
+#[derive(Debug)]
+pub struct World<'a, S, C> {
+    /// Carriers and flexible bodies.
+    pub island: Island<'a, S, C>,
+    /// The things that can touch.
+    pub things: &'a [Thing<S>],
+    /// The pairs of them that may touch, each with its law.
+    pub pairs: &'a [Pair<S>],
+}
+
+/// Working memory of a step; the contacts of one step are the warm start of the next.
+#[derive(Debug)]
+pub struct StepMemory<'a, S> {
+    /// [`StepMemory::scratch`] numbers.
+    pub scratch: &'a mut [S],
+    /// Frames of the ports at the start and at the end, one entry per port each.
+    pub frames: [&'a mut [Frame<S>]; 2],
+    /// Velocities at the start, at the end without contacts, at the end: one entry per port and node each.
+    pub twists: [&'a mut [Twist<S>]; 3],
+    /// Normals at the nodes; may be empty where no facet is touched.
+    pub normals: &'a mut [Vec3<S>],
+    /// Inverse inertia of ports and nodes.
+    pub inertias: Inertias<'a, S>,
+    /// Boxes around the things, one entry per thing; may be empty where there are few pairs.
+    pub extents: &'a mut [Extent<S>],
+    /// Contacts of this step and of the one before: as many as are expected at once.
+    pub touches: [&'a mut [Touch<S>]; 2],
+    /// Numbers of contacts in both lists.
+    pub counts: [usize; 2],
+}
+
+impl<S: Scalar> StepMemory<'_, S> {
+    /// Numbers of scratch memory for a state of `n` entries.
+    #[must_use]
+    pub const fn scratch(n: usize) -> usize {
+        5 * n
+    }
+
+    /// Contacts of the last step.
+    #[must_use]
+    pub fn contacts(&self) -> &[Touch<S>] {
+        self.touches[0].get(..self.counts[0]).unwrap_or_default()
+    }
+}
