@@ -183,7 +183,7 @@ fn a_policy_is_refused_by_name_before_a_tile_hears_of_it() {
     let high = say(Move { heave: Some(0.05), ..told((0..28).collect()) }, usual);
     assert!(high.contains("expected at most 30.0 mm"), "{high}");
     let quick = say(Move { heave: Some(0.02), over: 1.0, ..told((0..28).collect()) }, usual);
-    assert!(quick.contains("it goes 6.70 mm/s"), "{quick}");
+    assert!(quick.contains("expected at most 6.70 mm/s"), "{quick}");
     let jump = say(Move { heave: Some(0.002), over: 0.0, ..told((0..28).collect()) }, usual);
     assert!(jump.contains("mm/s, expected at most 6.70 mm/s"), "{jump}");
     let step = say(Move { heave: Some(0.025), ..told(vec![9]) }, usual);

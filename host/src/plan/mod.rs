@@ -28,7 +28,7 @@ use smartbed_bed::plan::history::{History, RunError};
 use smartbed_bed::plan::run;
 use smartbed_bed::plan::{Move, Plan};
 use smartbed_bed::policy::Supervisor;
-use smartbed_codegen::diagnostic::{Diagnostic, Diagnostics};
+use smartbed_codegen::diagnostic::{Diagnostic, Diagnostics, Severity};
 use smartbed_codegen::model::Fields;
 use smartbed_codegen::model::document::{self, Table, Value, wrong_kind};
 use smartbed_codegen::source::{Source, Span};
@@ -109,7 +109,11 @@ pub fn parse(path: &str, text: &str, settings: &[String]) -> Result<Read, Diagno
     let table = settings::apply(table, settings, &mut found);
     match read(path, &table, &mut found) {
         Some(read) if !found.has_errors() => Ok(Read { warnings: found, ..read }),
-        _ => Err(found),
+        _ => {
+            // A warning may come from a key that is wrong: errors first.
+            found.items.retain(|item| item.severity == Severity::Error);
+            Err(found)
+        }
     }
 }
 

@@ -62,7 +62,7 @@ fn each_limit_is_the_controllers_and_holds_where_it_begins() {
     assert!(lean([0.0, 0.1405]).expect_err("a step").contains("Step"));
     // 0.1 at half a degree a second takes 11.5 s and half a second more.
     let turn = |over: f64| say(&[Move { slope: Some([0.1, 0.0]), ..told(&[12], over) }]);
-    assert!(turn(12.0).is_ok() && turn(11.9).expect_err("too quick").contains("takes 12.0 s"));
+    assert!(turn(12.0).is_ok() && turn(11.9).expect_err("too quick").contains("needs 12.0 s"));
 }
 
 #[test]

@@ -169,7 +169,7 @@ fn forms_give_what_they_say_or_explain_why_not() {
     };
     assert_eq!(functions(&["derive", "fourbar", "--form", "kinematic"]), ["speeds", "outputs", "projection"]);
     assert_eq!(functions(&["derive", "fourbar", "--answers", "energy"]), ["energy"]);
-    assert_eq!(functions(&["derive", "tile_minimal", "--form", "minimal"]).len(), 5);
+    assert_eq!(functions(&["derive", "tile_minimal", "--form", "minimal"]).len(), 6);
     let done = smartbed(&["derive", "fourbar", "--form", "minimal"]);
     assert!(done.message().contains("dependent coordinates as state (q2, q3)"), "{done:?}");
     let done = smartbed(&["derive", "fourbar", "--form", "kinematic", "--answers", "rates"]);

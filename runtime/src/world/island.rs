@@ -218,18 +218,6 @@ impl<'a, S: Scalar, C: Carrier<S>> Island<'a, S, C> {
         for cell in self.cells {
             cell.add_force(&self.body, elements.grids(), memory.pos, memory.elastic)?;
         }
-        self.load_viscous();
-        Ok(())
-    }
-
-    /// Do forces depend on speeds? Those of carriers do, since they turn.
-    pub(super) fn follows_speeds(&self) -> bool {
-        self.carrier.n_u() > 0 || self.body.is_damped()
-    }
-
-    /// Computes the forces of dampers and drag at the velocities placed last, and the wrenches on the ports anew.
-    pub(super) fn load_viscous(&mut self) {
-        let (elements, memory) = (self.body.elements(), &mut self.memory);
         force::eval_viscous(&self.body, &elements, memory.pos, memory.vel, memory.viscous);
         memory.wrenches.iter_mut().for_each(|wrench| *wrench = Wrench::zero());
         for Attachment { node, port, .. } in self.attachments {
@@ -238,6 +226,7 @@ impl<'a, S: Scalar, C: Carrier<S>> Island<'a, S, C> {
                 wrench.add_force(frame, vec3::at(memory.pos, *node), force);
             }
         }
+        Ok(())
     }
 
     /// Rates under the forces and wrenches in memory; returns the worst pivot.

@@ -3,18 +3,18 @@
 //! In: state [q, x; u, v] at t. Out: the state at t + h, contacts with their impulses, accounts.
 //! ```text
 //! advance   x_m = x + h/2 N(x) v
-//! forces    f there, with the speeds of the start; where nothing is near, with those of the middle
+//! forces    f there, with the speeds of the start
 //! detect    contacts at x_m: gap, axes, W, K = W M^-1 W'
 //! sweep     v+ = v + h M^-1 f + M^-1 W' P,  P by the laws of the contacts (`sweep`)
 //! close     x+ = x_m + h/2 N(x+) v+, by one correction;  projection onto the carriers' constraints
 //! observe   accounts, contacts by pair
 //! ```
-//! Order 2 without contacts, 1 with them; contacts only dissipate. No event is located in time, so the cost of a step
+//! Order 2 where nothing touches and no force depends on speeds, else 1; contacts only dissipate. No event is located in time, so the cost of a step
 //! hardly depends on how many events it holds.
 
 use super::accounts::Accounts;
 use super::carrier::{Carrier, Wrench};
-use super::contacts::{load_contacts, press};
+use super::contacts::load_contacts;
 use super::island::{Attachment, Cut, Island};
 use super::observer::{Forces, Observer, Push};
 use super::sweep;
@@ -121,7 +121,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         for (to, ((x, low), rate)) in middle.iter_mut().zip(way) {
             *to = *x + (*low + half * *rate);
         }
-        let mut pivot = self.forces_at_middle(t_middle, middle, dot)?;
+        let pivot = self.forces_at_middle(t_middle, middle, dot)?;
 
         // Contact impulses act as forces at the middle.
         self.fill_twists([t, t_end], h, middle, dot, new, memory)?;
@@ -131,10 +131,6 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         let active = load_contacts(h, memory.contacts().iter().map(|touch| touch.contact), forces);
         if active > 0 {
             self.island.accelerate(t_middle, middle, dot)?;
-        } else if memory.counts[0] == 0 && self.island.follows_speeds() {
-            pivot = pivot.min(self.forces_of_middle_speeds(t_middle, half, middle, low, dot)?);
-            self.fill_twists([t, t_end], h, middle, dot, new, memory)?;
-            press(h, memory);
         }
 
         let accounts = self.observe(h, memory);
@@ -188,25 +184,6 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         self.island.place(t, middle)?;
         self.island.load_seams()?;
         checked(self.island.accelerate(t, middle, dot)?)
-    }
-
-    /// The same with the speeds v + h/2 v' of the middle, without which dampers and Coriolis forces are of order 1. Only
-    /// without contacts: these speeds know of none, and dampers of what is held would push. `swift` is memory.
-    fn forces_of_middle_speeds(
-        &mut self,
-        t: S,
-        half: S,
-        middle: &[S],
-        swift: &mut [S],
-        dot: &mut [S],
-    ) -> Result<S, Fault> {
-        let n_q = self.island.n_q();
-        for (index, (to, (x, rate))) in swift.iter_mut().zip(middle.iter().zip(dot.iter())).enumerate() {
-            *to = if index < n_q { *x } else { *x + half * *rate };
-        }
-        self.island.place(t, swift)?;
-        self.island.load_viscous();
-        checked(self.island.accelerate(t, swift, dot)?)
     }
 
     /// Rates of the coordinates at the speeds of x: of the carriers without wrenches, and of the nodes.

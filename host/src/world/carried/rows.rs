@@ -261,7 +261,7 @@ impl<S: Settle> Engine for CarriedWorld<S> {
             Contacts::Located => format!("{name}, touches located in time"),
             Contacts::Unlocated => {
                 format!(
-                    "{name}, touches not located: of order 2 where nothing touches, 1 where something does"
+                    "{name}, touches not located: of order 2 where nothing touches and no force depends on speeds, else 1"
                 )
             }
         }
