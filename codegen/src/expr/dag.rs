@@ -210,8 +210,10 @@ impl Dag {
         let mut needed = NodeSet::below(bound);
         roots.iter().for_each(|&root| needed.insert(root));
         // Operands always have smaller ids than their node, so one sweep downwards marks everything.
+        // A node that reads fewer than two names itself instead, which is in the set already.
         needed.sweep_down(|id| {
-            if is_leaf(id) { [None, None] } else { self.operands(id) }.into_iter().flatten()
+            let operands = if is_leaf(id) { [None, None] } else { self.operands(id) };
+            operands.map(|operand| operand.unwrap_or(id))
         });
         needed
     }
