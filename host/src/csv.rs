@@ -1,13 +1,15 @@
 //! Text of CSV files as RFC 4180 has it.
 
-/// A field: in quotes if it contains a comma, a quote or a line break, quotes in it doubled.
+/// A field in quotes; quotes in it are doubled.
+#[must_use]
+pub fn quoted(text: &str) -> String {
+    format!("\"{}\"", text.replace('"', "\"\""))
+}
+
+/// A field: in quotes if it contains a comma, a quote or a line break.
 #[must_use]
 pub fn field(text: &str) -> String {
-    if text.contains([',', '"', '\n', '\r']) {
-        format!("\"{}\"", text.replace('"', "\"\""))
-    } else {
-        text.to_owned()
-    }
+    if text.contains([',', '"', '\n', '\r']) { quoted(text) } else { text.to_owned() }
 }
 
 /// The row of names that a table begins with, with its line break.

@@ -33,20 +33,20 @@ fn unseen_of(plan: &Plan, tile: usize, quantity: usize) -> Option<Unseen> {
     let Order { pressure, command } = plan.order(tile, f64::NEG_INFINITY);
     let mut value = [pressure, command.heave, command.slope[0], command.slope[1]][quantity];
     let mut last: Option<(usize, f64)> = None;
-    for (index, told) in plan.moves.iter().enumerate() {
-        if told.at >= plan.seconds || !told.tiles.contains(&tile) {
+    for (index, change) in plan.moves.iter().enumerate() {
+        if change.at >= plan.seconds || !change.tiles.contains(&tile) {
             continue;
         }
-        let slope = |k: usize| told.slope.map(|slope| slope[k]);
-        let Some(goal) = [told.pressure, told.heave, slope(0), slope(1)][quantity] else { continue };
+        let slope = |k: usize| change.slope.map(|slope| slope[k]);
+        let Some(goal) = [change.pressure, change.heave, slope(0), slope(1)][quantity] else { continue };
         if goal == value {
             continue;
         }
         if let Some((index, before)) = last
             && (value - before) * (goal - value) < 0.0
-            && !is_seen(plan, &plan.moves[index], told)
+            && !is_seen(plan, &plan.moves[index], change)
         {
-            return Some(Unseen { index, tile, from: plan.moves[index].at, to: told.at + told.over });
+            return Some(Unseen { index, tile, from: plan.moves[index].at, to: change.at + change.over });
         }
         last = Some((index, value));
         value = goal;
@@ -55,10 +55,10 @@ fn unseen_of(plan: &Plan, tile: usize, quantity: usize) -> Option<Unseen> {
 }
 
 /// Does a moment lie between the begin of a move and the end of the one that takes it back?
-fn is_seen(plan: &Plan, told: &Move, back: &Move) -> bool {
-    let begin = told.at / plan.every;
+fn is_seen(plan: &Plan, change: &Move, back: &Move) -> bool {
+    let begin = change.at / plan.every;
     // A jump is complete at a moment at which it is ordered.
-    let next = if told.over > 0.0 { (begin + SAME).floor() + 1.0 } else { (begin - SAME).ceil() };
+    let next = if change.over > 0.0 { (begin + SAME).floor() + 1.0 } else { (begin - SAME).ceil() };
     next + SAME < (back.at + back.over) / plan.every
 }
 
@@ -69,12 +69,12 @@ pub fn overridden(plan: &Plan) -> Vec<[usize; 3]> {
     let mut found: Vec<[usize; 3]> = Vec::new();
     for tile in 0..plan.layout.count() {
         let mut last: Option<usize> = None;
-        for (index, told) in plan.moves.iter().enumerate() {
-            if told.pressure.is_none() || !told.tiles.contains(&tile) {
+        for (index, change) in plan.moves.iter().enumerate() {
+            if change.pressure.is_none() || !change.tiles.contains(&tile) {
                 continue;
             }
             let end = |earlier: usize| plan.moves[earlier].at + plan.moves[earlier].over;
-            if let Some(earlier) = last.filter(|earlier| told.at < end(*earlier) - SAME * plan.every)
+            if let Some(earlier) = last.filter(|earlier| change.at < end(*earlier) - SAME * plan.every)
                 && found.iter().all(|own| own[1] != index)
             {
                 found.push([earlier, index, tile]);

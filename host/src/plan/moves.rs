@@ -26,7 +26,7 @@ pub(super) fn read(
     for item in plan.array("move", found).map_or(&[][..], |(items, _)| items) {
         match item {
             Value::Table(table) => {
-                moves.extend(change(table, layout, seconds, found).map(|told| (told, table.span)))
+                moves.extend(change(table, layout, seconds, found).map(|own| (own, table.span)))
             }
             other => found.push(wrong_kind("move", "tables, each under [[move]]", other)),
         }
@@ -35,7 +35,7 @@ pub(super) fn read(
     if let Some(table) = plan.table("alternating", found) {
         span = table.span;
         let all = alternating(table, layout, pressure, seconds, found)?;
-        moves.extend(all.into_iter().map(|told| (told, span)));
+        moves.extend(all.into_iter().map(|own| (own, span)));
     }
     let asked = moves.len() as f64 * (seconds / every + 2.0 * moves.len() as f64);
     if asked > MOST_ORDERS {

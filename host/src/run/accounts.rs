@@ -1,6 +1,7 @@
 //! `--accounts`: the accounts of parts and seams of a world, row by row, and what the summary says of them.
 
 use super::outcome::line;
+use crate::csv;
 use crate::failure::Failure;
 use crate::number::{json_object, worst};
 use crate::output::Output;
@@ -49,8 +50,9 @@ impl Rows {
         }
         self.last = accounts.columns(&self.start);
         if is_first {
-            let names: Vec<&str> = self.last.iter().map(|(name, _)| name.as_str()).collect();
-            self.csv.write(&format!("t,{}\n", names.join(",")))?;
+            let names = self.last.iter().map(|(name, _)| name.as_str());
+            let names: Vec<&str> = std::iter::once("t").chain(names).collect();
+            self.csv.write(&csv::header(&names))?;
         }
         if let Some((name, imbalance)) = accounts.worst(&self.start)
             && worst(self.imbalance, imbalance) != self.imbalance

@@ -129,15 +129,15 @@ fn record(arguments: &Arguments, assembly: &Assembly) -> Result<Done, Failure> {
             if let Some(recording) = &mut recording {
                 recording.push(&values);
             }
-            if let Some(sides) = &mut sides {
-                let picture = engine.picture().map_err(Failure::Wrong)?;
-                sides.push(row.t, stage::places(&picture, assembly), row.events > 0);
+            let is_seen = sides.is_some() || film.is_some();
+            let picture = is_seen.then(|| engine.picture()).transpose().map_err(Failure::Wrong)?;
+            if let (Some(sides), Some(picture)) = (&mut sides, &picture) {
+                sides.push(row.t, stage::places(picture, assembly), row.events > 0);
             }
-            if let Some(film) = &mut film {
-                let picture = engine.picture().map_err(Failure::Wrong)?;
+            if let (Some(film), Some(picture)) = (&mut film, &picture) {
                 let curves = columns.iter().zip(row.state).filter(|(c, _)| c.by_default).map(|(_, x)| *x);
                 let curves: Vec<f64> = curves.chain(row.energies.numbers(row.start)).collect();
-                film.push(row.t, &stage::places(&picture, assembly), &picture.forces, curves);
+                film.push(row.t, &stage::places(picture, assembly), &picture.forces, curves);
             }
             let energies = row.energies;
             total = [row.start, energies.total()];

@@ -4,6 +4,7 @@
 //! as done.
 
 use crate::bed::report::RunReport;
+use crate::csv;
 use crate::failure::Failure;
 use crate::input;
 use crate::number::{json_number, json_string};
@@ -188,7 +189,7 @@ impl Table {
 
     /// As CSV.
     pub fn csv(&self) -> String {
-        let quoted = |text: &String| format!("\"{}\"", text.replace('"', "\"\""));
+        let quoted = |text: &String| csv::quoted(text);
         let head =
             std::iter::once("case".to_owned()).chain(self.keys.iter().chain(&self.metrics).map(quoted));
         let mut text = head.collect::<Vec<_>>().join(",") + "\n";

@@ -1,6 +1,6 @@
 //! Accounts of each part and each seam: they close by themselves and add up to the world's ledger.
 
-use super::support::{fails, json, number, run, scene};
+use super::support::{fails, fields, json, number, run, scene};
 use std::collections::BTreeMap;
 use std::path::Path;
 
@@ -13,10 +13,11 @@ fn file(name: &str) -> String {
 fn read(file: &str) -> Vec<Row> {
     let text = std::fs::read_to_string(file).expect("a file");
     let mut lines = text.lines();
-    let names: Vec<&str> = lines.next().expect("a header").split(',').collect();
+    let names = fields(lines.next().expect("a header"));
     let row = |line: &str| {
-        let values = line.split(',').map(|x| x.parse().expect("a number"));
-        names.iter().map(|name| (*name).to_owned()).zip(values).collect()
+        let values: Vec<f64> = line.split(',').map(|x| x.parse().expect("a number")).collect();
+        assert_eq!(values.len(), names.len(), "{names:?}");
+        names.iter().cloned().zip(values).collect()
     };
     lines.map(row).collect()
 }
@@ -285,4 +286,26 @@ fn what_cannot_be_accounted_is_refused_by_name() {
     assert!(said.contains("only one of them can go to standard output"), "{said}");
     let output = super::support::smartbed(&["run", "box_bounce", "--accounts", &to, "--resume", "box.state"]);
     assert!(!output.status.success() && String::from_utf8_lossy(&output.stderr).contains("--resume"));
+}
+
+#[test]
+fn accounts_of_a_grid_have_one_column_for_each_name() {
+    let text = r#"
+format = 2
+[parts.floor]
+rigid = "half_space"
+[parts.b]
+rigid = "sphere"
+radius = 0.1
+mass = 2
+grid = { count = [1, 2], pitch = [0.5, 0.5] }
+start = { height = 0.5 }
+[run]
+seconds = 0.01
+"#;
+    let row = last("grid", &[&scene("accounts_grid", text)]);
+    // The height of the centres is 0.6 m, and nothing is lost in flight.
+    for name in ["b[0,0].total", "b[0,1].total"] {
+        assert!((row[name] - 2.0 * 9.81 * 0.6).abs() < 1e-2, "{row:?}");
+    }
 }

@@ -72,13 +72,8 @@ impl<S: Scalar> CarriedWorld<S> {
         self.with(|mut island| island.place(t, &x)).map_err(words)?;
         let nodes = self.fixed.mass.iter().zip(&self.room.vel);
         let nodes = nodes.map(|(m, v)| v.iter().map(|v| 0.5 * (*m * *v * *v).to_f64()).sum()).collect();
-        let (mut q, mut u, mut carriers) = (0, self.split(), Vec::new());
-        for carrier in &mut self.carriers {
-            let (next_q, next_u) = (q + carrier.n_q(), u + carrier.n_u());
-            carriers.push(carrier.energy(t, &x[q..next_q], &x[u..next_u]).map_err(words)?.0.to_f64());
-            (q, u) = (next_q, next_u);
-        }
-        Ok([nodes, carriers])
+        let carriers = self.stored_by_carriers(t, &x).map_err(words)?;
+        Ok([nodes, carriers.iter().map(|[kinetic, ..]| *kinetic).collect()])
     }
 
     /// Kinetic energy of each carrier, that of its weight, springs and gas (J).
