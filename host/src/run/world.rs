@@ -1,29 +1,25 @@
 //! `smartbed run` of a scene of format 2: arguments, rows, plots, page and summary as for a mechanism.
 
-use super::accounts::{Closed, Rows};
+use super::accounts::Closed;
 use super::arguments::Arguments;
-use super::health::{Energies as Moved, Health};
-use super::outcome::{Outcome, ended_early, line, noted};
+use super::outcome::{Outcome, noted};
+use super::records::{Kept, Records};
 use super::simulate::interrupted;
 use crate::engine::{EngineKind, ScalarKind};
 use crate::failure::Failure;
-use crate::number::{json_number, json_object, json_string, six_digits, worst};
-use crate::output::{self, Output};
+use crate::number::{json_number, json_object, json_string, six_digits};
+use crate::output;
 use crate::plot::chart::{self, Chart, Curve};
 use crate::plot::drawing::Drawing;
 use crate::plot::energies;
 use crate::plot::panels::{self, Shown};
 use crate::plot::{Recording, pattern};
 use crate::progress::Progress;
-use crate::view::film::{Film, Series};
-use crate::view::side::Sides;
-use crate::view::world as stage;
 use crate::world::Assembly;
 use crate::world::engine::{ACCOUNTS, Column, Event};
 use crate::world::run::{Checkpoint, Ran, Row, engine, run, single_engine};
-use crate::{input, interrupt, model_argument, plot};
+use crate::{input, model_argument};
 use smartbed_codegen::words::count;
-use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::path::Path;
 
@@ -65,7 +61,7 @@ pub(super) fn simulate(arguments: &Arguments, path: &Path) -> Result<Outcome, Fa
     let assembly = open(arguments, path)?;
     let clock = Progress::new("running");
     let done = record(arguments, &assembly)?;
-    let mut findings = done.health.findings();
+    let mut findings = done.kept.health.findings();
     findings.extend(done.warnings.iter().cloned());
     let text = done.report(arguments, &assembly, &findings, clock.seconds());
     Ok(Outcome { text, film: done.film, findings })
@@ -74,86 +70,31 @@ pub(super) fn simulate(arguments: &Arguments, path: &Path) -> Result<Outcome, Fa
 /// Results of a run.
 struct Done {
     method: String,
-    names: Vec<String>,
-    last: Vec<f64>,
     events: Vec<Event>,
     film: Option<String>,
-    rows: u64,
-    imbalance: f64,
-    total: [f64; 2],
     warnings: Vec<String>,
-    health: Health,
-    accounts: Option<Closed>,
+    kept: Kept,
 }
 
+/// Runs the world; each row goes to what the arguments ask for.
 fn record(arguments: &Arguments, assembly: &Assembly) -> Result<Done, Failure> {
     let engine = match arguments.scalar {
         ScalarKind::F64 => engine(assembly),
         ScalarKind::F32 => single_engine(assembly),
     };
     let mut engine = engine.map_err(Failure::Wrong)?;
-    let from = arguments.resume.as_deref().map(checkpoint).transpose()?;
-    let columns = engine.columns();
-    let names = names(assembly, &columns);
-    let mut csv = arguments.csv.as_deref().map(Output::open).transpose()?;
-    if let Some(csv) = &mut csv {
-        csv.write(&crate::csv::header(&names))?;
-        interrupt::watch();
+    if let Some(file) = &arguments.save {
+        ends_with_a_step(assembly, file)?;
     }
-    let csv_file = arguments.csv.as_deref();
-    let mut accounts = arguments.accounts.as_deref().map(|file| Rows::open(file, csv_file)).transpose()?;
-    let shown = shown(&columns, arguments.show.as_deref())?;
-    let mut recording = arguments.plot.as_ref().map(|_| Recording::new(names.len()));
-    let mut sides = arguments.plot.as_ref().map(|_| Sides::new(stage::stage(assembly)));
-    let mut film = arguments.view.as_ref().map(|_| Film::new(stage::stage(assembly), series(&columns)));
-    let epsilon = match arguments.scalar {
-        ScalarKind::F64 => f64::EPSILON,
-        ScalarKind::F32 => f64::from(f32::EPSILON),
-    };
-    let mut health = Health::new(BTreeMap::new(), epsilon);
-    let (mut rows, mut imbalance, mut total, mut last) = (0, 0.0_f64, [f64::NAN; 2], Vec::new());
+    let from = arguments.resume.as_deref().map(checkpoint).transpose()?;
+    let mut records = Records::open(arguments, assembly, engine.columns())?;
     let mut progress = Progress::new("running");
     let method = engine.method();
     let done = run::<Failure>(
         assembly,
         engine.as_mut(),
         from.as_ref(),
-        |row, engine| {
-            let values = values(row);
-            if let Some(csv) = &mut csv {
-                csv.write(&line(&values))?;
-            }
-            if let Some(accounts) = &mut accounts {
-                accounts.push(row.t, engine)?;
-            }
-            if let Some(recording) = &mut recording {
-                recording.push(&values);
-            }
-            let is_seen = sides.is_some() || film.is_some();
-            let picture = is_seen.then(|| engine.picture()).transpose().map_err(Failure::Wrong)?;
-            if let (Some(sides), Some(picture)) = (&mut sides, &picture) {
-                sides.push(row.t, stage::places(picture, assembly), row.events > 0);
-            }
-            if let (Some(film), Some(picture)) = (&mut film, &picture) {
-                let curves = columns.iter().zip(row.state).filter(|(c, _)| c.by_default).map(|(_, x)| *x);
-                let curves: Vec<f64> = curves.chain(row.energies.numbers(row.start)).collect();
-                film.push(row.t, &stage::places(picture, assembly), &picture.forces, curves);
-            }
-            let energies = row.energies;
-            total = [row.start, energies.total()];
-            imbalance = worst(imbalance, energies.imbalance(row.start));
-            let stored = [energies.kinetic, energies.gravity, energies.spring, energies.gas];
-            let moved =
-                [energies.damping, energies.impact, energies.friction, energies.drive, total[1] - total[0]];
-            health.energies(Moved {
-                stored: &stored,
-                moved: &moved,
-                imbalance: energies.imbalance(row.start),
-            });
-            last = values;
-            rows += 1;
-            Ok(())
-        },
+        |row, engine| records.push(row, engine),
         |t| {
             progress.at(t / assembly.run.seconds);
             interrupted(t)
@@ -161,40 +102,21 @@ fn record(arguments: &Arguments, assembly: &Assembly) -> Result<Done, Failure> {
     );
     let Ran { events, seen } = match done {
         Ok(ran) => ran,
-        Err(failure) => {
-            let file = arguments.csv.as_deref().unwrap_or_default();
-            return Err(ended_early(failure, csv, rows, file));
-        }
+        Err(failure) => return Err(records.ended_early(failure, arguments.csv.as_deref())),
     };
-    csv.map_or(Ok(()), Output::finish)?;
-    let accounts = accounts.map(Rows::finish).transpose()?;
     if let Some(file) = &arguments.save {
-        if assembly.run.length(assembly.run.steps().max(1)) != assembly.run.step {
-            let message = "the run ends within a step; expected --seconds to be a whole number of steps";
-            return Err(Failure::Wrong(format!("--save {file}: {message}")));
-        }
-        let (steps, step) = (assembly.run.steps(), assembly.run.step);
-        let scene = assembly.fingerprint();
         let checkpoint = Checkpoint {
-            steps,
-            step,
+            steps: assembly.run.steps(),
+            step: assembly.run.step,
             scalar: engine.scalar(),
-            scene,
-            start: total[0],
+            scene: assembly.fingerprint(),
+            start: records.start(),
             state: engine.save(),
             seen,
         };
         output::write(file, checkpoint.text().as_bytes())?;
     }
     let note = noted(format!("{method}, step {} s", six_digits(assembly.run.step)), arguments);
-    if let (Some(file), Some(recording)) = (&arguments.plot, &recording) {
-        let mut drawing = drawing(assembly, &columns, &shown, recording, &note, &events);
-        if let Some(lower) = sides.and_then(|sides| sides.draw()) {
-            chart::below(&mut drawing, lower);
-        }
-        plot::write(file, &drawing)?;
-    }
-    let film = film.map(|film| film.data(&assembly.title, &note, &told(&events, assembly)));
     let mut warnings = engine.warnings();
     if from.is_some_and(|from| !from.scene.is_empty() && from.scene != assembly.fingerprint()) {
         warnings.push(
@@ -204,7 +126,17 @@ fn record(arguments: &Arguments, assembly: &Assembly) -> Result<Done, Failure> {
         );
     }
     let method = if arguments.scalar == ScalarKind::F32 { method + ", in f32" } else { method };
-    Ok(Done { method, names, last, events, film, rows, imbalance, total, warnings, health, accounts })
+    let (kept, film) = records.finish(arguments, &note, &events)?;
+    Ok(Done { method, events, film, warnings, kept })
+}
+
+/// Refuses `--save` for a run that ends within a step: a resumed run would go on from elsewhere.
+fn ends_with_a_step(assembly: &Assembly, file: &str) -> Result<(), Failure> {
+    if assembly.run.length(assembly.run.steps().max(1)) == assembly.run.step {
+        return Ok(());
+    }
+    let message = "the run ends within a step; expected --seconds to be a whole number of steps";
+    Err(Failure::Wrong(format!("--save {file}: {message}")))
 }
 
 /// Names of a row's values.
@@ -242,16 +174,6 @@ pub(crate) fn shown(columns: &[Column], show: Option<&str>) -> Result<Vec<usize>
     let names: Vec<&str> = columns.iter().map(|c| c.name.as_str()).collect();
     let chosen = pattern::chosen(patterns, &names)?;
     Ok((0..columns.len()).filter(|n| chosen.contains(&names[*n])).collect())
-}
-
-/// Curves that the page shows beside the motion, in the order of [`values`].
-fn series(columns: &[Column]) -> Vec<Series> {
-    let own = columns.iter().filter(|c| c.by_default).map(|c| (c.name.clone(), panels::label(&c.unit)));
-    let accounts = ACCOUNTS.iter().map(|name| {
-        let is_account = ["damping", "impact", "friction", "drive", "imbalance"].contains(name);
-        ((*name).to_owned(), if is_account { "ledger".to_owned() } else { panels::label("J") })
-    });
-    own.chain(accounts).map(|(name, group)| Series { name, group, factor: 1.0 }).collect()
 }
 
 /// Curves of a recording of [`values`]: those of the columns that are shown, and energies.
@@ -292,7 +214,7 @@ pub(crate) fn drawing(
 }
 
 /// Texts of events.
-fn told(events: &[Event], assembly: &Assembly) -> Vec<(f64, String)> {
+pub(super) fn told(events: &[Event], assembly: &Assembly) -> Vec<(f64, String)> {
     let words = |event: &Event| {
         let [one, other] = event.parts.map(|n| assembly.parts[n].name.as_str());
         let points = count(event.points, "point");
@@ -333,9 +255,9 @@ impl Done {
         let _ = writeln!(
             text,
             "energy: {:.6e} J at the start, {:.6e} J at the end, largest imbalance {:.1e} J",
-            self.total[0], self.total[1], self.imbalance
+            self.kept.total[0], self.kept.total[1], self.kept.imbalance
         );
-        text + &self.accounts.as_ref().map(Closed::text).unwrap_or_default()
+        text + &self.kept.accounts.as_ref().map(Closed::text).unwrap_or_default()
     }
 
     fn json(&self, assembly: &Assembly, findings: &[String], elapsed: f64) -> String {
@@ -351,8 +273,9 @@ impl Done {
             )
         };
         let events: Vec<String> = self.events.iter().map(event).collect();
-        let last = json_object(self.names.iter().map(String::as_str).zip(self.last.iter().copied()));
-        let accounts = self.accounts.as_ref().map(|own| format!(", \"accounts\": {}", own.json()));
+        let last =
+            json_object(self.kept.names.iter().map(String::as_str).zip(self.kept.last.iter().copied()));
+        let accounts = self.kept.accounts.as_ref().map(|own| format!(", \"accounts\": {}", own.json()));
         let accounts = accounts.unwrap_or_default();
         format!(
             "{{\"world\": {}, \"parts\": {}, \"method\": {}, \"seconds\": {}, \"steps\": {}, \"rows\": {}, \
@@ -363,11 +286,11 @@ impl Done {
             json_string(&self.method),
             json_number(assembly.run.seconds),
             assembly.run.steps(),
-            self.rows,
+            self.kept.rows,
             events.join(", "),
-            json_number(self.total[0]),
-            json_number(self.total[1]),
-            json_number(self.imbalance),
+            json_number(self.kept.total[0]),
+            json_number(self.kept.total[1]),
+            json_number(self.kept.imbalance),
             json_number(elapsed),
             serde_json::Value::from(findings.to_vec()),
         )

@@ -1,0 +1,190 @@
+//! Where each row of a running world goes: files, plot and page, and what the summary says of the rows.
+
+use super::accounts::{Closed, Rows};
+use super::arguments::Arguments;
+use super::health::{Energies as Moved, Health};
+use super::outcome::{ended_early, line};
+use super::world::{drawing, names, shown, told, values};
+use crate::engine::ScalarKind;
+use crate::failure::Failure;
+use crate::number::worst;
+use crate::output::Output;
+use crate::plot::{self, Recording, chart, panels};
+use crate::view::film::{Film, Series};
+use crate::view::side::Sides;
+use crate::view::world as stage;
+use crate::world::Assembly;
+use crate::world::engine::{ACCOUNTS, Column, Engine, Event};
+use crate::world::run::Row;
+use crate::{csv, interrupt};
+use std::collections::BTreeMap;
+
+/// What takes the rows of a run.
+pub(super) struct Records<'a> {
+    assembly: &'a Assembly,
+    columns: Vec<Column>,
+    shown: Vec<usize>,
+    csv: Option<Output>,
+    accounts: Option<Rows>,
+    recording: Option<Recording>,
+    sides: Option<Sides>,
+    film: Option<Film>,
+    kept: Kept,
+}
+
+/// What remains of the rows when a run has ended.
+pub(super) struct Kept {
+    /// Names of a row's values.
+    pub(super) names: Vec<String>,
+    /// The last row.
+    pub(super) last: Vec<f64>,
+    pub(super) rows: u64,
+    /// The largest imbalance of the ledger (J).
+    pub(super) imbalance: f64,
+    /// Total energy at the start and at the end (J).
+    pub(super) total: [f64; 2],
+    pub(super) health: Health,
+    pub(super) accounts: Option<Closed>,
+}
+
+impl<'a> Records<'a> {
+    /// Opens the files.
+    ///
+    /// # Errors
+    /// If one cannot be created, or `--show` names no column.
+    pub(super) fn open(
+        arguments: &Arguments,
+        assembly: &'a Assembly,
+        columns: Vec<Column>,
+    ) -> Result<Self, Failure> {
+        let names = names(assembly, &columns);
+        let shown = shown(&columns, arguments.show.as_deref())?;
+        let mut csv = arguments.csv.as_deref().map(Output::open).transpose()?;
+        if let Some(csv) = &mut csv {
+            csv.write(&csv::header(&names))?;
+            interrupt::watch();
+        }
+        let csv_file = arguments.csv.as_deref();
+        let accounts = arguments.accounts.as_deref().map(|file| Rows::open(file, csv_file)).transpose()?;
+        let epsilon = match arguments.scalar {
+            ScalarKind::F64 => f64::EPSILON,
+            ScalarKind::F32 => f64::from(f32::EPSILON),
+        };
+        Ok(Self {
+            assembly,
+            shown,
+            csv,
+            accounts,
+            recording: arguments.plot.as_ref().map(|_| Recording::new(names.len())),
+            sides: arguments.plot.as_ref().map(|_| Sides::new(stage::stage(assembly))),
+            film: arguments.view.as_ref().map(|_| Film::new(stage::stage(assembly), series(&columns))),
+            columns,
+            kept: Kept {
+                names,
+                last: Vec::new(),
+                rows: 0,
+                imbalance: 0.0,
+                total: [f64::NAN; 2],
+                health: Health::new(BTreeMap::new(), epsilon),
+                accounts: None,
+            },
+        })
+    }
+
+    /// Takes a row.
+    ///
+    /// # Errors
+    /// If it cannot be written, or the engine has no picture or accounts of its state.
+    pub(super) fn push(&mut self, row: &Row<'_>, engine: &mut dyn Engine) -> Result<(), Failure> {
+        let values = values(row);
+        if let Some(csv) = &mut self.csv {
+            csv.write(&line(&values))?;
+        }
+        if let Some(accounts) = &mut self.accounts {
+            accounts.push(row.t, engine)?;
+        }
+        if let Some(recording) = &mut self.recording {
+            recording.push(&values);
+        }
+        if self.sides.is_some() || self.film.is_some() {
+            self.show(row, engine)?;
+        }
+        self.kept.count(row);
+        self.kept.last = values;
+        Ok(())
+    }
+
+    /// Adds a picture of the row to plot and page.
+    fn show(&mut self, row: &Row<'_>, engine: &mut dyn Engine) -> Result<(), Failure> {
+        let picture = engine.picture().map_err(Failure::Wrong)?;
+        let places = stage::places(&picture, self.assembly);
+        if let Some(film) = &mut self.film {
+            let curves = self.columns.iter().zip(row.state).filter(|(c, _)| c.by_default).map(|(_, x)| *x);
+            let curves: Vec<f64> = curves.chain(row.energies.numbers(row.start)).collect();
+            film.push(row.t, &places, &picture.forces, curves);
+        }
+        if let Some(sides) = &mut self.sides {
+            sides.push(row.t, places, row.events > 0);
+        }
+        Ok(())
+    }
+
+    /// Total energy at the start (J).
+    pub(super) fn start(&self) -> f64 {
+        self.kept.total[0]
+    }
+
+    /// What is told of a run that ended early; completes the file of its rows.
+    pub(super) fn ended_early(self, failure: Failure, csv_file: Option<&str>) -> Failure {
+        ended_early(failure, self.csv, self.kept.rows, csv_file.unwrap_or_default())
+    }
+
+    /// Completes files and plot; returns what remains, and the data of the page.
+    ///
+    /// # Errors
+    /// If something cannot be written.
+    pub(super) fn finish(
+        self,
+        arguments: &Arguments,
+        note: &str,
+        events: &[Event],
+    ) -> Result<(Kept, Option<String>), Failure> {
+        let Self { assembly, columns, shown, csv, accounts, recording, sides, film, mut kept } = self;
+        csv.map_or(Ok(()), Output::finish)?;
+        kept.accounts = accounts.map(Rows::finish).transpose()?;
+        if let (Some(file), Some(recording)) = (&arguments.plot, &recording) {
+            let mut drawing = drawing(assembly, &columns, &shown, recording, note, events);
+            if let Some(lower) = sides.and_then(|sides| sides.draw()) {
+                chart::below(&mut drawing, lower);
+            }
+            plot::write(file, &drawing)?;
+        }
+        let film = film.map(|film| film.data(&assembly.title, note, &told(events, assembly)));
+        Ok((kept, film))
+    }
+}
+
+impl Kept {
+    /// Counts a row; judges its energies.
+    fn count(&mut self, row: &Row<'_>) {
+        let energies = row.energies;
+        let imbalance = energies.imbalance(row.start);
+        self.rows += 1;
+        self.total = [row.start, energies.total()];
+        self.imbalance = worst(self.imbalance, imbalance);
+        let stored = [energies.kinetic, energies.gravity, energies.spring, energies.gas];
+        let change = self.total[1] - self.total[0];
+        let moved = [energies.damping, energies.impact, energies.friction, energies.drive, change];
+        self.health.energies(Moved { stored: &stored, moved: &moved, imbalance });
+    }
+}
+
+/// Curves that the page shows beside the motion, in the order of [`values`].
+fn series(columns: &[Column]) -> Vec<Series> {
+    let own = columns.iter().filter(|c| c.by_default).map(|c| (c.name.clone(), panels::label(&c.unit)));
+    let accounts = ACCOUNTS.iter().map(|name| {
+        let is_account = ["damping", "impact", "friction", "drive", "imbalance"].contains(name);
+        ((*name).to_owned(), if is_account { "ledger".to_owned() } else { panels::label("J") })
+    });
+    own.chain(accounts).map(|(name, group)| Series { name, group, factor: 1.0 }).collect()
+}
