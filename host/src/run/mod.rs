@@ -13,6 +13,7 @@ pub mod ledger;
 mod mechanism;
 mod outcome;
 mod plant;
+#[cfg(feature = "whole")]
 mod records;
 pub mod settings;
 pub mod simulate;
