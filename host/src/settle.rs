@@ -36,7 +36,9 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         set: arguments.set.clone(),
         ..run::Arguments::default()
     };
-    let assembly = run::world(&asked)?;
+    let mut assembly = run::world(&asked)?;
+    // Parts may overlap at a start that is settled.
+    assembly.run.settled = true;
     let mut engine = engine(&assembly).map_err(Failure::Wrong)?;
     let settled = engine.settle().map_err(Failure::Wrong)?;
     let columns = engine.columns();

@@ -1,7 +1,7 @@
 //! Flexible parts and mechanisms in contact.
 
 use super::rigid::G;
-use super::support::{json, number, rows, run, scene, settled, smartbed};
+use super::support::{fails, json, number, rows, run, scene, settled, smartbed};
 use std::path::Path;
 
 /// A cube that falls on its edge, written in either format.
@@ -315,4 +315,35 @@ fn a_bar_that_can_fall_between_nodes_is_named() {
             "{kind}: {text}"
         );
     }
+}
+
+#[test]
+fn parts_that_overlap_at_the_start_are_refused_unless_they_are_settled() {
+    let floor = ("[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]", "[0, 1, 2, 3]");
+    let at = |z: f64| {
+        format!("rigid = \"sphere\"\nradius = 0.02\nmass = 1\nstart = {{ position = [0.5, 0.5, {z}] }}")
+    };
+    for law in LAWS {
+        let deep = on_facets("deep", law, floor, &at(0.0195), 0.01);
+        let text = fails(&["run", &deep]);
+        assert!(
+            text.contains("`load` and `floor` overlap by 5.000e-4 m at the start, near (0.5000, 0.5000,"),
+            "{text}"
+        );
+        assert!(text.contains("move one of them by its `start`, or write start = \"settled\""), "{text}");
+        // Touching is not overlapping.
+        json(&[&on_facets("touching", law, floor, &at(0.02), 0.01)]);
+    }
+    // A relaxation moves them apart.
+    let deep = on_facets("deep", "moreau", floor, &at(0.0195), 0.01);
+    let done = json(&[&deep, "--set", "run.start=\"settled\""]);
+    assert!((number(&done["last"]["load.z"]) - 0.02).abs() < 1e-6, "{}", done["last"]["load.z"]);
+    settled(&[&deep]);
+
+    let cubes = "models/scenes/two_cubes.toml";
+    let text = fails(&["run", cubes, "--set", "parts.right.start.position=[0.19, 0.05, 0.03]"]);
+    assert!(text.contains("`left` and `right` overlap by 1.000e-2 m at the start"), "{text}");
+    let moved = "parts.wall.start.position=[-0.07, 0.6, 0.2]";
+    let text = fails(&["run", "arm6_pushes_wall", "--set", moved]);
+    assert!(text.contains("`tip` and `wall` overlap by"), "{text}");
 }

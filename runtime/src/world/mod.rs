@@ -21,6 +21,7 @@ mod impact;
 mod inertia;
 mod island;
 mod located;
+mod look;
 mod observer;
 mod over_shape;
 mod pressed;

@@ -37,15 +37,15 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
     ) -> Result<(StepReport<S>, S), Fault> {
         let report = self.step_at((&Course { times: [t; 3], rebounds: false }, h), state, memory, &mut ())?;
         let scratch = core::mem::take(&mut memory.scratch);
+        // The contacts of the step are kept in the second list during the separation.
+        memory.swap_lists();
         let leaving = self.leave((t, h), state, scratch, memory);
+        memory.swap_lists();
         memory.scratch = scratch;
-        // The next step starts from the contacts of the step, not from those of the separation.
-        memory.touches.swap(0, 1);
-        memory.counts.swap(0, 1);
         Ok((report, leaving?))
     }
 
-    /// Moves overlapping parts apart; leaves the step's contacts as those of the step before.
+    /// Moves overlapping parts apart.
     fn leave(
         &mut self,
         (t, h): (S, S),

@@ -76,6 +76,12 @@ impl<S: Scalar> Extent<S> {
         Extent { low: [-far; 3], high: [far; 3] }
     }
 
+    /// Length of the box's diagonal (m); infinite without bounds.
+    #[must_use]
+    pub fn diagonal(&self) -> S {
+        vec3::norm(vec3::sub(self.high, self.low))
+    }
+
     /// Whether points of the two boxes may be within `margin` (m) of each other.
     pub(super) fn is_near(&self, other: &Extent<S>, margin: S) -> bool {
         (0..3).all(|i| self.low[i] - margin <= other.high[i] && other.low[i] - margin <= self.high[i])

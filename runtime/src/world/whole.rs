@@ -21,7 +21,7 @@ pub struct World<'a, S, C> {
     pub pairs: &'a [Pair<S>],
 }
 
-/// Working memory of a step; the contacts of one step are the warm start of the next.
+/// Working memory of a step.
 #[derive(Debug)]
 pub struct StepMemory<'a, S> {
     /// [`StepMemory::scratch`] numbers.
@@ -36,7 +36,7 @@ pub struct StepMemory<'a, S> {
     pub inertias: Inertias<'a, S>,
     /// Boxes around the things, one entry per thing; may be empty where there are few pairs.
     pub extents: &'a mut [Extent<S>],
-    /// Contacts of this step and of the one before: as many as are expected at once.
+    /// Contacts of this step, and room for those of a search within it: as many as are expected at once.
     pub touches: [&'a mut [Touch<S>]; 2],
     /// Numbers of contacts in both lists.
     pub counts: [usize; 2],
@@ -53,5 +53,10 @@ impl<S: Scalar> StepMemory<'_, S> {
     #[must_use]
     pub fn contacts(&self) -> &[Touch<S>] {
         self.touches[0].get(..self.counts[0]).unwrap_or_default()
+    }
+    /// Exchanges the two lists of contacts.
+    pub(super) fn swap_lists(&mut self) {
+        self.touches.swap(0, 1);
+        self.counts.swap(0, 1);
     }
 }

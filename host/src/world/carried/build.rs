@@ -56,6 +56,9 @@ impl CarriedWorld {
         world.join(assembly, &starts)?;
         world.stable = stable_step(assembly, &world.fixed)?;
         world.touch(assembly)?;
+        if !assembly.run.settled {
+            world.refuse_overlaps()?;
+        }
         Ok(world)
     }
 

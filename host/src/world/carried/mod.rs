@@ -14,6 +14,7 @@ mod build;
 mod choice;
 mod islands;
 pub mod methods;
+mod overlap;
 mod reach;
 mod rest;
 pub mod rounded;

@@ -5,6 +5,7 @@
 //! located in time and impact laws.
 
 mod among;
+mod room;
 mod rounded;
 
 use super::assembly::{Assembly, Kind, Law};
@@ -12,24 +13,37 @@ use super::books::{Books, Watch};
 use super::engine::Event;
 use super::pushed::Pushed;
 use crate::contact_force::ContactForce;
+use room::Room;
 use smartbed_runtime::mechanism::Fault;
 use smartbed_runtime::ode::{Method, State};
 use smartbed_runtime::real::Scalar;
-use smartbed_runtime::rigid::contact::{Mobility, Twist};
+use smartbed_runtime::rigid::contact::Mobility;
 use smartbed_runtime::rigid::law::Kind as Impact;
 use smartbed_runtime::rigid::narrow::CAPACITY;
 use smartbed_runtime::rigid::several::Struck;
 use smartbed_runtime::surface::Frame;
 use smartbed_runtime::vec3::Vec3;
 use smartbed_runtime::world::{
-    Accounts, Carrier, Coupling, Extent, Inertias, InverseInertia, Island, LocatedMemory, MeanMemory, Pair,
-    Place, Pressing, StepMemory, Thing, Touch, World,
+    Accounts, Carrier, Island, LocatedMemory, MeanMemory, Pair, Place, Pressing, Thing, Touch, World,
 };
 use std::ops::Range;
 
 /// Largest depth below a facet at which contact is detected, as a fraction of a body's thickness, or of the size of two
 /// facets.
 const DEPTH: f64 = 0.25;
+
+/// An overlap below this share of the smaller part's size is attributed to rounding of the text's numbers.
+const ROUNDING: f64 = 1e-6;
+
+/// A place where two parts overlap.
+pub(super) struct Overlap {
+    /// Their numbers.
+    pub(super) parts: [usize; 2],
+    /// Depth (m).
+    pub(super) depth: f64,
+    /// Contact point in N (m).
+    pub(super) point: Vec3<f64>,
+}
 
 /// Things, pairs and memory.
 #[derive(Clone, Debug)]
@@ -50,16 +64,7 @@ pub(super) struct Touching<S = f64> {
     pub(super) forces: Vec<ContactForce>,
     /// The same by pair.
     pub(super) pushed: Pushed,
-    scratch: Vec<S>,
-    frames: [Vec<Frame<S>>; 2],
-    twists: [Vec<Twist<S>>; 3],
-    normals: Vec<Vec3<S>>,
-    extents: Vec<Extent<S>>,
-    couplings: Vec<Coupling>,
-    answers: Vec<InverseInertia<S>>,
-    yields: Vec<S>,
-    touches: [Vec<Touch<S>>; 2],
-    counts: [usize; 2],
+    room: Room<S>,
     located: Option<Located<S>>,
     /// Made when a step first asks for it.
     means: Option<Means<S>>,
@@ -208,8 +213,9 @@ impl<S: Scalar> Touching<S> {
         (things, of_parts): (Vec<Thing<S>>, Vec<Option<usize>>),
         Pairs { pairs, parts, moves }: Pairs<S>,
         located: Option<(Vec<Impact>, Method)>,
-        [ports, points, answers, n]: [usize; 4],
+        size: [usize; 4],
     ) -> Self {
+        let [ports, _, _, n] = size;
         let none: &[Mobility<S>] = &[];
         let room: usize = pairs.iter().flat_map(|pair| pair.things).map(|thing| room(&things[thing])).sum();
         let located = located.map(|(kinds, method)| Located {
@@ -220,7 +226,6 @@ impl<S: Scalar> Touching<S> {
             struck: [0; 2].map(|_| vec![Struck::new(Touch::empty().contact, none); room]),
             overlaps: false,
         });
-        let twists = vec![Twist::zero(); ports + points];
         let bodies = |thing: usize| match &things[thing] {
             Thing::Rigid { port: Some(port), .. } => *port..port + 1,
             Thing::Rigid { port: None, .. } => 0..0,
@@ -231,21 +236,12 @@ impl<S: Scalar> Touching<S> {
             active: vec![false; pairs.len()],
             forces: Vec::new(),
             pushed: Pushed::new(pairs.len()),
-            extents: vec![Extent::everywhere(); things.len()],
             parts,
             of_parts,
             moves,
+            room: Room::new(size, [things.len(), room]),
             things,
             pairs,
-            scratch: vec![S::ZERO; StepMemory::<S>::scratch(n)],
-            frames: [vec![Frame::inertial(); ports], vec![Frame::inertial(); ports]],
-            twists: [twists.clone(), twists.clone(), twists],
-            normals: vec![[S::ZERO; 3]; points],
-            couplings: vec![Coupling::default(); ports],
-            answers: vec![[[S::ZERO; 6]; 6]; answers],
-            yields: vec![S::ZERO; points],
-            touches: [vec![Touch::empty(); room], vec![Touch::empty(); room]],
-            counts: [0, 0],
             located,
             means: None,
             n,
@@ -268,12 +264,36 @@ impl<S: Scalar> Touching<S> {
 
     /// Answers about ports that impulses ask for.
     pub(super) fn answers(&self) -> usize {
-        self.answers.len()
+        self.room.sizes()[2]
+    }
+
+    /// Where parts of pairs, of which one can move, overlap at a state by more than rounding. The next step does not
+    /// know of this.
+    pub(super) fn overlaps(
+        &self,
+        island: Island<'_, S, impl Carrier<S>>,
+        t: S,
+        x: &[S],
+    ) -> Result<Vec<Overlap>, Fault> {
+        let mut room = self.room.clone();
+        let mut memory = room.memory();
+        World { island, things: &self.things, pairs: &self.pairs }.look(t, x, &mut memory)?;
+        let size = |thing: usize| memory.extents[thing].diagonal().to_f64();
+        let overlap = |touch: &Touch<S>| {
+            let [a, b] = self.pairs[touch.pair].things.map(size);
+            let depth = -touch.gap.to_f64();
+            (self.moves[touch.pair].contains(&true) && depth > ROUNDING * a.min(b)).then_some(Overlap {
+                parts: self.parts[touch.pair],
+                depth,
+                point: touch.point.map(S::to_f64),
+            })
+        };
+        Ok(memory.contacts().iter().filter_map(overlap).collect())
     }
 
     /// Contacts that were near in the last step.
     pub(super) fn near(&self) -> usize {
-        self.counts[0]
+        self.room.counts[0]
     }
 
     /// A step of an island; pairs that come into contact are events. Books, if there are some, observe it.
@@ -285,24 +305,9 @@ impl<S: Scalar> Touching<S> {
         how: How,
         (found, books): (&mut Vec<Event>, Option<&mut Books>),
     ) -> Result<Stepped<S>, Fault> {
-        let sizes = [self.n, self.yields.len(), self.couplings.len()];
-        let [first, last] = &mut self.frames;
-        let [start, free, end] = &mut self.twists;
-        let [now, before] = &mut self.touches;
-        let mut memory = StepMemory {
-            scratch: &mut self.scratch,
-            frames: [first, last],
-            twists: [start, free, end],
-            normals: &mut self.normals,
-            inertias: Inertias {
-                couplings: &mut self.couplings,
-                answers: &mut self.answers,
-                nodes: &mut self.yields,
-            },
-            extents: &mut self.extents,
-            touches: [now, before],
-            counts: self.counts,
-        };
+        let [ports, points, _] = self.room.sizes();
+        let sizes = [self.n, points, ports];
+        let mut memory = self.room.memory();
         let mut world = World { island, things: &self.things, pairs: &self.pairs };
         let mut watch = Watch { parts: &self.parts, bodies: &self.bodies, found: &mut *found, books };
         if let Some(own) = self.located.as_mut().filter(|_| how == How::Freely) {
@@ -345,8 +350,8 @@ impl<S: Scalar> Touching<S> {
                 done.map(|report| (report, S::ZERO))
             }
         };
-        self.counts = memory.counts;
         let (report, leaving) = done?;
+        let counts = memory.counts;
         let contacts = memory.contacts();
         self.pushed = Pushed::new(self.pairs.len());
         let force = |touch: &Touch<S>| {
@@ -366,6 +371,7 @@ impl<S: Scalar> Touching<S> {
             }
             self.active[pair] = points > 0;
         }
+        self.room.counts = counts;
         Ok(Stepped { accounts: report.accounts, settled: report.settled, forced: false, leaving })
     }
 }

@@ -31,7 +31,8 @@ impl Touching {
             parts: self.parts.clone(),
             moves: self.moves.clone(),
         };
-        let size = [self.frames[0].len(), self.normals.len(), self.answers.len(), self.n];
+        let [ports, points, answers] = self.room.sizes();
+        let size = [ports, points, answers, self.n];
         Touching::with(things, pairs, located, size)
     }
 }
