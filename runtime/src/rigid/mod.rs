@@ -4,6 +4,7 @@
 //! an impact at a point (`impact`, `swerve`). The state holds the angular momentum in N, so that without moments
 //! it stays constant to the bit.
 
+pub(crate) mod anderson;
 pub mod attitude;
 pub mod contact;
 pub mod hold;
@@ -15,6 +16,7 @@ pub mod scene;
 pub mod several;
 mod swerve;
 pub mod touch;
+pub(crate) mod trail;
 
 use crate::real::Scalar;
 use crate::surface::Frame;

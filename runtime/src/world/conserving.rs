@@ -11,20 +11,20 @@
 //! rates at the middle of the step: order 2.
 
 use super::accounts::Accounts;
-use super::anderson::eliminate;
 use super::carrier::{Carrier, Wrench};
 use super::contacts::{load_contacts, press};
 use super::observer::{Forces, Observer, Push};
 use super::step::StepReport;
 use super::sweep::Sweeps;
-use super::trail::DEPTH;
 use super::whole::{StepMemory, World};
 use crate::flexible::{force, mean};
 use crate::mechanism::Fault;
 use crate::ode::nodes::MeanStep;
 use crate::ode::{Ode, State, pivot_limit, state::advance, trial::split};
 use crate::real::Scalar;
+use crate::rigid::anderson::eliminate;
 use crate::rigid::contact::{Contact, Point, Side, Twist};
+use crate::rigid::trail::DEPTH;
 use crate::surface::Frame;
 use crate::vec3::{self, Vec3};
 

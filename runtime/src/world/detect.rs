@@ -15,12 +15,12 @@
 
 use super::scenery::{EDGE, Extent, Feet, Foot, Mesh, Over, Scenery, Standing, shares};
 use super::thing::{Pair, Thing};
-use super::trail::Trail;
 use crate::mechanism::Fault;
 use crate::real::Scalar;
 use crate::rigid::contact::{Contact, Side};
 use crate::rigid::impact::InverseMass;
 use crate::rigid::narrow::{Placed, core_points, features};
+use crate::rigid::trail::{Swept, Trail};
 use crate::vec3::{self, Vec3};
 
 /// Contact numbers from here on are those of a shape's points over facets; smaller ones are those of nodes.
@@ -49,8 +49,7 @@ pub struct Touch<S> {
     pub(super) start: Vec3<S>,
     /// Least normal velocity (m/s) with which an overlap is left after the step.
     pub(super) out: S,
-    /// Change of the impulse by the last sweep, and the history of the sweeps before.
-    pub(super) change: Vec3<S>,
+    /// History of the sweeps over it.
     pub(super) trail: Trail<S>,
 }
 
@@ -82,9 +81,15 @@ impl<S: Scalar> Touch<S> {
             inverse_mass,
             start: zero,
             out: S::ZERO,
-            change: zero,
             trail: Trail::empty(),
         }
+    }
+}
+
+impl<S: Scalar> Swept<S> for Touch<S> {
+    fn parts(&mut self) -> (&mut Contact<S>, S, &mut Trail<S>) {
+        let weight = self.weight();
+        (&mut self.contact, weight, &mut self.trail)
     }
 }
 

@@ -10,7 +10,6 @@
 //! ```
 
 mod accounts;
-mod anderson;
 mod carrier;
 mod cell;
 mod conserving;
@@ -31,7 +30,6 @@ mod scenery;
 mod step;
 mod sweep;
 mod thing;
-mod trail;
 mod whole;
 
 pub use accounts::Accounts;

@@ -19,8 +19,9 @@ use super::whole::{StepMemory, World};
 use crate::mechanism::Fault;
 use crate::ode::Ode;
 use crate::real::Scalar;
+use crate::rigid::anderson::Ahead;
 use crate::rigid::contact::{Twist, solve_tangential};
-use crate::rigid::hold::Held;
+use crate::rigid::hold::{Held, PLAIN, fine};
 use crate::vec3::{self, Vec3};
 
 /// Most sweeps over the contacts.
@@ -70,7 +71,7 @@ impl<S: Scalar> Pressing<S> {
     #[must_use]
     pub fn empty() -> Pressing<S> {
         let (zero, touch) = (vec3::zero(), Touch::empty());
-        let held = Held { contact: touch.contact, inverse_mass: [zero; 3], bias: zero, slip: None };
+        let held = Held::new(touch.contact, [zero; 3], zero);
         let (slip, change) = (None, (S::ZERO, zero));
         Pressing {
             pair: 0,
@@ -210,8 +211,8 @@ impl<S: Scalar, C: Carrier<S>> Pressed<'_, '_, '_, S, C> {
             contact.push(inertias, gained, contact.impulse);
             scale = scale.max(vec3::norm(*bias) / inverse_mass[0][0]).max(vec3::norm(contact.impulse));
         }
-        let mut left = S::ZERO;
-        for _ in 0..SWEEPS {
+        let (mut left, mut ahead) = (S::ZERO, Ahead::new());
+        for number in 0..SWEEPS {
             left = S::ZERO;
             for held in self.list.iter_mut().map(|own| &mut own.held) {
                 let ([k, kx, ky], before) = (held.inverse_mass[0], held.contact.impulse);
@@ -233,11 +234,16 @@ impl<S: Scalar, C: Carrier<S>> Pressed<'_, '_, '_, S, C> {
                     force = vec3::sub(force, [S::ZERO, x, y]);
                 }
                 held.contact.impulse = force;
-                left = left.max(vec3::norm(vec3::sub(force, before)));
+                held.trail.moved = vec3::sub(force, before);
+                left = left.max(vec3::norm(held.trail.moved));
                 scale = scale.max(vec3::norm(force));
             }
-            if left <= S::from_f64(4.0) * S::EPSILON * scale {
+            if left <= fine::<S>(number) * scale {
                 return Ok(());
+            }
+            if (PLAIN..SWEEPS - 1).contains(&number) {
+                ahead.note(self.list);
+                ahead.go_on(self.list, inertias, gained);
             }
         }
         // Where contacts are redundant, rounding keeps changing forces that cancel one another.
@@ -328,10 +334,12 @@ impl<S: Scalar, C: Carrier<S>> Pressed<'_, '_, '_, S, C> {
         gained.fill(Twist::zero());
         let mut scale = S::ZERO;
         for own in self.list.iter_mut() {
-            own.correction = vec3::zero();
+            // The forces wait in the place of the corrections, which are swept in theirs.
+            (own.correction, own.held.contact.impulse) = (own.held.contact.impulse, vec3::zero());
             scale = scale.max(vec3::norm(wanted(own)));
         }
-        for _ in 0..SWEEPS {
+        let mut ahead = Ahead::new();
+        for number in 0..SWEEPS {
             let mut left = S::ZERO;
             for own in self.list.iter_mut() {
                 let (aim, k) = (wanted(own), own.held.inverse_mass);
@@ -347,11 +355,19 @@ impl<S: Scalar, C: Carrier<S>> Pressed<'_, '_, '_, S, C> {
                     contact.push(inertias, gained, [S::ZERO, x, y]);
                     (more[1], more[2]) = (x, y);
                 }
-                own.correction = vec3::add(own.correction, more);
+                own.held.contact.impulse = vec3::add(own.held.contact.impulse, more);
+                own.held.trail.moved = more;
             }
-            if left <= S::from_f64(4.0) * S::EPSILON * scale {
+            if left <= fine::<S>(number) * scale {
                 break;
             }
+            if (PLAIN..SWEEPS - 1).contains(&number) {
+                ahead.note(self.list);
+                ahead.go_on(self.list, inertias, gained);
+            }
+        }
+        for own in self.list.iter_mut() {
+            core::mem::swap(&mut own.correction, &mut own.held.contact.impulse);
         }
     }
 

@@ -12,9 +12,9 @@
 //! that reverses the slip within a step, or sweeps that stop early, could add a little energy: then all impulses are
 //! scaled down until they add none ([`take_no_more`]). So contacts only dissipate, whatever their sides are.
 
-use super::anderson::Ahead;
 use super::detect::Touch;
 use crate::real::Scalar;
+use crate::rigid::anderson::Ahead;
 use crate::rigid::contact::{Inertia, Twist, onto_disc, solve_tangential};
 use crate::rigid::impact::InverseMass;
 use crate::vec3;
@@ -82,7 +82,7 @@ pub(super) fn sweep<S: Scalar>(
         for touch in touches.iter_mut() {
             let before = touch.contact.impulse;
             moved = moved.max(relax(touch, h, inertia, twists));
-            touch.change = vec3::sub(touch.contact.impulse, before);
+            touch.trail.moved = vec3::sub(touch.contact.impulse, before);
         }
         number += 1;
         left = moved / fastest;

@@ -90,7 +90,7 @@ impl<S: Scalar> RigidScene<'_, S> {
         });
         let mut bias = vec3::apply(&contact.axes, vec3::sub(mine, others));
         bias[0] = bias[0] + vec3::dot(feature.normal_rate, contact.to_inertial(velocity));
-        let held = Held { inverse_mass: contact.inverse_mass(mobilities), contact, bias, slip: None };
+        let held = Held::new(contact, contact.inverse_mass(mobilities), bias);
         Touching { pair: number, id: feature.id, gap: feature.gap, velocity, held }
     }
 }

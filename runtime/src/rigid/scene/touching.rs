@@ -32,7 +32,7 @@ impl<S: Scalar> Touching<S> {
     pub fn empty() -> Touching<S> {
         let zero = vec3::zero();
         let contact = Contact::new([0, 0], zero, [S::ZERO, S::ZERO, S::ONE], [zero; 2]);
-        let held = Held { contact, inverse_mass: [zero; 3], bias: zero, slip: None };
+        let held = Held::new(contact, [zero; 3], zero);
         Touching { pair: 0, id: 0, gap: S::ZERO, velocity: zero, held }
     }
 

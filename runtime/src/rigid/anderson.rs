@@ -10,10 +10,9 @@
 //! sweeps are linear and this is GMRES; where one does, f grows and the history begins anew. The norm weighs impulses
 //! by inverse mass: energies.
 
-use super::detect::Touch;
-use super::trail::DEPTH;
+use super::contact::{Inertia, Twist};
+use super::trail::{DEPTH, Swept};
 use crate::real::Scalar;
-use crate::rigid::contact::{Inertia, Twist};
 use crate::vec3;
 
 /// A direction is dropped if elimination leaves less than this share of its squared length.
@@ -25,7 +24,7 @@ const WORSE: f64 = 4.0;
 
 /// State of the extrapolation.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Ahead<S> {
+pub(crate) struct Ahead<S> {
     /// Whether a sweep has been recorded.
     begun: bool,
     /// Differences recorded since the history began.
@@ -36,18 +35,18 @@ pub(super) struct Ahead<S> {
 
 impl<S: Scalar> Ahead<S> {
     /// Before the first sweep.
-    pub(super) fn new() -> Self {
+    pub(crate) fn new() -> Self {
         Ahead { begun: false, number: 0, least: S::ZERO }
     }
 
     /// Records a sweep; returns the largest difference (m/s) between its change and that of the sweep before, None
     /// where a history begins.
-    pub(super) fn note(&mut self, touches: &mut [Touch<S>]) -> Option<S> {
+    pub(crate) fn note(&mut self, list: &mut [impl Swept<S>]) -> Option<S> {
         let (mut square, mut apart, place) = (S::ZERO, S::ZERO, self.number % DEPTH);
-        for touch in touches.iter_mut() {
-            let weight = touch.weight();
-            square = square + weight * vec3::dot(touch.change, touch.change);
-            let (change, end, trail) = (touch.change, touch.contact.impulse, &mut touch.trail);
+        for entry in list.iter_mut() {
+            let (contact, weight, trail) = entry.parts();
+            square = square + weight * vec3::dot(trail.moved, trail.moved);
+            let (change, end) = (trail.moved, contact.impulse);
             let difference = vec3::sub(change, trail.change);
             apart = apart.max(weight * vec3::norm(difference));
             if let (Some(changes), Some(ends)) = (trail.changes.get_mut(place), trail.ends.get_mut(place)) {
@@ -64,26 +63,33 @@ impl<S: Scalar> Ahead<S> {
     }
 
     /// Gives the contacts the impulses that the next sweep starts from.
-    pub(super) fn go_on(&self, touches: &mut [Touch<S>], inertia: &impl Inertia<S>, twists: &mut [Twist<S>]) {
-        let gamma = combination(touches, self.number.min(DEPTH));
-        for touch in touches {
-            let ends = touch.trail.ends.iter().zip(gamma);
+    pub(crate) fn go_on(
+        &self,
+        list: &mut [impl Swept<S>],
+        inertia: &(impl Inertia<S> + ?Sized),
+        twists: &mut [Twist<S>],
+    ) {
+        let gamma = combination(list, self.number.min(DEPTH));
+        for entry in list {
+            let (contact, _, trail) = entry.parts();
+            let ends = trail.ends.iter().zip(gamma);
             let more = ends.fold(vec3::zero(), |sum, (end, gamma)| vec3::axpy(sum, -gamma, *end));
-            touch.contact.push(inertia, twists, more);
-            touch.contact.impulse = vec3::add(touch.contact.impulse, more);
+            contact.push(inertia, twists, more);
+            contact.impulse = vec3::add(contact.impulse, more);
         }
     }
 }
 
 /// gamma from the last `count` differences.
-fn combination<S: Scalar>(touches: &[Touch<S>], count: usize) -> [S; DEPTH] {
+fn combination<S: Scalar>(list: &mut [impl Swept<S>], count: usize) -> [S; DEPTH] {
     let (mut matrix, mut right, mut square) = ([[S::ZERO; DEPTH]; DEPTH], [S::ZERO; DEPTH], S::ZERO);
-    for touch in touches {
-        let (weight, changes) = (touch.weight(), &touch.trail.changes);
-        square = square + weight * vec3::dot(touch.change, touch.change);
+    for entry in list {
+        let (_, weight, trail) = entry.parts();
+        let changes = &trail.changes;
+        square = square + weight * vec3::dot(trail.moved, trail.moved);
         for ((own, row), right) in changes.iter().zip(&mut matrix).zip(&mut right).take(count) {
             let own = vec3::scale(*own, weight);
-            *right = *right + vec3::dot(own, touch.change);
+            *right = *right + vec3::dot(own, trail.moved);
             for (entry, other) in row.iter_mut().zip(changes).take(count) {
                 *entry = *entry + vec3::dot(own, *other);
             }
@@ -94,7 +100,7 @@ fn combination<S: Scalar>(touches: &[Touch<S>], count: usize) -> [S; DEPTH] {
 
 /// Solves the normal equations for gamma; leaves out directions that depend on earlier ones or are rounding compared
 /// with |f|^2.
-pub(super) fn eliminate<S: Scalar>(
+pub(crate) fn eliminate<S: Scalar>(
     mut matrix: [[S; DEPTH]; DEPTH],
     mut right: [S; DEPTH],
     square: S,
