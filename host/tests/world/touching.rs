@@ -347,3 +347,38 @@ fn parts_that_overlap_at_the_start_are_refused_unless_they_are_settled() {
     let text = fails(&["run", "arm6_pushes_wall", "--set", moved]);
     assert!(text.contains("`tip` and `wall` overlap by"), "{text}");
 }
+
+#[test]
+fn a_cube_that_sinks_into_an_equal_one_is_named() {
+    // No node of either is over a facet of the other: the lower one's corners lie outside the turned one.
+    let corners: Vec<String> = (0..8)
+        .map(|k| {
+            let [x, y, z] = [0, 1, 2].map(|i| if k >> i & 1 == 1 { 0.1 } else { -0.1 });
+            let c = 0.5_f64.sqrt();
+            format!("[{}, {}, {}]", 0.1 + c * (x - y), 0.1 + c * (x + y), z + 0.305)
+        })
+        .collect();
+    let springs: Vec<String> = (0..8).flat_map(|a| (a + 1..8).map(move |b| format!("[{a}, {b}]"))).collect();
+    let scene = |name: &str, height: &str| {
+        scene(
+            name,
+            &format!(
+                "format = 2\n[parts.ground]\nrigid = \"half_space\"\n\
+                 [parts.low]\nshape = \"cube\"\nside = 0.2\nmass = 1\nK = 20000\nC = 5\n\
+                 [parts.high]\npoints = [{}]\nsprings = [{}]\n\
+                 facets = [[0, 4, 6, 2], [1, 3, 7, 5], [0, 1, 5, 4], [2, 6, 7, 3], [0, 2, 3, 1], [4, 5, 7, 6]]\n\
+                 mass = 1\nK = 20000\nC = 5\n{height}\
+                 [[contacts]]\nbetween = [\"low\", \"ground\"]\nimpact = \"moreau\"\n\
+                 [[contacts]]\nbetween = [\"high\", \"low\"]\nimpact = \"moreau\"\n\
+                 [run]\nseconds = 0.15\nstep = 5e-4\n",
+                corners.join(", "),
+                springs.join(", "),
+            ),
+        )
+    };
+    let warned = |file: &str| String::from_utf8_lossy(&smartbed(&["run", file]).stderr).into_owned();
+    let text = warned(&scene("sinks", ""));
+    assert!(text.contains("warning: `high` and `low` run through one another at the end, near ("), "{text}");
+    let text = warned(&scene("falls", "start = { height = 0.5 }\n"));
+    assert!(!text.contains("run through one another"), "{text}");
+}

@@ -12,6 +12,7 @@ mod between;
 mod breathing;
 mod build;
 mod choice;
+mod crossing;
 mod islands;
 pub mod methods;
 mod overlap;

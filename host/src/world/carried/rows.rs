@@ -238,6 +238,7 @@ impl<S: Settle> Engine for CarriedWorld<S> {
     fn warnings(&self) -> Vec<String> {
         let steps = |count: usize| smartbed_codegen::words::count(count, "step");
         let mut said = self.bars_between_nodes();
+        said.extend(self.parts_through_parts());
         if self.unsettled > 0 {
             let count = steps(self.unsettled);
             said.push(format!(
