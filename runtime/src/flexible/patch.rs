@@ -12,8 +12,10 @@ use crate::vec3::{self, Vec3};
 
 /// Most nodes of a patch: as many as a byte has values.
 pub const NODES: usize = 256;
-/// Patches of at most this many nodes use smaller memory, which is cleared faster.
-const FEW: usize = 64;
+/// Patches of at most this many nodes use smaller memory, and shorter blocks of springs, which are cleared faster.
+const FEW: usize = 48;
+/// Springs of such a block.
+const SHORT: usize = if BLOCK < 16 { BLOCK } else { 16 };
 
 /// Springs of a body as a sequence of patches.
 #[derive(Clone, Copy, Debug)]
@@ -110,15 +112,15 @@ impl<S: Scalar> Kernel for Means<'_, '_, S> {
 type Fours<S, const N: usize> = [[S; 4]; N];
 
 /// Copies of a patch's nodes, and results for a block of springs.
-struct Room<S, const N: usize, const MOST: usize> {
+struct Room<S, const N: usize, const MOST: usize, const SPRINGS: usize> {
     /// Nodes of the patch, for each of the rows.
     places: [Fours<S, MOST>; N],
     /// Forces on them.
     sums: Fours<S, MOST>,
     /// Vectors of springs from tail to head, for each of the rows.
-    ways: [Fours<S, BLOCK>; N],
+    ways: [Fours<S, SPRINGS>; N],
     /// Forces on their tails.
-    pulls: Fours<S, BLOCK>,
+    pulls: Fours<S, SPRINGS>,
 }
 
 /// Adds forces to both ends of each spring. `law` gives the force on its tail, and a flag, from the vector from tail to
@@ -132,14 +134,14 @@ fn walk<S: Scalar, const N: usize>(
 ) -> bool {
     // Clearing memory for 256 nodes takes as long as about a hundred springs.
     match patches.nodes.len() {
-        0..=FEW => walk_within::<S, N, FEW>(patches, rows, force, law),
-        _ => walk_within::<S, N, NODES>(patches, rows, force, law),
+        0..=FEW => walk_within::<S, N, FEW, SHORT>(patches, rows, force, law),
+        _ => walk_within::<S, N, NODES, BLOCK>(patches, rows, force, law),
     }
 }
 
-/// The same for patches of at most `MOST` nodes.
+/// The same for patches of at most `MOST` nodes, by blocks of `SPRINGS` springs.
 #[inline(always)]
-fn walk_within<S: Scalar, const N: usize, const MOST: usize>(
+fn walk_within<S: Scalar, const N: usize, const MOST: usize, const SPRINGS: usize>(
     patches: Patches<S>,
     rows: [&[Vec3<S>]; N],
     force: &mut [Vec3<S>],
@@ -150,17 +152,17 @@ fn walk_within<S: Scalar, const N: usize, const MOST: usize>(
     let mut room = Room {
         places: [[none; MOST]; N],
         sums: [none; MOST],
-        ways: [[none; BLOCK]; N],
-        pulls: [none; BLOCK],
+        ways: [[none; SPRINGS]; N],
+        pulls: [none; SPRINGS],
     };
     let (mut found, mut from) = (false, [0; 2]);
     for to in ends {
         let nodes = nodes.get(from[0]..to[0]).unwrap_or_default();
         rows.iter().zip(&mut room.places).for_each(|(row, places)| read(row, nodes, places));
         read(force, nodes, &mut room.sums);
-        let springs = springs.get(from[1]..to[1]).unwrap_or_default().chunks(BLOCK);
+        let springs = springs.get(from[1]..to[1]).unwrap_or_default().chunks(SPRINGS);
         let [stiffness, rest_length, damping] = [stiffness, rest_length, damping]
-            .map(|list| list.get(from[1]..to[1]).unwrap_or_default().chunks(BLOCK));
+            .map(|list| list.get(from[1]..to[1]).unwrap_or_default().chunks(SPRINGS));
         for (springs, (stiffness, (rest_length, damping))) in
             springs.zip(stiffness.zip(rest_length.zip(damping)))
         {
@@ -190,7 +192,7 @@ fn read<S: Scalar>(rows: &[Vec3<S>], nodes: &[usize], to: &mut [[S; 4]]) {
 // The loop that reads nodes checks that they exist: the compiler then loads a node as one register, instead of
 // gathering numbers of several springs one by one. The loop that adds forces needs no check: any byte is a valid index
 // of the memory.
-impl<S: Scalar, const N: usize, const MOST: usize> Room<S, N, MOST> {
+impl<S: Scalar, const N: usize, const MOST: usize, const SPRINGS: usize> Room<S, N, MOST, SPRINGS> {
     /// The vectors from tail to head of a block of springs.
     #[inline(always)]
     fn span(&mut self, springs: &[[u8; 2]], nodes: usize) {
