@@ -151,7 +151,8 @@ impl<S: Scalar> Conserve<'_, '_, S> {
     /// Lengths and forces at the start of a step; the way by constant forces alone.
     #[inline(always)]
     fn begin(&mut self, forces: &mut Forces<S>) {
-        let (weights, pressure) = (Weights::of(self.form, false), S::from_f64(0.25) * self.pressure);
+        let pressure = S::from_f64(0.25) * self.pressure;
+        let weights = Weights::of(self.form, false).times(pressure);
         forces.begin();
         for row in 0..self.grid.rows {
             let Some([course, above]) = self.courses.get_mut(row..).and_then(<[_]>::first_chunk_mut) else {
@@ -163,8 +164,9 @@ impl<S: Scalar> Conserve<'_, '_, S> {
                 let [up, across] = [lane, lane + 1].map(|lane| get(&above.line.pos, lane));
                 measure(to_right, lane, vec3::sub(right, here));
                 measure(upwards, lane, vec3::sub(up, here));
-                let shares = pressure::shares(weights, [here, right, across, up]);
-                forces.set(lane, [vec3::zero(); 2], shares, line.cells[lane] * pressure);
+                let shares =
+                    pressure::quad_shares(weights.times(line.cells[lane]), [here, right, across, up]);
+                forces.set(lane, [vec3::zero(); 2], shares);
             }
             if line.has_beside {
                 self.push_beside(row, pressure, |course| &course.line.pos, forces);
@@ -204,11 +206,12 @@ impl<S: Scalar> Conserve<'_, '_, S> {
     /// Mean forces from the nodes of a row.
     #[inline(always)]
     fn forces<const LOOK: bool>(&mut self, row: usize, forces: &mut Forces<S>, largest: &mut Largest<S>) {
-        let (weights, pressure) = (Weights::of(self.form, false), S::from_f64(0.75) * self.pressure);
+        let pressure = S::from_f64(0.75) * self.pressure;
+        let weights = Weights::of(self.form, false).times(pressure);
         let Some([course, above]) = self.courses.get_mut(row..).and_then(<[_]>::first_chunk_mut) else {
             return;
         };
-        pull_and_push::<S, LOOK>(weights, pressure, course, above, forces, largest);
+        pull_and_push::<S, LOOK>(weights, course, above, forces, largest);
         if course.line.has_beside {
             self.push_beside(row, pressure, |course| &course.ahead, forces);
         }

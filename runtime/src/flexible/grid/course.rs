@@ -127,10 +127,9 @@ impl<S: Scalar> Forces<S> {
         self.carried.as_flattened_mut().fill(S::ZERO);
     }
 
-    /// The forces on the tails of a node's springs, and by the cell to the right above it; that of none has pressure 0.
+    /// The forces on the tails of a node's springs, and on the corners of the cell to the right above it.
     #[inline(always)]
-    pub(super) fn set(&mut self, lane: usize, [right, up]: [Vec3<S>; 2], shares: [Vec3<S>; 4], pressure: S) {
-        let [a, b, c, d] = shares.map(|share| vec3::scale(share, pressure));
+    pub(super) fn set(&mut self, lane: usize, [right, up]: [Vec3<S>; 2], [a, b, c, d]: [Vec3<S>; 4]) {
         set(&mut self.right, LEAD + lane, right);
         set(&mut self.lower, LEAD + lane, b);
         set(&mut self.upper, LEAD + lane, c);
@@ -153,7 +152,8 @@ impl<S: Scalar> Forces<S> {
 #[inline(always)]
 pub(super) fn measure<S: Scalar>(lengths: &mut Lengths<S>, lane: usize, way: Vec3<S>) {
     let length = vec3::norm(way);
-    let inverse = S::ONE / length;
+    // Where there is no spring there may be no length; any guess is good then.
+    let inverse = S::ONE / if length > S::ZERO { length } else { S::ONE };
     lengths.start[lane] = length;
     lengths.inverse[lane] = inverse;
     lengths.inverse_sum[lane] = S::from_f64(0.5) * inverse;
@@ -163,7 +163,6 @@ pub(super) fn measure<S: Scalar>(lengths: &mut Lengths<S>, lane: usize, way: Vec
 #[inline(always)]
 pub(super) fn pull_and_push<S: Scalar, const LOOK: bool>(
     weights: Weights<S>,
-    pressure: S,
     course: &mut Course<S>,
     above: &Course<S>,
     forces: &mut Forces<S>,
@@ -177,8 +176,8 @@ pub(super) fn pull_and_push<S: Scalar, const LOOK: bool>(
         let upwards = pull::<S, LOOK>(&line.up, upwards, lane, [here, up], largest);
         let [here, right] = [lane, lane + 1].map(|lane| get(ahead, lane));
         let [up, across] = [lane, lane + 1].map(|lane| get(&above.ahead, lane));
-        let shares = pressure::shares(weights, [here, right, across, up]);
-        forces.set(lane, [to_right, upwards], shares, line.cells[lane] * pressure);
+        let shares = pressure::quad_shares(weights.times(line.cells[lane]), [here, right, across, up]);
+        forces.set(lane, [to_right, upwards], shares);
     }
 }
 
@@ -205,16 +204,16 @@ fn pull<S: Scalar, const LOOK: bool>(
     let inverse_sum = inverse_sum * larger(two - both * inverse_sum, least);
     (lengths.inverse[lane], lengths.inverse_sum[lane]) = (inverse, inverse_sum);
     let (stiffness, rest_length) = (springs.stiffness[lane], springs.rest_length[lane]);
-    // Where there is no spring, lengths may be anything.
-    let exists = stiffness > S::ZERO;
     if LOOK {
+        // Where there is no spring, lengths may be anything.
+        let exists = stiffness > S::ZERO;
         let found = [off.abs(), length * springs.shortness[lane]];
         let [off, stretch] = found.map(|x| if exists { x } else { S::ZERO });
         largest.inverse[lane] = larger(largest.inverse[lane], off);
         largest.stretch[lane] = larger(largest.stretch[lane], stretch);
     }
     let pull = stiffness * (half - rest_length * inverse_sum);
-    vec3::scale(vec3::add(before, after), if exists { pull } else { S::ZERO })
+    vec3::scale(vec3::add(before, after), pull)
 }
 
 /// The way by velocities and constant forces, with which a step begins.
