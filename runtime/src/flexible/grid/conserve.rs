@@ -51,9 +51,9 @@ pub struct Conserve<'a, 'm, S> {
 }
 
 /// Iterations at most between two whose residual is looked at.
-const UNSEEN: usize = 4;
+const UNSEEN: usize = 3;
 /// How often it is looked at in a step at most.
-const LOOKS: usize = 20;
+const LOOKS: usize = 60;
 /// Rounding units of the way that end the iteration.
 const SETTLED: f64 = 4.0;
 /// Bound on the stiffness of a node over that of its springs in one direction: on an inclined sheet those of the other add to it.
@@ -129,21 +129,30 @@ impl<S: Scalar> Conserve<'_, '_, S> {
     fn step(&mut self, bounds: &Bounds<S>, forces: &mut Forces<S>) -> bool {
         self.begin(forces);
         let mut chebyshev = Chebyshev::new(bounds.reach);
-        let mut unseen = chebyshev.iterations(S::ONE, S::EPSILON);
+        let (mut unseen, mut before) = (0, None);
         for _ in 0..LOOKS {
             for _ in 0..unseen {
                 self.iterate::<false>(chebyshev.next(), forces);
             }
             let largest = self.iterate::<true>(chebyshev.next(), forces);
             let [residual, way, inverse, stretch] = largest.numbers();
-            // What one more iteration and the end of the step leave of it.
-            let error = residual * chebyshev.gain * bounds.reach;
+            // A spring that collapses has a negative stiffness, for which the coefficients are not made.
+            let rate = before.map_or(S::ONE, |last| mean_rate(residual / last, unseen + 1));
+            let rate = larger(rate, chebyshev.gain);
+            // What this iteration and the end of the step leave.
+            let error = residual * rate * larger(rate, bounds.reach) / (S::ONE - rate);
             let goal = S::from_f64(SETTLED) * S::EPSILON * (way + bounds.strained);
-            if error <= goal && inverse <= S::ROOT_EPSILON {
+            let is_settled = residual <= goal || rate < S::ONE && error <= goal;
+            if is_settled && inverse <= S::ROOT_EPSILON {
                 self.end(forces);
                 return stretch <= S::ONE;
             }
-            unseen = chebyshev.iterations(error * chebyshev.gain, goal);
+            unseen = match before {
+                None => UNSEEN,
+                Some(_) if rate < S::ONE => iterations(rate, error * rate, goal),
+                Some(_) => 0,
+            };
+            before = Some(residual);
         }
         false
     }
@@ -281,13 +290,18 @@ impl<S: Scalar> Chebyshev<S> {
         self.quotient = Some(quotient);
         [(quotient + quotient) / self.radius, quotient * last]
     }
+}
 
-    /// Iterations from an error to a goal, [`UNSEEN`] at most.
-    fn iterations(&self, mut error: S, goal: S) -> usize {
-        let mut count = 0;
-        while count < UNSEEN && error > goal {
-            (error, count) = (error * self.gain, count + 1);
-        }
-        count
+/// Iterations from an error to a goal at a rate, [`UNSEEN`] at most.
+fn iterations<S: Scalar>(rate: S, mut error: S, goal: S) -> usize {
+    let mut count = 0;
+    while count < UNSEEN && error > goal {
+        (error, count) = (error * rate, count + 1);
     }
+    count
+}
+
+/// The factor that, as often as counted, makes a quotient.
+fn mean_rate<S: Scalar>(quotient: S, count: usize) -> S {
+    (quotient.ln() / S::from_f64(count.max(1) as f64)).exp()
 }

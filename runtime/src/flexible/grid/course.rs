@@ -70,7 +70,7 @@ impl<S: Scalar> Course<S> {
 pub(super) struct Largest<S> {
     /// Components of the residual (m).
     residual: Lanes<S>,
-    /// Components of the way by forces that depend on it (m).
+    /// Components of the way (m).
     way: Lanes<S>,
     /// What an inverse length y leaves: |1 - l^2 y^2|.
     inverse: Lanes<S>,
@@ -251,7 +251,7 @@ pub(super) fn improve<S: Scalar, const LOOK: bool>(
             course.ahead[i][lane] = course.line.pos[i][lane] + S::from_f64(2.0 / 3.0) * way;
             if LOOK {
                 largest.residual[lane] = larger(largest.residual[lane], residual.abs());
-                largest.way[lane] = larger(largest.way[lane], by_force.abs());
+                largest.way[lane] = larger(largest.way[lane], way.abs());
             }
         }
     }
