@@ -1,15 +1,17 @@
 //! Many steps of a sheet that nobody looks at in between.
 //!
 //! In: a simulation, how many steps. Out: the same so many steps further; the runtime keeps the numbers of a sheet that
-//! nothing meets in rows over all of them, with the bits that they have one by one.
+//! nothing meets in rows over all of them, with the bits that they have one by one; one step at a time too by the
+//! energy-momentum method.
 
 use smartbed_runtime::flexible::BodyError;
+use smartbed_runtime::ode::nodes::Method;
 use smartbed_runtime::real::Scalar;
 use smartbed_runtime::scene::march;
 
 use super::simulation::Simulation;
 
-/// Steps at once at least: fewer are faster one by one (`docs/performance.md`).
+/// Steps of Verlet's method at once at least: fewer are faster one by one (`docs/performance.md`).
 const FEWEST: usize = 6;
 /// Steps at once at most: one that is refused is found after as many.
 const AT_ONCE: usize = 256;
@@ -29,7 +31,7 @@ impl<S: Scalar> Simulation<S> {
         let mut taken = 0;
         while taken < steps {
             let count = (steps - taken).min(AT_ONCE);
-            if count < FEWEST || !self.march(h, count) {
+            if count < self.fewest() || self.march(h, count).is_none() {
                 for step in taken..taken + count {
                     self.step(h, &mut ()).map_err(|why| (step, why))?;
                 }
@@ -39,12 +41,18 @@ impl<S: Scalar> Simulation<S> {
         Ok(())
     }
 
-    /// Takes so many steps at once, or none.
-    fn march(&mut self, h: S, steps: usize) -> bool {
-        let Some(mut marcher) = self.marcher.take() else { return false };
-        let taken =
-            self.with(|system, state, work| Ok(march(system, state, (h, steps), marcher.view(), work)));
+    /// Steps at once at least, so that they are not taken one by one.
+    fn fewest(&self) -> usize {
+        if self.method() == Method::EnergyMomentum { 1 } else { FEWEST }
+    }
+
+    /// Takes so many steps at once, or none; returns the evaluations of all forces.
+    pub(super) fn march(&mut self, h: S, steps: usize) -> Option<usize> {
+        let mut marcher = self.marcher.take()?;
+        let taken = self.with(|system, state, work| {
+            Ok(march(system, state, (h, steps), marcher.view(), work).then_some(work.evaluations))
+        });
         self.marcher = Some(marcher);
-        taken == Ok(true)
+        taken.ok().flatten()
     }
 }

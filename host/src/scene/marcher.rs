@@ -3,9 +3,10 @@
 //! In: a body. Out: the rows of its grid and the facets beside it, if the runtime can take many steps of it at once.
 
 use smartbed_runtime::contact::System;
-use smartbed_runtime::flexible::grid::{Corner, Grid, Line};
+use smartbed_runtime::flexible::grid::{Corner, Course, Grid, Line};
+use smartbed_runtime::ode::nodes::Method;
 use smartbed_runtime::real::Scalar;
-use smartbed_runtime::scene::{Marching, can_march};
+use smartbed_runtime::scene::{Marching, Rows, can_march};
 
 /// Facets beside the cells at most: each is taken by itself in every step.
 const MOST_BESIDE: usize = 16;
@@ -15,27 +16,45 @@ const MOST_FORCES: usize = 2;
 /// What a [`Marching`] borrows.
 #[derive(Clone, Debug)]
 pub struct Marcher<S> {
-    lines: Vec<Line<S>>,
+    rows: Memory<S>,
     beside: Vec<[Corner; 4]>,
     is_current: bool,
 }
 
+/// What [`Rows`] borrow.
+#[derive(Clone, Debug)]
+enum Memory<S> {
+    Verlet(Vec<Line<S>>),
+    EnergyMomentum(Vec<Course<S>>),
+}
+
 impl<S: Scalar> Marcher<S> {
-    /// None where the body cannot be marched.
-    pub fn new(system: &System<S>) -> Option<Self> {
+    /// None where the body cannot be marched by the method.
+    pub fn new(system: &System<S>, method: Method<S>) -> Option<Self> {
         let body = &system.body;
         let [grid] = body.grids else { return None };
         if !can_march(system) {
             return None;
         }
         let beside = beside(grid, body.facets, body.points())?;
-        let lines = (0..=grid.rows).map(|row| Line::new(grid, row, body.inverse_mass, &beside)).collect();
-        Some(Marcher { lines, beside, is_current: false })
+        let (all, masses) = (0..=grid.rows, body.inverse_mass);
+        let rows = match method {
+            Method::Verlet => Memory::Verlet(all.map(|row| Line::new(grid, row, masses, &beside)).collect()),
+            Method::EnergyMomentum => {
+                Memory::EnergyMomentum(all.map(|row| Course::new(grid, row, masses, &beside)).collect())
+            }
+            _ => return None,
+        };
+        Some(Marcher { rows, beside, is_current: false })
     }
 
     /// The memory.
     pub fn view(&mut self) -> Marching<'_, S> {
-        Marching { lines: &mut self.lines, beside: &self.beside, is_current: &mut self.is_current }
+        let rows = match &mut self.rows {
+            Memory::Verlet(lines) => Rows::Verlet(lines),
+            Memory::EnergyMomentum(courses) => Rows::EnergyMomentum(courses),
+        };
+        Marching { rows, beside: &self.beside, is_current: &mut self.is_current }
     }
 
     /// Says that something else than a march may have changed the state.

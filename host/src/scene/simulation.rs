@@ -144,9 +144,7 @@ impl<S: Scalar> Simulation<S> {
         let body = Body::new(simulation.body())?;
         simulation.inverse_mass = (0..n).map(|i| [body.inverse_mass(i); 3]).collect();
         simulation.settle();
-        if simulation.method == Method::Verlet {
-            simulation.marcher = simulation.with(|system, _, _| Ok(Marcher::new(system)))?;
-        }
+        simulation.marcher = simulation.with(|system, _, _| Ok(Marcher::new(system, method)))?;
         if simulation.ground.is_some()
             && let Some(stable) = simulation.largest_stable_step()
         {
@@ -260,6 +258,13 @@ impl<S: Scalar> Simulation<S> {
     /// The state is then the one before the step.
     pub fn step<O: Observer<S>>(&mut self, h: S, observer: &mut O) -> Result<StepReport, BodyError<S>> {
         let method = self.method;
+        // A march of the energy-momentum method has bits of its own, whoever looks between its steps; an undamped body
+        // without ground has nothing to tell an observer.
+        if method == Method::EnergyMomentum
+            && let Some(evaluations) = self.march(h, 1)
+        {
+            return Ok(StepReport { substeps: 1, evaluations, ..StepReport::default() });
+        }
         self.with(|system, state, work| step(system, state, h, method, work, observer))
     }
 

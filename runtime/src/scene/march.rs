@@ -1,10 +1,11 @@
 //! Many steps at once of a body that nothing meets and nobody looks at in between.
 //!
-//! In: the state, the length of a step, how many. Out: the state, with the bits of [`super::step`] as often by Verlet's method.
+//! In: the state, the length of a step, how many. Out: the state; by Verlet's method with the bits of [`super::step`] as often, by
+//! the energy-momentum method with the bits of as many marches of one step, which are those of [`super::step`] to rounding.
 
 use super::state::State;
-use crate::contact::System;
-use crate::flexible::grid::{Corner, Line, March, WIDTH};
+use crate::contact::{Frozen, System};
+use crate::flexible::grid::{Conserve, Corner, Course, Line, March, WIDTH};
 use crate::flexible::{Gas, PressureForm};
 use crate::kernel;
 use crate::ode::nodes::Workspace;
@@ -13,13 +14,31 @@ use crate::real::Scalar;
 /// Memory of a march.
 #[derive(Debug)]
 pub struct Marching<'a, S> {
-    /// [`Line::new`] of each row of the body's grid, and of one more.
-    pub lines: &'a mut [Line<S>],
+    /// Its rows.
+    pub rows: Rows<'a, S>,
     /// The facets that are no cells of it.
     pub beside: &'a [[Corner; 4]],
-    /// Whether the lines hold the state: false at first; a march that takes its steps says so, and who changes the state
+    /// Whether the rows hold the state: false at first; a march that takes its steps says so, and who changes the state
     /// otherwise takes it back.
     pub is_current: &'a mut bool,
+}
+
+/// Each row of the body's grid, and one more, as the method keeps it.
+#[derive(Debug)]
+pub enum Rows<'a, S> {
+    /// [`Line::new`], for Verlet's method.
+    Verlet(&'a mut [Line<S>]),
+    /// [`Course::new`], for the energy-momentum method.
+    EnergyMomentum(&'a mut [Course<S>]),
+}
+
+impl<S> Rows<'_, S> {
+    fn count(&self) -> usize {
+        match self {
+            Rows::Verlet(lines) => lines.len(),
+            Rows::EnergyMomentum(courses) => courses.len(),
+        }
+    }
 }
 
 /// Whether a body can be marched: no ground, one grid no wider than [`WIDTH`] that is all of it, no dampers, no air, constant
@@ -46,25 +65,40 @@ pub fn march<'a, S: Scalar>(
     let body = &system.body;
     let ([grid], Some(inflation)) = (body.grids, body.inflation) else { return false };
     let Gas::Constant(pressure) = inflation.gas else { return false };
-    let is_asked = h > S::ZERO && steps > 0 && marching.lines.len() > grid.rows;
+    let is_asked = h > S::ZERO && steps > 0 && marching.rows.count() > grid.rows;
     if !is_asked || !can_march(system) {
         return false;
     }
-    let taken = kernel::run(March {
-        grid,
-        form: inflation.form,
-        pressure,
-        beside: marching.beside,
-        gravity: body.gravity,
-        h,
-        steps,
-        motion: &mut state.motion,
-        lines: marching.lines,
-        goes_on: *marching.is_current,
-    });
-    *marching.is_current = taken;
+    let Marching { rows, beside, is_current } = marching;
+    let (form, gravity, goes_on, motion) = (inflation.form, body.gravity, *is_current, &mut state.motion);
+    let mut evaluations = 0;
+    let taken = match rows {
+        Rows::Verlet(lines) => {
+            evaluations = steps;
+            kernel::run(March { grid, form, pressure, beside, gravity, h, steps, motion, lines, goes_on })
+        }
+        Rows::EnergyMomentum(courses) => {
+            let evaluations = &mut evaluations;
+            let march = Conserve {
+                grid,
+                form,
+                pressure,
+                beside,
+                gravity,
+                h,
+                steps,
+                motion,
+                courses,
+                goes_on,
+                evaluations,
+            };
+            // The forces at the end are refused only where a spring has run away, for which the march has looked.
+            kernel::run(march) && state.motion.refresh(&Frozen { system, modes: state.modes }).is_ok()
+        }
+    };
+    *is_current = taken;
     if taken {
-        work.evaluations += steps;
+        work.evaluations += evaluations;
         (0..steps).for_each(|_| state.pass(h));
     }
     taken

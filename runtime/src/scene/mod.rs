@@ -16,7 +16,7 @@ mod stepping;
 mod touch;
 mod watch;
 
-pub use march::{Marching, can_march, march};
+pub use march::{Marching, Rows, can_march, march};
 pub use state::State;
 pub use step::{MAX_EVENTS, MAX_SUBSTEPS, step};
 pub use watch::{Event, Flow, Observer, StepReport};

@@ -1,6 +1,7 @@
 //! Tests of the runtime through its public interface.
 
 mod by_blocks;
+mod conserve;
 mod conserving;
 mod damped;
 mod double_double;

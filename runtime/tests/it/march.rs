@@ -8,37 +8,37 @@ use smartbed_runtime::flexible::{Body, BodyError, Gas, Inflation, PressureForm, 
 use smartbed_runtime::kernel::{self, Registers};
 use smartbed_runtime::ode::nodes::{MOTION_ROWS, Method, Motion, Workspace, workspace_len};
 use smartbed_runtime::real::Scalar;
-use smartbed_runtime::scene::{Marching, State, can_march, march, step};
+use smartbed_runtime::scene::{Marching, Rows, State, can_march, march, step};
 use smartbed_runtime::vec3::Vec3;
 
 use crate::random::Random;
 
 /// Steps one by one: which was refused, and why.
-type Stepped<S> = Result<(), (usize, BodyError<S>)>;
+pub type Stepped<S> = Result<(), (usize, BodyError<S>)>;
 
 /// A sheet with holes among its springs and cells, some nodes fixed, numbered with jumps; as lists and as a grid.
-struct Sheet<S> {
-    columns: usize,
-    rows: usize,
-    runs: Vec<Run>,
-    starts: Vec<usize>,
-    families: [[Vec<S>; 2]; 2],
-    grid_mass: Vec<S>,
-    cells: Vec<S>,
-    mass: Vec<S>,
-    fixed: Vec<bool>,
-    inverse_mass: Vec<Vec3<S>>,
-    springs: Vec<Spring<S>>,
-    facets: Vec<[usize; 4]>,
-    cell_count: usize,
-    beside: Vec<[Corner; 4]>,
-    pressure: S,
+pub struct Sheet<S> {
+    pub columns: usize,
+    pub rows: usize,
+    pub runs: Vec<Run>,
+    pub starts: Vec<usize>,
+    pub families: [[Vec<S>; 2]; 2],
+    pub grid_mass: Vec<S>,
+    pub cells: Vec<S>,
+    pub mass: Vec<S>,
+    pub fixed: Vec<bool>,
+    pub inverse_mass: Vec<Vec3<S>>,
+    pub springs: Vec<Spring<S>>,
+    pub facets: Vec<[usize; 4]>,
+    pub cell_count: usize,
+    pub beside: Vec<[Corner; 4]>,
+    pub pressure: S,
     /// Positions and velocities.
-    start: [Vec<Vec3<S>>; 2],
+    pub start: [Vec<Vec3<S>>; 2],
 }
 
 impl<S: Scalar> Sheet<S> {
-    fn new(rows: usize, columns: usize, seed: u64, pressure: f64) -> Self {
+    pub fn new(rows: usize, columns: usize, seed: u64, pressure: f64) -> Self {
         let mut random = Random::new(seed);
         let mut draw = move |from: f64, to: f64| random.between(from, to);
         let count = rows * columns;
@@ -125,7 +125,7 @@ impl<S: Scalar> Sheet<S> {
         }
     }
 
-    fn grid(&self) -> Grid<'_, S> {
+    pub fn grid(&self) -> Grid<'_, S> {
         let [right, up] = [0, 1].map(|n: usize| Family {
             stiffness: &self.families[n][0],
             rest_length: &self.families[n][1],
@@ -146,7 +146,7 @@ impl<S: Scalar> Sheet<S> {
         }
     }
 
-    fn system<'a>(&'a self, grids: &'a [Grid<'a, S>], form: PressureForm) -> System<'a, S> {
+    pub fn system<'a>(&'a self, grids: &'a [Grid<'a, S>], form: PressureForm) -> System<'a, S> {
         let body = Body {
             mass: &self.mass,
             fixed: &self.fixed,
@@ -162,7 +162,7 @@ impl<S: Scalar> Sheet<S> {
     }
 
     /// Lets `work` go on from the start; returns all numbers of the motion then, and the time.
-    fn run<R>(
+    pub fn run<R>(
         &self,
         form: PressureForm,
         work: impl for<'a> FnOnce(&System<S>, &mut State<'a, S>, &mut Workspace<'a, S>) -> R,
@@ -193,10 +193,16 @@ impl<S: Scalar> Sheet<S> {
     }
 
     /// Steps one by one, in lists.
-    fn step_by_step(&self, form: PressureForm, h: S, steps: usize) -> (Vec<u64>, Stepped<S>) {
+    pub fn step_by_step(
+        &self,
+        method: Method<S>,
+        form: PressureForm,
+        h: S,
+        steps: usize,
+    ) -> (Vec<u64>, Stepped<S>) {
         self.run(form, |system, state, work| {
             (0..steps).try_for_each(|n| {
-                step(system, state, h, Method::Verlet, work, &mut ()).map_err(|why| (n, why)).map(|_| ())
+                step(system, state, h, method, work, &mut ()).map_err(|why| (n, why)).map(|_| ())
             })
         })
     }
@@ -213,8 +219,11 @@ impl<S: Scalar> Sheet<S> {
         assert!(can_march(&system));
         self.run(form, |_, state, work| {
             let mut span = |steps: &usize| {
-                let marching =
-                    Marching { lines: &mut lines, beside: &self.beside, is_current: &mut is_current };
+                let marching = Marching {
+                    rows: Rows::Verlet(&mut lines),
+                    beside: &self.beside,
+                    is_current: &mut is_current,
+                };
                 march(&system, state, (h, *steps), marching, work)
             };
             spans.iter().map(&mut span).collect()
@@ -226,7 +235,7 @@ impl<S: Scalar> Sheet<S> {
         for form in [PressureForm::Exact, PressureForm::Facet] {
             let (marched, taken) = self.marched(form, h, spans);
             assert!(taken.iter().all(|taken| *taken), "{form:?} {spans:?}");
-            let (stepped, done) = self.step_by_step(form, h, spans.iter().sum());
+            let (stepped, done) = self.step_by_step(Method::Verlet, form, h, spans.iter().sum());
             assert_eq!(done, Ok(()));
             assert!(marched == stepped, "{form:?} {spans:?}");
         }
@@ -235,7 +244,7 @@ impl<S: Scalar> Sheet<S> {
     /// The same in each kind of registers.
     fn check_registers(&self, steps: usize) {
         let (form, h) = (PressureForm::Exact, S::from_f64(1e-2));
-        let (stepped, _) = self.step_by_step(form, h, steps);
+        let (stepped, _) = self.step_by_step(Method::Verlet, form, h, steps);
         let grid = self.grid();
         for registers in [Registers::Plain, Registers::Avx2, Registers::Avx512] {
             let mut lines = self.lines();
@@ -287,7 +296,11 @@ fn a_march_goes_on_from_what_the_state_has_become() {
     let system = sheet.system(&grids, form);
     let (marched, ()) = sheet.run(form, |_, state, work| {
         let mut span = |h: f64, steps: usize| {
-            let marching = Marching { lines: &mut lines, beside: &sheet.beside, is_current: &mut is_current };
+            let marching = Marching {
+                rows: Rows::Verlet(&mut lines),
+                beside: &sheet.beside,
+                is_current: &mut is_current,
+            };
             march(&system, state, (h, steps), marching, work)
         };
         assert!(span(h, 4));
@@ -295,10 +308,11 @@ fn a_march_goes_on_from_what_the_state_has_become() {
         assert!(!span(1e3, 5));
         assert!(span(h, 3) && span(h, 2));
         step(&system, state, h, Method::Verlet, work, &mut ()).expect("a step");
-        let marching = Marching { lines: &mut lines, beside: &sheet.beside, is_current: &mut false };
+        let marching =
+            Marching { rows: Rows::Verlet(&mut lines), beside: &sheet.beside, is_current: &mut false };
         assert!(march(&system, state, (h, 5), marching, work));
     });
-    let (stepped, done) = sheet.step_by_step(form, h, 15);
+    let (stepped, done) = sheet.step_by_step(Method::Verlet, form, h, 15);
     assert_eq!(done, Ok(()));
     assert!(marched == stepped);
 }
@@ -309,8 +323,8 @@ fn a_march_into_a_refusal_does_not_begin() {
     let h = 1e-2;
     // The pressure stretches a spring beyond what is allowed.
     let sheet = Sheet::<f64>::new(6, 20, 11, 300.0);
-    let (start, _) = sheet.step_by_step(PressureForm::Exact, h, 0);
-    let (_, refused) = sheet.step_by_step(PressureForm::Exact, h, 1000);
+    let (start, _) = sheet.step_by_step(Method::Verlet, PressureForm::Exact, h, 0);
+    let (_, refused) = sheet.step_by_step(Method::Verlet, PressureForm::Exact, h, 1000);
     let Err((at, why)) = refused else { panic!("no step is refused") };
     assert!(matches!(why, BodyError::PressureTooHigh { .. }), "{why:?}");
     assert!(at > 2, "{at}");
@@ -322,8 +336,8 @@ fn a_march_into_a_refusal_does_not_begin() {
     let mut sheet = Sheet::<f64>::new(6, 20, 11, 3.0);
     let moving = sheet.fixed.iter().position(|fixed| !fixed).expect("one moves");
     sheet.start[1][moving] = [1e153, 0.0, 0.0];
-    let (start, _) = sheet.step_by_step(PressureForm::Exact, h, 0);
-    assert!(sheet.step_by_step(PressureForm::Exact, h, 50).1.is_err());
+    let (start, _) = sheet.step_by_step(Method::Verlet, PressureForm::Exact, h, 0);
+    assert!(sheet.step_by_step(Method::Verlet, PressureForm::Exact, h, 50).1.is_err());
     assert!(sheet.marched(PressureForm::Exact, h, &[50]) == (start, vec![false]));
 }
 

@@ -257,7 +257,7 @@ fn arrive<S: Scalar, const LAST: bool, const BESIDE: bool>(
 
 /// The larger of two numbers, in one instruction: of one that is no number it may take the other.
 #[inline(always)]
-fn larger<S: Scalar>(a: S, b: S) -> S {
+pub(super) fn larger<S: Scalar>(a: S, b: S) -> S {
     if a > b { a } else { b }
 }
 
@@ -273,7 +273,7 @@ fn larger_of<S: Scalar>(a: &Lanes<S>, b: &Lanes<S>) -> Lanes<S> {
 
 /// Adds sizes lane by lane.
 #[inline(always)]
-fn add_sizes<S: Scalar, const N: usize>(vectors: &[[S; N]; 3], sums: &mut Lanes<S>) {
+pub(super) fn add_sizes<S: Scalar, const N: usize>(vectors: &[[S; N]; 3], sums: &mut Lanes<S>) {
     for numbers in vectors {
         for (sum, number) in sums.iter_mut().zip(numbers) {
             *sum = *sum + number.abs();
@@ -281,6 +281,6 @@ fn add_sizes<S: Scalar, const N: usize>(vectors: &[[S; N]; 3], sums: &mut Lanes<
     }
 }
 
-fn sum<S: Scalar>(numbers: &Lanes<S>) -> S {
+pub(super) fn sum<S: Scalar>(numbers: &Lanes<S>) -> S {
     numbers.iter().fold(S::ZERO, |sum, x| sum + *x)
 }

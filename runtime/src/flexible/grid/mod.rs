@@ -2,10 +2,13 @@
 //!
 //! In: where the nodes of a grid stand in the lists of a body ([`Grid`]), positions. Out: the sums of forces that the lists
 //! give, number for number: a node's terms are added in their order, left, right, below, above, then its four cells;
-//! [`weave`] has the forces of positions, [`damp`] those of speeds, [`mean`] the means over a step, [`march`] whole steps. Rows are computed side
+//! [`weave`] has the forces of positions, [`damp`] those of speeds, [`mean`] the means over a step, [`march`] whole steps by Verlet's method,
+//! [`conserve`] by the energy-momentum method. Rows are computed side
 //! by side; a row wider than [`WIDTH`] goes in strips, whose borders are computed twice. Where there is no spring or cell
 //! its force is 0.
 
+pub mod conserve;
+pub mod course;
 pub mod damp;
 pub mod layout;
 pub mod line;
@@ -14,6 +17,8 @@ pub mod mean;
 mod strip;
 pub mod weave;
 
+pub use conserve::Conserve;
+pub use course::Course;
 pub use damp::Damp;
 pub use layout::{Family, Grid, Run, WIDTH, beside, pitch};
 pub use line::{Corner, Line};
