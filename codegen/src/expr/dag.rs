@@ -10,6 +10,9 @@ use super::set::NodeSet;
 use crate::id::{Id, IdVec};
 use rustc_hash::{FxHashMap as HashMap, FxHashSet as HashSet};
 
+/// Capacity reserved, in nodes: address space that becomes memory only as it is filled.
+const NODES: usize = 1 << 14;
+
 /// The arena of nodes.
 #[derive(Clone, Debug, Default)]
 pub struct Dag {
@@ -226,6 +229,10 @@ impl Dag {
             Ok(id) => return id,
             Err(slot) => slot,
         };
+        if self.nodes.is_empty() {
+            self.nodes.reserve(NODES);
+            self.facts.reserve(NODES);
+        }
         let of = |a: ExprId| self.facts[a];
         let (dependence, symbols_read) = match node {
             Node::Number(_) | Node::Pi => (Dependence::Constant, 0),
@@ -243,7 +250,7 @@ impl Dag {
             _ => NO_OPERATION,
         };
         let operations_read = self.operands(id).map(|a| a.map_or(NO_OPERATION, |a| of(a).operation));
-        self.facts.push(Facts { dependence, symbols_read, operation, operations_read });
+        self.facts.push(Facts { dependence, symbols_read, operation, operations_read, is_labelled: false });
         self.index.insert(slot, &self.nodes);
         id
     }
@@ -259,6 +266,7 @@ impl Dag {
             Some(known) => known.join(&label),
             None => {
                 self.labels.insert(id, label);
+                self.facts[id].is_labelled = true;
             }
         }
     }
@@ -266,7 +274,7 @@ impl Dag {
     /// The label of a node.
     #[must_use]
     pub fn label_of(&self, id: ExprId) -> Option<&Label> {
-        self.labels.get(&id)
+        if self.facts[id].is_labelled { self.labels.get(&id) } else { None }
     }
 
     /// The name of a node.

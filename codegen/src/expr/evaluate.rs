@@ -72,26 +72,32 @@ impl Dag {
         value_of: &dyn Fn(SymbolId, usize) -> S,
     ) -> Vec<Vec<S>> {
         let order = self.reachable(roots);
-        let mut values = vec![S::ZERO; order.last().map_or(0, |id| id.index() + 1)];
+        // By node: its place among the values, which are far fewer than all nodes.
+        let mut place = vec![0_u32; order.last().map_or(0, |id| id.index() + 1)];
+        order.iter().zip(0..).for_each(|(id, n)| place[id.index()] = n);
+        let of = |values: &[S], id: ExprId| values[place[id.index()] as usize];
+        let mut values: Vec<S> = Vec::with_capacity(order.len());
         let mut at = |point: usize| {
+            values.clear();
             for &id in &order {
-                values[id.index()] = match self.node(id) {
+                let value = match self.node(id) {
                     Node::Number(c) => number(c),
                     Node::Pi => S::from_f64(std::f64::consts::PI),
                     Node::Symbol(symbol) => value_of(symbol, point),
-                    Node::Negate(a) => -values[a.index()],
+                    Node::Negate(a) => -of(&values, a),
                     Node::Unary(function @ (Unary::Sin | Unary::Cos), angle) => {
                         let (sin, cos) = match self.as_difference(angle) {
-                            Some([a, b]) => S::sin_cos_of_difference(values[a.index()], values[b.index()]),
-                            None => values[angle.index()].sin_cos(),
+                            Some([a, b]) => S::sin_cos_of_difference(of(&values, a), of(&values, b)),
+                            None => of(&values, angle).sin_cos(),
                         };
                         if function == Unary::Sin { sin } else { cos }
                     }
-                    Node::Unary(function, a) => unary(function, values[a.index()]),
-                    Node::Binary(operator, a, b) => binary(operator, values[a.index()], values[b.index()]),
+                    Node::Unary(function, a) => unary(function, of(&values, a)),
+                    Node::Binary(operator, a, b) => binary(operator, of(&values, a), of(&values, b)),
                 };
+                values.push(value);
             }
-            roots.iter().map(|r| values[r.index()]).collect()
+            roots.iter().map(|&root| of(&values, root)).collect()
         };
         (0..points).map(&mut at).collect()
     }

@@ -64,6 +64,8 @@ pub(super) struct Facts {
     pub operation: ExprId,
     /// The operations that its operands are, negations skipped.
     pub operations_read: [ExprId; 2],
+    /// Has it got a label? Few nodes have.
+    pub is_labelled: bool,
 }
 
 fn hash(node: &Node) -> u64 {

@@ -63,12 +63,7 @@ pub(super) fn order(steps: &[Step], results: Results, order: Order) -> Vec<usize
     if order.core == Core::Host {
         return graph.critical_path_first(steps);
     }
-    let depth_first = graph.depth_first();
-    let forward = graph.forward(&ranks(&depth_first));
-    let backward = graph.backward(&ranks(&forward));
-    let tried = [depth_first, forward, backward];
-    // Of equally good orders the first, which is the easiest to read.
-    let best = tried.into_iter().min_by_key(|order| graph.overfull(order)).unwrap_or_default();
+    let best = graph.least_overfull();
     if !order.is_refined {
         return best;
     }
@@ -160,6 +155,25 @@ impl Graph {
             makes.iter().for_each(|&value| maker[value] = Some(step));
         }
         Self { readers: Readers::new(&reads, n), makes, reads, maker, results, returned }
+    }
+
+    /// Of the three orders the one with the least register overflow; of equally good ones the first, which is the
+    /// easiest to read. Those after one without overflow are not made.
+    fn least_overfull(&self) -> Vec<usize> {
+        let make: [fn(&Self, &[usize]) -> Vec<usize>; 2] = [Self::forward, Self::backward];
+        let mut last = self.depth_first();
+        let mut best = (self.overfull(&last), last.clone());
+        for make in make {
+            if best.0 == 0 {
+                break;
+            }
+            last = make(self, &ranks(&last));
+            let overfull = self.overfull(&last);
+            if overfull < best.0 {
+                best = (overfull, last.clone());
+            }
+        }
+        best.1
     }
 
     /// Operands before their users, the operand that needs more registers first (Sethi & Ullman).
