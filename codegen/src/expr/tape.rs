@@ -16,6 +16,10 @@ enum Instruction {
     Unary { function: Unary, to: u32, a: u32 },
     SinCos { sin: u32, cos: u32, a: u32 },
     SinCosOfDifference { sin: u32, cos: u32, a: u32, b: u32 },
+    // The most frequent ones are told apart by one jump instead of two.
+    Sum { to: u32, a: u32, b: u32 },
+    Difference { to: u32, a: u32, b: u32 },
+    Product { to: u32, a: u32, b: u32 },
     Binary { operator: Binary, to: u32, a: u32, b: u32 },
 }
 
@@ -97,7 +101,13 @@ impl<S: Real> Tape<S> {
                     tape.instructions.push(Instruction::Unary { function, to, a: slot[&a] });
                 }
                 Node::Binary(operator, a, b) => {
-                    tape.instructions.push(Instruction::Binary { operator, to, a: slot[&a], b: slot[&b] });
+                    let (a, b) = (slot[&a], slot[&b]);
+                    tape.instructions.push(match operator {
+                        Binary::Add => Instruction::Sum { to, a, b },
+                        Binary::Sub => Instruction::Difference { to, a, b },
+                        Binary::Mul => Instruction::Product { to, a, b },
+                        _ => Instruction::Binary { operator, to, a, b },
+                    });
                 }
             }
         }
@@ -106,7 +116,7 @@ impl<S: Real> Tape<S> {
 
     /// Runs the tape; `outputs` receives the roots' values in order (as many as it has room for).
     pub fn run(&mut self, inputs: &[S], outputs: &mut [S]) {
-        let v = &mut self.values;
+        let v = &mut self.values[..];
         for &(k, to) in &self.inputs {
             v[to as usize] = inputs[k];
         }
@@ -123,6 +133,9 @@ impl<S: Real> Tape<S> {
                     let of_difference = S::sin_cos_of_difference(v[a as usize], v[b as usize]);
                     (v[sin as usize], v[cos as usize]) = of_difference;
                 }
+                Instruction::Sum { to, a, b } => v[to as usize] = v[a as usize] + v[b as usize],
+                Instruction::Difference { to, a, b } => v[to as usize] = v[a as usize] - v[b as usize],
+                Instruction::Product { to, a, b } => v[to as usize] = v[a as usize] * v[b as usize],
                 Instruction::Binary { operator, to, a, b } => {
                     v[to as usize] = evaluate::binary(operator, v[a as usize], v[b as usize]);
                 }

@@ -32,6 +32,8 @@ const SATISFIED: f64 = 1e-12;
 const CONTRADICTION: f64 = 1e-9;
 /// Largest correction in one Newton step; a larger one leads to another branch or comes from a singularity.
 const LARGEST_CORRECTION: f64 = 0.5;
+/// A correction below this is followed by much smaller ones.
+const SMALL_CORRECTION: f64 = 0.1;
 /// Number of guesses from which the nominal configuration is searched for.
 const STARTS: usize = 64;
 /// Fractional part of the golden section.
@@ -217,44 +219,61 @@ impl Assembly {
     /// # Errors
     /// If it does not converge.
     pub fn correct(&mut self, q: &mut [f64]) -> Result<(), Unreachable> {
-        let (mut equations, mut solver) =
-            (std::mem::take(&mut self.equations), std::mem::take(&mut self.solver));
-        let corrected = self.correct_in(q, &mut equations, &mut solver);
-        (self.equations, self.solver) = (equations, solver);
-        corrected
+        self.correct_unless(q, |_, _, _| false).map(|_| ())
     }
 
-    fn correct_in(
+    /// [`Self::correct`] that is given up if `gives_up` holds for the configuration after a correction, and the size of
+    /// that correction; returns whether it was carried to its end.
+    fn correct_unless(
         &mut self,
         q: &mut [f64],
-        equations: &mut Linearised,
-        solver: &mut linear::Solver,
-    ) -> Result<(), Unreachable> {
+        gives_up: impl Fn(&Self, &[f64], f64) -> bool,
+    ) -> Result<bool, Unreachable> {
         let mut best = (f64::INFINITY, 0);
         for _ in 0..MAX_CORRECTIONS {
-            self.linearise(q, equations);
+            let mut equations = std::mem::take(&mut self.equations);
+            self.linearise(q, &mut equations);
             best = if equations.absolute.0 < best.0 { equations.absolute } else { best };
             let scaled = equations.largest();
-            let (residual, jacobian) = equations.values.split_at_mut(equations.equations);
-            residual.iter_mut().for_each(|r| *r = -*r);
-            let correction = solver.basic(jacobian, residual, self.dependent.len());
-            let mut size = 0.0_f64;
-            for (&i, &d) in self.dependent.iter().zip(correction) {
-                // Relative to the length for a length above 1; absolute for an angle.
-                let part = if self.kinds[i].0 { d } else { d / q[i].abs().max(1.0) };
-                size = if part.is_nan() { f64::NAN } else { size.max(part.abs()) };
-                // Applied even in the last iteration: convergence is quadratic, so it brings the error far below the
-                // tolerance.
-                q[i] += d;
-            }
+            let size = self.take_step(q, &mut equations);
+            self.equations = equations;
             if scaled < SATISFIED && size < SATISFIED.sqrt() {
-                return Ok(());
+                return Ok(true);
             }
             if size.is_nan() || size >= LARGEST_CORRECTION {
                 break;
             }
+            if gives_up(self, q, size) {
+                return Ok(false);
+            }
         }
         Err(Unreachable { residual: best.0, constraint: self.names.get(best.1).cloned(), locked: false })
+    }
+
+    /// Corrects `q` by the solution of the linearised equations; returns the size of the correction, NaN if it is not
+    /// finite. Applied even in the last iteration: convergence is quadratic, so it brings the error far below the
+    /// tolerance.
+    fn take_step(&mut self, q: &mut [f64], equations: &mut Linearised) -> f64 {
+        let (residual, jacobian) = equations.values.split_at_mut(equations.equations);
+        residual.iter_mut().for_each(|r| *r = -*r);
+        let correction = self.solver.basic(jacobian, residual, self.dependent.len());
+        let mut size = 0.0_f64;
+        for (&i, &d) in self.dependent.iter().zip(correction) {
+            let part = d / unit(self.kinds[i].0, q[i]);
+            size = if part.is_nan() { f64::NAN } else { size.max(part.abs()) };
+            q[i] += d;
+        }
+        size
+    }
+
+    /// Is a dependent coordinate farther out of its range than by the last correction? Those that follow are much
+    /// smaller, if it was small itself.
+    fn is_outside(&self, q: &[f64], last: f64) -> bool {
+        let excess = |&i: &usize| {
+            let (is_angle, (low, high)) = self.kinds[i];
+            (low - q[i]).max(q[i] - high) / unit(is_angle, q[i])
+        };
+        last < SMALL_CORRECTION && self.dependent.iter().map(excess).any(|excess| excess > last)
     }
 
     /// The equations, and their derivatives with respect to the dependent coordinates.
@@ -404,6 +423,17 @@ impl Assembly {
         }
     }
 
+    /// [`Self::continue_to`]; `None` also if a coordinate leaves its range, which shows after some of the corrections.
+    fn reach(&mut self, from: &[f64], target: &[f64]) -> Option<Vec<f64>> {
+        let mut q = from.to_vec();
+        self.independent.iter().for_each(|&i| q[i] = target[i]);
+        match self.correct_unless(&mut q, Self::is_outside) {
+            Ok(true) => Some(q),
+            Ok(false) => None,
+            Err(_) => self.continue_to(from, target).ok(),
+        }
+    }
+
     /// Continues in `steps` steps. The guess of each is the configuration before or, if `straight`, extrapolated from
     /// two.
     fn walk(
@@ -429,6 +459,11 @@ impl Assembly {
         }
         Ok(q)
     }
+}
+
+/// What corrections of a coordinate are measured by: its length for a length above 1; 1 for others and for angles.
+fn unit(is_angle: bool, value: f64) -> f64 {
+    if is_angle { 1.0 } else { value.abs().max(1.0) }
 }
 
 /// A power of 1024 near the size of an equation's terms: division by it is exact, and 1 for terms of order 1.
@@ -477,7 +512,7 @@ pub(super) fn derive(alg: &mut Algebra, model: &Model, k: Kinematics) -> Result<
                 target[i] = random.between(coordinate.range);
             }
         }
-        if let Ok(q) = assembly.continue_to(&nominal, &target)
+        if let Some(q) = assembly.reach(&nominal, &target)
             && in_range(model, &state, &q)
         {
             samples.push(q);

@@ -47,40 +47,68 @@ impl Solver {
 
     fn solve(&mut self, a: &[f64], b: &mut [f64], columns: usize, zero: f64) -> usize {
         let width = columns.div_ceil(LANES).max(1);
-        self.blocks.clear();
-        self.blocks.resize(b.len() * width, [0.0; LANES]);
-        for (to, from) in self.blocks.chunks_exact_mut(width).zip(a.chunks_exact(columns.max(1))) {
+        let mut blocks = std::mem::take(&mut self.blocks);
+        blocks.clear();
+        blocks.resize(b.len() * width, [0.0; LANES]);
+        for (to, from) in blocks.chunks_exact_mut(width).zip(a.chunks_exact(columns.max(1))) {
             to.as_flattened_mut()[..columns].copy_from_slice(from);
         }
-        self.sizes.clear();
-        self.sizes.extend(self.blocks.chunks_exact(width).map(largest));
         self.order.clear();
         self.order.extend(0..columns);
-        let rank = self.eliminate(b, width, zero);
-        self.substitute_back(b, width, rank);
+        // Where the compiler knows the width, it needs no loop over the blocks of a row.
+        let rank = match width {
+            1 => self.solve_rows(blocks.as_chunks_mut::<1>().0, b, zero),
+            2 => self.solve_rows(blocks.as_chunks_mut::<2>().0, b, zero),
+            3 => self.solve_rows(blocks.as_chunks_mut::<3>().0, b, zero),
+            4 => self.solve_rows(blocks.as_chunks_mut::<4>().0, b, zero),
+            _ => self.solve_rows(&mut blocks.chunks_exact_mut(width).collect::<Vec<_>>(), b, zero),
+        };
+        self.blocks = blocks;
+        rank
+    }
+
+    fn solve_rows<R: AsRef<[Block]> + AsMut<[Block]>>(
+        &mut self,
+        rows: &mut [R],
+        b: &mut [f64],
+        zero: f64,
+    ) -> usize {
+        self.sizes.clear();
+        self.sizes.extend(rows.iter().map(|row| largest(row.as_ref())));
+        let rank = self.eliminate(rows, b, zero);
+        self.x.clear();
+        self.x.resize(self.order.len(), 0.0);
+        for (r, row) in rows[..rank].iter().enumerate().rev() {
+            let row = row.as_ref().as_flattened();
+            let known: f64 = self.order[r + 1..rank].iter().map(|&c| row[c] * self.x[c]).sum();
+            self.x[self.order[r]] = (b[r] - known) / row[self.order[r]];
+        }
         rank
     }
 
     /// Brings the matrix to triangular form; returns the number of pivots.
-    fn eliminate(&mut self, b: &mut [f64], width: usize, zero: f64) -> usize {
+    fn eliminate<R: AsRef<[Block]> + AsMut<[Block]>>(
+        &mut self,
+        rows: &mut [R],
+        b: &mut [f64],
+        zero: f64,
+    ) -> usize {
         let scale = self.sizes.iter().fold(0.0, |most: f64, size| most.max(*size));
-        let mut rank = 0;
-        while rank < b.len().min(self.order.len()) {
+        let most = rows.len().min(self.order.len());
+        for rank in 0..most {
             let (mut best, mut size) = (rank, self.sizes[rank]);
             for (r, &other) in self.sizes.iter().enumerate().skip(rank + 1) {
                 (best, size) = if other > size { (r, other) } else { (best, size) };
             }
             // Also ends the elimination if the entry is NaN.
             if size.is_nan() || size <= zero * scale {
-                break;
+                return rank;
             }
             self.sizes.swap(rank, best);
             b.swap(rank, best);
-            let (done, below) = self.blocks.split_at_mut((rank + 1) * width);
-            let pivot_row = &mut done[rank * width..];
-            if rank != best {
-                pivot_row.swap_with_slice(&mut below[(best - rank - 1) * width..][..width]);
-            }
+            rows.swap(rank, best);
+            let (done, below) = rows.split_at_mut(rank + 1);
+            let pivot_row = done[rank].as_mut();
             let entries = pivot_row.as_flattened_mut();
             let place = self.order[rank..].iter().position(|&column| entries[column].abs() == size);
             self.order.swap(rank, rank + place.unwrap_or(0));
@@ -88,9 +116,9 @@ impl Solver {
             // With 0 in the place of the pivot an entry that is 0 already stays so.
             let pivot = std::mem::replace(&mut entries[column], 0.0);
             let (solved, right) = b.split_at_mut(rank + 1);
-            let rows = below.chunks_exact_mut(width).zip(right).zip(&mut self.sizes[rank + 1..]);
-            for ((row, right), size) in rows {
+            for ((row, right), size) in below.iter_mut().zip(right).zip(&mut self.sizes[rank + 1..]) {
                 // A loop's equations are sparse: many rows have no part in the unknown at hand.
+                let row = row.as_mut();
                 let entry = std::mem::replace(&mut row.as_flattened_mut()[column], 0.0);
                 if entry != 0.0 {
                     let factor = entry / pivot;
@@ -99,24 +127,13 @@ impl Solver {
                 }
             }
             pivot_row.as_flattened_mut()[column] = pivot;
-            rank += 1;
         }
-        rank
-    }
-
-    fn substitute_back(&mut self, b: &[f64], width: usize, rank: usize) {
-        self.x.clear();
-        self.x.resize(self.order.len(), 0.0);
-        for r in (0..rank).rev() {
-            let row = self.blocks[r * width..][..width].as_flattened();
-            let known: f64 = self.order[r + 1..rank].iter().map(|&c| row[c] * self.x[c]).sum();
-            self.x[self.order[r]] = (b[r] - known) / row[self.order[r]];
-        }
+        most
     }
 }
 
 /// Subtracts a multiple of another row; returns the size of the largest entry.
-#[inline]
+#[inline(always)]
 fn subtract(row: &mut [Block], factor: f64, other: &[Block]) -> f64 {
     let mut most = [0.0; LANES];
     for (row, other) in row.iter_mut().zip(other) {
@@ -129,12 +146,13 @@ fn subtract(row: &mut [Block], factor: f64, other: &[Block]) -> f64 {
 }
 
 /// The larger size. The comparison is one instruction, where `f64::max` is six.
-#[inline]
+#[inline(always)]
 fn larger(most: f64, x: f64) -> f64 {
     if x.abs() > most { x.abs() } else { most }
 }
 
 /// The size of the largest entry.
+#[inline(always)]
 fn largest(row: &[Block]) -> f64 {
     let mut most = [0.0; LANES];
     for block in row {
