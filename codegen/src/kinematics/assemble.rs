@@ -32,8 +32,6 @@ const SATISFIED: f64 = 1e-12;
 const CONTRADICTION: f64 = 1e-9;
 /// Largest correction in one Newton step; a larger one leads to another branch or comes from a singularity.
 const LARGEST_CORRECTION: f64 = 0.5;
-/// A correction below this is followed by much smaller ones.
-const SMALL_CORRECTION: f64 = 0.1;
 /// Number of guesses from which the nominal configuration is searched for.
 const STARTS: usize = 64;
 /// Fractional part of the golden section.
@@ -219,16 +217,6 @@ impl Assembly {
     /// # Errors
     /// If it does not converge.
     pub fn correct(&mut self, q: &mut [f64]) -> Result<(), Unreachable> {
-        self.correct_unless(q, |_, _, _| false).map(|_| ())
-    }
-
-    /// [`Self::correct`] that is given up if `gives_up` holds for the configuration after a correction, and the size of
-    /// that correction; returns whether it was carried to its end.
-    fn correct_unless(
-        &mut self,
-        q: &mut [f64],
-        gives_up: impl Fn(&Self, &[f64], f64) -> bool,
-    ) -> Result<bool, Unreachable> {
         let mut best = (f64::INFINITY, 0);
         for _ in 0..MAX_CORRECTIONS {
             let mut equations = std::mem::take(&mut self.equations);
@@ -238,13 +226,10 @@ impl Assembly {
             let size = self.take_step(q, &mut equations);
             self.equations = equations;
             if scaled < SATISFIED && size < SATISFIED.sqrt() {
-                return Ok(true);
+                return Ok(());
             }
             if size.is_nan() || size >= LARGEST_CORRECTION {
                 break;
-            }
-            if gives_up(self, q, size) {
-                return Ok(false);
             }
         }
         Err(Unreachable { residual: best.0, constraint: self.names.get(best.1).cloned(), locked: false })
@@ -264,16 +249,6 @@ impl Assembly {
             q[i] += d;
         }
         size
-    }
-
-    /// Is a dependent coordinate farther out of its range than by the last correction? Those that follow are much
-    /// smaller, if it was small itself.
-    fn is_outside(&self, q: &[f64], last: f64) -> bool {
-        let excess = |&i: &usize| {
-            let (is_angle, (low, high)) = self.kinds[i];
-            (low - q[i]).max(q[i] - high) / unit(is_angle, q[i])
-        };
-        last < SMALL_CORRECTION && self.dependent.iter().map(excess).any(|excess| excess > last)
     }
 
     /// The equations, and their derivatives with respect to the dependent coordinates.
@@ -423,17 +398,6 @@ impl Assembly {
         }
     }
 
-    /// [`Self::continue_to`]; `None` also if a coordinate leaves its range, which shows after some of the corrections.
-    fn reach(&mut self, from: &[f64], target: &[f64]) -> Option<Vec<f64>> {
-        let mut q = from.to_vec();
-        self.independent.iter().for_each(|&i| q[i] = target[i]);
-        match self.correct_unless(&mut q, Self::is_outside) {
-            Ok(true) => Some(q),
-            Ok(false) => None,
-            Err(_) => self.continue_to(from, target).ok(),
-        }
-    }
-
     /// Continues in `steps` steps. The guess of each is the configuration before or, if `straight`, extrapolated from
     /// two.
     fn walk(
@@ -512,7 +476,7 @@ pub(super) fn derive(alg: &mut Algebra, model: &Model, k: Kinematics) -> Result<
                 target[i] = random.between(coordinate.range);
             }
         }
-        if let Some(q) = assembly.reach(&nominal, &target)
+        if let Ok(q) = assembly.continue_to(&nominal, &target)
             && in_range(model, &state, &q)
         {
             samples.push(q);
