@@ -60,6 +60,7 @@ impl Dag {
     }
 
     /// Is it the length of a vector which may vanish?
+    #[inline]
     pub(crate) fn is_norm(&self, id: ExprId) -> bool {
         self.norms.contains(&id)
     }
@@ -78,12 +79,14 @@ impl Dag {
 
     /// The node behind an id.
     #[must_use]
+    #[inline]
     pub fn node(&self, id: ExprId) -> Node {
         self.nodes[id]
     }
 
     /// Whether the value can change with the state, with parameters only, or not at all.
     #[must_use]
+    #[inline]
     pub fn dependence(&self, id: ExprId) -> Dependence {
         self.facts[id].dependence
     }
@@ -96,6 +99,7 @@ impl Dag {
 
     /// The symbol that `id` is, if it is one.
     #[must_use]
+    #[inline]
     pub fn as_symbol(&self, id: ExprId) -> Option<SymbolId> {
         match self.nodes[id] {
             Node::Symbol(symbol) => Some(symbol),
@@ -105,6 +109,7 @@ impl Dag {
 
     /// The constant that `id` is, if it is one.
     #[must_use]
+    #[inline]
     pub fn as_number(&self, id: ExprId) -> Option<Number> {
         match self.nodes[id] {
             Node::Number(number) => Some(number),
@@ -115,18 +120,21 @@ impl Dag {
 
     /// Is it the constant 0?
     #[must_use]
+    #[inline]
     pub fn is_zero(&self, id: ExprId) -> bool {
         Some(id) == self.zero
     }
 
     /// Is it the constant 1?
     #[must_use]
+    #[inline]
     pub fn is_one(&self, id: ExprId) -> bool {
         Some(id) == self.one
     }
 
     /// May the node depend on one of the symbols with these bits? "No" is certain; "yes" is not (64 bits for all
     /// symbols).
+    #[inline]
     pub(super) fn may_read(&self, id: ExprId, bits: u64) -> bool {
         self.facts[id].symbols_read & bits != 0
     }
@@ -148,11 +156,13 @@ impl Dag {
     }
 
     /// 0.
+    #[inline]
     pub fn zero(&mut self) -> ExprId {
         self.zero.unwrap_or_else(|| self.number(Number::ZERO))
     }
 
     /// 1.
+    #[inline]
     pub fn one(&mut self) -> ExprId {
         self.one.unwrap_or_else(|| self.number(Number::ONE))
     }
@@ -164,12 +174,14 @@ impl Dag {
 
     /// The expression without its negation: a for -a and for a.
     #[must_use]
+    #[inline]
     pub fn unsigned(&self, expr: ExprId) -> ExprId {
         if let Node::Negate(a) = self.nodes[expr] { a } else { expr }
     }
 
     /// Operands of a node.
     #[must_use]
+    #[inline]
     pub fn operands(&self, id: ExprId) -> [Option<ExprId>; 2] {
         match self.nodes[id] {
             Node::Number(_) | Node::Pi | Node::Symbol(_) => [None, None],
@@ -273,6 +285,7 @@ impl Dag {
 
     /// The label of a node.
     #[must_use]
+    #[inline]
     pub fn label_of(&self, id: ExprId) -> Option<&Label> {
         if self.facts[id].is_labelled { self.labels.get(&id) } else { None }
     }

@@ -41,6 +41,7 @@ pub(crate) fn steepness(function: Unary, x: f64, value: f64) -> f64 {
 }
 
 /// a (op) b over `S`, exactly as the emitted code computes it.
+#[inline]
 pub fn binary<S: Real>(operator: Binary, a: S, b: S) -> S {
     match operator {
         Binary::Add => a + b,

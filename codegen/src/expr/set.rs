@@ -17,11 +17,13 @@ impl NodeSet {
     }
 
     /// Adds a node below the bound.
+    #[inline]
     pub fn insert(&mut self, id: ExprId) {
         self.0[id.index() / WORD] |= 1 << (id.index() % WORD);
     }
 
     /// Is a node below the bound in the set?
+    #[inline]
     pub fn contains(&self, id: ExprId) -> bool {
         self.0[id.index() / WORD] >> (id.index() % WORD) & 1 == 1
     }
@@ -35,6 +37,7 @@ impl NodeSet {
     }
 
     /// Takes a node below the bound out.
+    #[inline]
     pub fn remove(&mut self, id: ExprId) {
         self.0[id.index() / WORD] &= !(1 << (id.index() % WORD));
     }

@@ -26,6 +26,7 @@ pub(super) struct Signed {
 }
 
 impl Signed {
+    #[inline]
     pub fn times(self, negative: bool) -> Self {
         Self { negative: self.negative != negative, ..self }
     }
@@ -50,6 +51,7 @@ pub(super) enum Operation {
 
 impl Operation {
     /// Estimated time, in additions.
+    #[inline]
     pub fn weight(self) -> u32 {
         match self {
             Self::Leaf(_) => 0,
@@ -80,6 +82,7 @@ const EVERY_EVALUATION: u32 = 32;
 
 impl Definition {
     /// Defines the class (or its negative, if `negative`) as a (operation) b.
+    #[inline]
     pub fn new(operation: Operation, a: Signed, b: Signed, negative: bool) -> Self {
         let commutes = matches!(operation, Operation::Sum | Operation::Product);
         let (a, b) = if commutes && b.class < a.class { (b, a) } else { (a, b) };
@@ -104,11 +107,13 @@ impl Definition {
     }
 
     /// Its contribution to the cost that the search minimises.
+    #[inline]
     pub fn cost(&self) -> u32 {
         self.operation.weight() * if self.prepared { 1 } else { EVERY_EVALUATION }
     }
 
     /// The classes that it depends on.
+    #[inline]
     pub fn reads(&self) -> impl Iterator<Item = ClassId> + use<> {
         let n = match self.operation {
             Operation::Leaf(_) => 0,
@@ -119,6 +124,7 @@ impl Definition {
         (0..n).map(move |k| if k == 0 { a.class } else { b.class })
     }
 
+    #[inline]
     fn same_but_for_signs(&self, other: &Self) -> bool {
         self.operation == other.operation && self.operands.map(|o| o.class) == other.operands.map(|o| o.class)
     }
@@ -139,15 +145,18 @@ pub(super) struct Class {
 
 impl Class {
     /// All known definitions, the first one first.
+    #[inline]
     pub fn definitions(&self) -> impl Iterator<Item = &Definition> {
         std::iter::once(&self.first).chain(&self.others)
     }
 
     /// The k-th definition, if it exists.
+    #[inline]
     pub fn definition(&self, k: usize) -> Option<Definition> {
         if k == 0 { Some(self.first) } else { self.others.get(k - 1).copied() }
     }
 
+    #[inline]
     pub fn is_leaf(&self) -> bool {
         matches!(self.current.operation, Operation::Leaf(_))
     }
@@ -164,6 +173,7 @@ pub(super) struct Graph {
 }
 
 impl Graph {
+    #[inline]
     pub fn new(points: usize) -> Self {
         Self { classes: IdVec::default(), index: HashMap::default(), points, estimates: Vec::new() }
     }
@@ -175,22 +185,26 @@ impl Graph {
         self.estimates.reserve(classes * self.points);
     }
 
+    #[inline]
     pub fn value(&self, x: Signed) -> Value {
         let value = self.classes[x.class].value;
         if x.negative { value.map(|v| -v) } else { value }
     }
 
     /// Values and round-off bounds of a class at the guard's states.
+    #[inline]
     pub fn estimates(&self, class: ClassId) -> &[Estimate] {
         let start = class.index() * self.points;
         &self.estimates[start..start + self.points]
     }
 
+    #[inline]
     pub fn signed_estimates(&self, x: Signed) -> impl Iterator<Item = Estimate> {
         self.estimates(x.class).iter().map(move |e| e.signed(x.negative))
     }
 
     /// The class with this value, if there is one.
+    #[inline]
     pub fn find(&self, value: Value) -> Option<Signed> {
         let negative = value[0].is_upper();
         let canonical = if negative { value.map(|v| -v) } else { value };
@@ -199,6 +213,7 @@ impl Graph {
     }
 
     /// The class with this value at the first point of the field; the second is not compared.
+    #[inline]
     pub fn find_at_first_point(&self, value: Field) -> Option<Signed> {
         let &class = self.index.get(&value.canonical().bits())?;
         Some(Signed { class, negative: value.is_upper() })
@@ -244,6 +259,7 @@ impl Graph {
     }
 
     /// The definition with `prepared` set.
+    #[inline]
     fn prepared(&self, definition: Definition) -> Definition {
         // A leaf depends on no class; whether it is a parameter is set by the caller.
         let prepared = definition.reads().all(|c| self.classes[c].prepared);
@@ -251,6 +267,7 @@ impl Graph {
     }
 
     /// The result of an operation in the field; `None` for a division by zero or an operation other than + * /.
+    #[inline]
     pub fn apply(&self, operation: Operation, a: Signed, b: Signed) -> Option<Value> {
         let (x, y) = (self.value(a), self.value(b));
         Some(match operation {
@@ -262,6 +279,7 @@ impl Graph {
     }
 
     /// Value and round-off bound of a definition at one of the guard's states.
+    #[inline]
     fn estimate(&self, definition: &Definition, point: usize) -> Estimate {
         let [a, b] = definition
             .operands
@@ -278,6 +296,7 @@ impl Graph {
     }
 
     /// Values and round-off bounds of a definition at the guard's states.
+    #[inline]
     pub fn estimates_of(&self, definition: &Definition) -> impl Iterator<Item = Estimate> {
         (0..self.points).map(move |point| self.estimate(definition, point))
     }
@@ -326,6 +345,7 @@ impl Graph {
     }
 
     /// Does `definition` depend on `class`, through the current definitions?
+    #[inline]
     fn reads(&self, definition: &Definition, class: ClassId) -> bool {
         let mut seen = vec![false; self.classes.len()];
         let mut stack: Vec<ClassId> = definition.reads().collect();
