@@ -273,10 +273,12 @@ fn check_consequences(
                     *size += (c * t).abs();
                 }
             }
-            let off: Vec<usize> = (0..sum.len()).filter(|&s| sum[s].abs() > CONSEQUENCE * size[s]).collect();
-            if off.is_empty() {
+            let is_off = |(sum, size): (&f64, &f64)| sum.abs() > CONSEQUENCE * size;
+            // Without an exit from the loop, which then takes several samples at a time.
+            if !sum.iter().zip(&size).fold(false, |any, pair| any | is_off(pair)) {
                 continue;
             }
+            let off: Vec<usize> = (0..sum.len()).filter(|&s| is_off((&sum[s], &size[s]))).collect();
             let is_clock = k.unknowns.clock().is_some() && j + 1 == n;
             match is_small(alg, table, (row, &solution.partials, j), &off, &sum) {
                 Small::Sum => {}
