@@ -50,9 +50,15 @@ impl NodeSet {
         words.filter(|word| *word != 0).map(|word| word.count_ones() as usize).sum()
     }
 
+    /// The number of nodes.
+    pub fn len(&self) -> usize {
+        // Most words are empty.
+        self.0.iter().filter(|word| **word != 0).map(|word| word.count_ones() as usize).sum()
+    }
+
     /// The nodes, ascending, as a list.
     pub fn to_vec(&self) -> Vec<ExprId> {
-        let mut list = Vec::with_capacity(self.0.iter().map(|word| word.count_ones() as usize).sum());
+        let mut list = Vec::with_capacity(self.len());
         for (k, &word) in self.0.iter().enumerate() {
             let mut left = word;
             while left != 0 {

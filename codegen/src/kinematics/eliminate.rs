@@ -267,11 +267,7 @@ fn check_consequences(
                 if alg.dag.is_zero(partial) {
                     continue;
                 }
-                let (c, t) = (table.computed(coefficient), table.computed(partial));
-                for (((sum, size), c), t) in sum.iter_mut().zip(&mut size).zip(c).zip(t) {
-                    *sum += c * t;
-                    *size += (c * t).abs();
-                }
+                add_products(&mut sum, &mut size, table.computed(coefficient), table.computed(partial));
             }
             let is_off = |(sum, size): (&f64, &f64)| sum.abs() > CONSEQUENCE * size;
             // Without an exit from the loop, which then takes several samples at a time.
@@ -289,6 +285,16 @@ fn check_consequences(
         }
     }
     Ok(())
+}
+
+/// Adds products to sums and their sizes to the sums of sizes, one per sample. A function of its own, in which the lists
+/// are known not to overlap, so that several samples are taken at a time.
+#[inline(never)]
+fn add_products(sums: &mut [f64], sizes: &mut [f64], a: &[f64], b: &[f64]) {
+    for (((sum, size), a), b) in sums.iter_mut().zip(sizes).zip(a).zip(b) {
+        *sum += a * b;
+        *size += (a * b).abs();
+    }
 }
 
 /// Which quantity of a doubtful row is within its rounding error.
