@@ -51,20 +51,20 @@ impl<S: Real> Tape<S> {
     pub fn above(dag: &Dag, roots: &[ExprId], inputs: &[ExprId]) -> Self {
         let position: HashMap<ExprId, usize> = inputs.iter().enumerate().map(|(k, &id)| (id, k)).collect();
         let order = dag.reachable_above(roots, |id| position.contains_key(&id));
-        let mut slot = HashMap::default();
-        for (k, &id) in order.iter().enumerate() {
-            slot.insert(id, u32::try_from(k).expect("fewer than 2^32 nodes"));
-        }
+        // By node: its slot among the values, if it has one.
+        let mut slots = vec![UNKNOWN; order.last().map_or(0, |id| id.index() + 1)];
+        order.iter().zip(0..).for_each(|(id, k)| slots[id.index()] = k);
+        let slot = |id: ExprId| slots[id.index()];
         let mut tape = Self {
             instructions: Vec::new(),
             inputs: Vec::new(),
-            outputs: roots.iter().map(|r| slot[r]).collect(),
+            outputs: roots.iter().map(|&root| slot(root)).collect(),
             values: vec![S::ZERO; order.len() + 1],
         };
         let spare = u32::try_from(order.len()).expect("fewer than 2^32 nodes");
         let mut paired = vec![false; order.len()];
         for &id in &order {
-            let to = slot[&id];
+            let to = slot(id);
             if dag.is_constant(id) {
                 tape.values[to as usize] = S::from_f64(dag.evaluate_constant(id));
                 continue;
@@ -78,11 +78,12 @@ impl<S: Real> Tape<S> {
                 Node::Symbol(symbol) => {
                     panic!("symbol `{}` is not an input of this program", dag.symbol_name(symbol))
                 }
-                Node::Negate(a) => tape.instructions.push(Instruction::Negate { to, a: slot[&a] }),
+                Node::Negate(a) => tape.instructions.push(Instruction::Negate { to, a: slot(a) }),
                 Node::Unary(Unary::Sin | Unary::Cos, _) if paired[to as usize] => {}
                 Node::Unary(function @ (Unary::Sin | Unary::Cos), a) => {
                     let other = if function == Unary::Sin { Unary::Cos } else { Unary::Sin };
-                    let twin = dag.find(Node::Unary(other, a)).and_then(|t| slot.get(&t)).copied();
+                    let twin = dag.find(Node::Unary(other, a)).and_then(|twin| slots.get(twin.index()).copied());
+                    let twin = twin.filter(|&twin| twin != UNKNOWN);
                     if let Some(twin) = twin {
                         paired[twin as usize] = true;
                     }
@@ -91,17 +92,17 @@ impl<S: Real> Tape<S> {
                     tape.instructions.push(
                         match dag.as_difference(a).filter(|_| !position.contains_key(&a)) {
                             Some([a, b]) => {
-                                Instruction::SinCosOfDifference { sin, cos, a: slot[&a], b: slot[&b] }
+                                Instruction::SinCosOfDifference { sin, cos, a: slot(a), b: slot(b) }
                             }
-                            None => Instruction::SinCos { sin, cos, a: slot[&a] },
+                            None => Instruction::SinCos { sin, cos, a: slot(a) },
                         },
                     );
                 }
                 Node::Unary(function, a) => {
-                    tape.instructions.push(Instruction::Unary { function, to, a: slot[&a] });
+                    tape.instructions.push(Instruction::Unary { function, to, a: slot(a) });
                 }
                 Node::Binary(operator, a, b) => {
-                    let (a, b) = (slot[&a], slot[&b]);
+                    let (a, b) = (slot(a), slot(b));
                     tape.instructions.push(match operator {
                         Binary::Add => Instruction::Sum { to, a, b },
                         Binary::Sub => Instruction::Difference { to, a, b },

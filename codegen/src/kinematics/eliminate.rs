@@ -319,12 +319,14 @@ fn is_small(
     let numeric = NumericRow::new(&alg.dag, table, row, &column);
     let lengths = (0..points).map(|sample| (sample, numeric.length(sample)));
     let Some((longest, length)) = lengths.max_by(|a, b| a.1.total_cmp(&b.1)) else { return Small::Row };
+    let is_large = |s: usize| sum[s].abs() > CONSEQUENCE * CONSEQUENCE * length;
+    if !samples.iter().any(|&s| is_large(s)) {
+        return Small::Sum;
+    }
     if length <= numeric.rounding(&alg.dag, longest) {
         return Small::Row;
     }
-    let is_long = |s: usize| {
-        sum[s].abs() > CONSEQUENCE * CONSEQUENCE * length && numeric.length(s) > numeric.rounding(&alg.dag, s)
-    };
+    let is_long = |s: usize| is_large(s) && numeric.length(s) > numeric.rounding(&alg.dag, s);
     let long: Vec<usize> = samples.iter().copied().filter(|&s| is_long(s)).collect();
     let terms: Vec<[ExprId; 2]> = row.coefficients.iter().map(|(y, &c)| [c, partials[y][j]]).collect();
     match long.iter().any(|&s| sum[s].abs() > rounding_of_products(&alg.dag, table, &terms, s)) {

@@ -281,16 +281,15 @@ impl Graph {
     /// Value and round-off bound of a definition at one of the guard's states.
     #[inline]
     fn estimate(&self, definition: &Definition, point: usize) -> Estimate {
-        let [a, b] = definition
-            .operands
-            .map(|x| self.estimates[x.class.index() * self.points + point].signed(x.negative));
+        let at = |x: Signed| self.estimates[x.class.index() * self.points + point].signed(x.negative);
+        let [x, y] = definition.operands;
         let value = match definition.operation {
-            Operation::Leaf(_) => a,
-            Operation::Sum => Estimate::sum(a, b),
-            Operation::Product => Estimate::product(a, b),
-            Operation::Quotient => Estimate::quotient(a, b),
-            Operation::Unary(f) => Estimate::unary(f, a),
-            Operation::Binary(f) => Estimate::binary(f, a, b),
+            Operation::Leaf(_) => at(x),
+            Operation::Sum => Estimate::sum(at(x), at(y)),
+            Operation::Product => Estimate::product(at(x), at(y)),
+            Operation::Quotient => Estimate::quotient(at(x), at(y)),
+            Operation::Unary(f) => Estimate::unary(f, at(x)),
+            Operation::Binary(f) => Estimate::binary(f, at(x), at(y)),
         };
         value.signed(definition.negative)
     }
