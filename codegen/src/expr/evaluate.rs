@@ -62,44 +62,30 @@ pub fn number<S: Real>(number: Number) -> S {
 impl Dag {
     /// Values of `roots` with the symbols' values from `value_of`.
     pub fn evaluate<S: Real>(&self, roots: &[ExprId], value_of: &dyn Fn(SymbolId) -> S) -> Vec<S> {
-        self.evaluate_at(roots, 1, &|symbol, _| value_of(symbol)).remove(0)
-    }
-
-    /// [`Self::evaluate`] at several points, one after the other.
-    pub(crate) fn evaluate_at<S: Real>(
-        &self,
-        roots: &[ExprId],
-        points: usize,
-        value_of: &dyn Fn(SymbolId, usize) -> S,
-    ) -> Vec<Vec<S>> {
         let order = self.reachable(roots);
         // By node: its place among the values, which are far fewer than all nodes.
         let mut place = vec![0_u32; order.last().map_or(0, |id| id.index() + 1)];
         order.iter().zip(0..).for_each(|(id, n)| place[id.index()] = n);
         let of = |values: &[S], id: ExprId| values[place[id.index()] as usize];
         let mut values: Vec<S> = Vec::with_capacity(order.len());
-        let mut at = |point: usize| {
-            values.clear();
-            for &id in &order {
-                let value = match self.node(id) {
-                    Node::Number(c) => number(c),
-                    Node::Pi => S::from_f64(std::f64::consts::PI),
-                    Node::Symbol(symbol) => value_of(symbol, point),
-                    Node::Negate(a) => -of(&values, a),
-                    Node::Unary(function @ (Unary::Sin | Unary::Cos), angle) => {
-                        let (sin, cos) = match self.as_difference(angle) {
-                            Some([a, b]) => S::sin_cos_of_difference(of(&values, a), of(&values, b)),
-                            None => of(&values, angle).sin_cos(),
-                        };
-                        if function == Unary::Sin { sin } else { cos }
-                    }
-                    Node::Unary(function, a) => unary(function, of(&values, a)),
-                    Node::Binary(operator, a, b) => binary(operator, of(&values, a), of(&values, b)),
-                };
-                values.push(value);
-            }
-            roots.iter().map(|&root| of(&values, root)).collect()
-        };
-        (0..points).map(&mut at).collect()
+        for &id in &order {
+            let value = match self.node(id) {
+                Node::Number(c) => number(c),
+                Node::Pi => S::from_f64(std::f64::consts::PI),
+                Node::Symbol(symbol) => value_of(symbol),
+                Node::Negate(a) => -of(&values, a),
+                Node::Unary(function @ (Unary::Sin | Unary::Cos), angle) => {
+                    let (sin, cos) = match self.as_difference(angle) {
+                        Some([a, b]) => S::sin_cos_of_difference(of(&values, a), of(&values, b)),
+                        None => of(&values, angle).sin_cos(),
+                    };
+                    if function == Unary::Sin { sin } else { cos }
+                }
+                Node::Unary(function, a) => unary(function, of(&values, a)),
+                Node::Binary(operator, a, b) => binary(operator, of(&values, a), of(&values, b)),
+            };
+            values.push(value);
+        }
+        roots.iter().map(|&root| of(&values, root)).collect()
     }
 }

@@ -49,15 +49,18 @@ impl<S: Real> Tape<S> {
     /// If a root depends on a symbol other than through `inputs`: a fault of the derivation.
     #[must_use]
     pub fn above(dag: &Dag, roots: &[ExprId], inputs: &[ExprId]) -> Self {
-        let position: HashMap<ExprId, usize> = inputs.iter().enumerate().map(|(k, &id)| (id, k)).collect();
-        let order = dag.reachable_above(roots, |id| position.contains_key(&id));
+        // By node: which argument it is, if it is one.
+        let mut arguments = vec![UNKNOWN; inputs.iter().map(|id| id.index() + 1).max().unwrap_or(0)];
+        inputs.iter().zip(0..).for_each(|(id, k)| arguments[id.index()] = k);
+        let argument = |id: ExprId| arguments.get(id.index()).copied().filter(|&k| k != UNKNOWN);
+        let order = dag.reachable_above(roots, |id| argument(id).is_some());
         // By node: its slot among the values, if it has one.
         let mut slots = vec![UNKNOWN; order.last().map_or(0, |id| id.index() + 1)];
         order.iter().zip(0..).for_each(|(id, k)| slots[id.index()] = k);
         let slot = |id: ExprId| slots[id.index()];
         let mut tape = Self {
-            instructions: Vec::new(),
-            inputs: Vec::new(),
+            instructions: Vec::with_capacity(order.len()),
+            inputs: Vec::with_capacity(inputs.len()),
             outputs: roots.iter().map(|&root| slot(root)).collect(),
             values: vec![S::ZERO; order.len() + 1],
         };
@@ -69,8 +72,8 @@ impl<S: Real> Tape<S> {
                 tape.values[to as usize] = S::from_f64(dag.evaluate_constant(id));
                 continue;
             }
-            if let Some(&k) = position.get(&id) {
-                tape.inputs.push((k, to));
+            if let Some(k) = argument(id) {
+                tape.inputs.push((k as usize, to));
                 continue;
             }
             match dag.node(id) {
@@ -90,7 +93,7 @@ impl<S: Real> Tape<S> {
                     let twin = twin.unwrap_or(spare);
                     let (sin, cos) = if function == Unary::Sin { (to, twin) } else { (twin, to) };
                     tape.instructions.push(
-                        match dag.as_difference(a).filter(|_| !position.contains_key(&a)) {
+                        match dag.as_difference(a).filter(|_| argument(a).is_none()) {
                             Some([a, b]) => {
                                 Instruction::SinCosOfDifference { sin, cos, a: slot(a), b: slot(b) }
                             }

@@ -106,6 +106,21 @@ impl Definition {
         }
     }
 
+    /// Value and round-off bound at a state from those of its operands.
+    #[inline(always)]
+    fn estimate(&self, a: &Estimate, b: &Estimate) -> Estimate {
+        let (x, y) = (self.operands[0].negative, self.operands[1].negative);
+        let value = match self.operation {
+            Operation::Leaf(_) => a.signed(x),
+            Operation::Sum => Estimate::sum(a.signed(x), b.signed(y)),
+            Operation::Product => Estimate::product(a.signed(x), b.signed(y)),
+            Operation::Quotient => Estimate::quotient(a.signed(x), b.signed(y)),
+            Operation::Unary(f) => Estimate::unary(f, a.signed(x)),
+            Operation::Binary(f) => Estimate::binary(f, a.signed(x), b.signed(y)),
+        };
+        value.signed(self.negative)
+    }
+
     /// Its contribution to the cost that the search minimises.
     #[inline]
     pub fn cost(&self) -> u32 {
@@ -223,10 +238,10 @@ impl Graph {
     pub fn add(&mut self, value: Value, operation: Operation, a: Signed, b: Signed) -> Signed {
         let negative = value[0].is_upper();
         let current = self.prepared(Definition::new(operation, a, b, negative));
-        for point in 0..self.points {
-            let estimate = self.estimate(&current, point);
-            self.estimates.push(estimate);
-        }
+        let known = self.estimates.len();
+        self.estimates.resize(known + self.points, Estimate::exact(0.0));
+        let (known, new) = self.estimates.split_at_mut(known);
+        new.iter_mut().zip(estimates_of(known, self.points, current)).for_each(|(new, of)| *new = of);
         self.push(value, current)
     }
 
@@ -278,26 +293,10 @@ impl Graph {
         })
     }
 
-    /// Value and round-off bound of a definition at one of the guard's states.
-    #[inline]
-    fn estimate(&self, definition: &Definition, point: usize) -> Estimate {
-        let at = |x: Signed| self.estimates[x.class.index() * self.points + point].signed(x.negative);
-        let [x, y] = definition.operands;
-        let value = match definition.operation {
-            Operation::Leaf(_) => at(x),
-            Operation::Sum => Estimate::sum(at(x), at(y)),
-            Operation::Product => Estimate::product(at(x), at(y)),
-            Operation::Quotient => Estimate::quotient(at(x), at(y)),
-            Operation::Unary(f) => Estimate::unary(f, at(x)),
-            Operation::Binary(f) => Estimate::binary(f, at(x), at(y)),
-        };
-        value.signed(definition.negative)
-    }
-
     /// Values and round-off bounds of a definition at the guard's states.
     #[inline]
     pub fn estimates_of(&self, definition: &Definition) -> impl Iterator<Item = Estimate> {
-        (0..self.points).map(move |point| self.estimate(definition, point))
+        estimates_of(&self.estimates, self.points, *definition)
     }
 
     /// Adds a definition to `target`, which must have the same value; true if it is new and the guard admits it.
@@ -381,4 +380,12 @@ impl Graph {
             }
         }
     }
+}
+
+/// Values and round-off bounds of a definition at each state, from those of all classes.
+#[inline]
+fn estimates_of(known: &[Estimate], points: usize, definition: Definition) -> impl Iterator<Item = Estimate> {
+    let [x, y] = definition.operands;
+    let of = |x: Signed| &known[x.class.index() * points..][..points];
+    of(x).iter().zip(of(y)).map(move |(a, b)| definition.estimate(a, b))
 }
