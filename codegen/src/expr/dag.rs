@@ -245,26 +245,36 @@ impl Dag {
             self.nodes.reserve(NODES);
             self.facts.reserve(NODES);
         }
-        let of = |a: ExprId| self.facts[a];
-        let (dependence, symbols_read) = match node {
-            Node::Number(_) | Node::Pi => (Dependence::Constant, 0),
-            Node::Symbol(symbol) => (self.symbols[symbol].1, symbol_bit(symbol)),
-            Node::Negate(a) | Node::Unary(_, a) => (of(a).dependence, of(a).symbols_read),
+        let id = ExprId::from_index(self.nodes.len());
+        let facts = self.facts_of(id, node);
+        self.nodes.push(node);
+        self.facts.push(facts);
+        self.index.insert(slot, &self.nodes);
+        id
+    }
+
+    /// The facts of a new node, from those of its operands.
+    #[inline]
+    fn facts_of(&self, id: ExprId, node: Node) -> Facts {
+        let of = |a: ExprId| &self.facts[a];
+        let (dependence, symbols_read, operations_read) = match node {
+            Node::Number(_) | Node::Pi => (Dependence::Constant, 0, [NO_OPERATION; 2]),
+            Node::Symbol(symbol) => (self.symbols[symbol].1, symbol_bit(symbol), [NO_OPERATION; 2]),
+            Node::Negate(a) | Node::Unary(_, a) => {
+                (of(a).dependence, of(a).symbols_read, [of(a).operation, NO_OPERATION])
+            }
             Node::Binary(_, a, b) => {
                 let (a, b) = (of(a), of(b));
-                (a.dependence.max(b.dependence), a.symbols_read | b.symbols_read)
+                let dependence = a.dependence.max(b.dependence);
+                (dependence, a.symbols_read | b.symbols_read, [a.operation, b.operation])
             }
         };
-        let id = self.nodes.push(node);
         let operation = match node {
-            Node::Negate(a) => of(a).operation,
+            Node::Negate(_) => operations_read[0],
             Node::Unary(..) | Node::Binary(..) if dependence != Dependence::Constant => id,
             _ => NO_OPERATION,
         };
-        let operations_read = self.operands(id).map(|a| a.map_or(NO_OPERATION, |a| of(a).operation));
-        self.facts.push(Facts { dependence, symbols_read, operation, operations_read, is_labelled: false });
-        self.index.insert(slot, &self.nodes);
-        id
+        Facts { dependence, symbols_read, operation, operations_read, is_labelled: false }
     }
 }
 

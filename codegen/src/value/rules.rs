@@ -68,11 +68,12 @@ pub(super) fn reassociate_shared(graph: &mut Graph, live: &[ClassId]) {
 pub(super) fn factor_sums(graph: &mut Graph, live: &[ClassId], classes: &[ClassId], one: Signed) {
     let readers = readers(graph, live);
     let mut factors = Factors::default();
+    let mut memory = Default::default();
     for &class in classes {
         let target = Signed { class, negative: false };
         if graph.classes[class].current.operation == Operation::Sum {
-            let terms = terms(graph, target, &readers);
-            factor_terms(graph, target, &terms, one, &mut factors);
+            let terms = terms(graph, target, &readers, &mut memory);
+            factor_terms(graph, target, terms, one, &mut factors);
         }
     }
 }
@@ -88,9 +89,14 @@ fn readers(graph: &Graph, live: &[ClassId]) -> IdVec<ClassId, u32> {
     readers
 }
 
-/// The terms of a sum, flattened through inner sums that nothing else uses.
-fn terms(graph: &Graph, sum: Signed, readers: &IdVec<ClassId, u32>) -> Vec<Signed> {
-    let (mut terms, mut stack) = (Vec::with_capacity(MOST_TERMS), Vec::with_capacity(MOST_TERMS));
+/// The terms of a sum, flattened through inner sums that nothing else uses; in the given memory, a list and a stack.
+fn terms<'m>(
+    graph: &Graph,
+    sum: Signed,
+    readers: &IdVec<ClassId, u32>,
+    (terms, stack): &'m mut (Vec<Signed>, Vec<Signed>),
+) -> &'m [Signed] {
+    terms.clear();
     stack.push(sum);
     while let Some(x) = stack.pop() {
         let current = &graph.classes[x.class].current;
