@@ -97,16 +97,18 @@ impl Solver {
         let most = rows.len().min(self.order.len());
         for rank in 0..most {
             let (mut best, mut size) = (rank, self.sizes[rank]);
-            for (r, &other) in self.sizes.iter().enumerate().skip(rank + 1) {
+            for (r, &other) in (rank + 1..).zip(&self.sizes[rank + 1..]) {
                 (best, size) = if other > size { (r, other) } else { (best, size) };
             }
             // Also ends the elimination if the entry is NaN.
             if size.is_nan() || size <= zero * scale {
                 return rank;
             }
-            self.sizes.swap(rank, best);
-            b.swap(rank, best);
-            rows.swap(rank, best);
+            if rank != best {
+                self.sizes.swap(rank, best);
+                b.swap(rank, best);
+                rows.swap(rank, best);
+            }
             let (done, below) = rows.split_at_mut(rank + 1);
             let pivot_row = done[rank].as_mut();
             let entries = pivot_row.as_flattened_mut();
