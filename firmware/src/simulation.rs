@@ -199,8 +199,8 @@ fn answer(model: &Model, t: f32, x: &[f32; NX], inputs: &[f32; N_INPUTS]) {
 pub fn tile_rates(
     model: &mut Model,
     t: f32,
-    (q, u, inputs): (&[f32], &[f32], &[f32]),
-    (q_dot, u_dot): (&mut [f32], &mut [f32]),
+    (q, u, inputs): (&[f32; NQ], &[f32; NU], &[f32; N_INPUTS]),
+    (q_dot, u_dot): (&mut [f32; NQ], &mut [f32; NU]),
 ) -> Result<f32, Fault> {
     model.rates(t, q, u, inputs, q_dot, u_dot)
 }

@@ -408,10 +408,10 @@ impl Assembly {
         straight: bool,
     ) -> Result<Vec<f64>, Unreachable> {
         let mut q = from.to_vec();
-        let mut before = q.clone();
+        let [mut before, mut here] = [q.clone(), q.clone()];
         for step in 1..=steps {
             let part = step as f64 / steps as f64;
-            let here = q.clone();
+            here.copy_from_slice(&q);
             if straight {
                 self.dependent.iter().for_each(|&i| q[i] += here[i] - before[i]);
             }
@@ -419,7 +419,7 @@ impl Assembly {
                 q[i] = if step == steps { target[i] } else { from[i] + part * (target[i] - from[i]) };
             }
             self.correct(&mut q)?;
-            before = here;
+            std::mem::swap(&mut before, &mut here);
         }
         Ok(q)
     }
