@@ -3,7 +3,6 @@
 use super::dag::Dag;
 use super::node::{Binary, ExprId, Node, SymbolId, Unary};
 use super::number::Number;
-use crate::id::Id;
 use smartbed_runtime::real::Real;
 
 /// f(a) over `S`, exactly as the emitted code computes it.
@@ -63,10 +62,8 @@ impl Dag {
     /// Values of `roots` with the symbols' values from `value_of`.
     pub fn evaluate<S: Real>(&self, roots: &[ExprId], value_of: &dyn Fn(SymbolId) -> S) -> Vec<S> {
         let order = self.reachable(roots);
-        // By node: its place among the values, which are far fewer than all nodes.
-        let mut place = vec![0_u32; order.last().map_or(0, |id| id.index() + 1)];
-        order.iter().zip(0..).for_each(|(id, n)| place[id.index()] = n);
-        let of = |values: &[S], id: ExprId| values[place[id.index()] as usize];
+        // Few of all nodes, in ascending order: a search takes less than a list by node.
+        let of = |values: &[S], id: ExprId| values[order.partition_point(|&other| other < id)];
         let mut values: Vec<S> = Vec::with_capacity(order.len());
         for &id in &order {
             let value = match self.node(id) {
