@@ -85,21 +85,18 @@ impl<S: Real> Tape<S> {
                 Node::Unary(Unary::Sin | Unary::Cos, _) if paired[to as usize] => {}
                 Node::Unary(function @ (Unary::Sin | Unary::Cos), a) => {
                     let other = if function == Unary::Sin { Unary::Cos } else { Unary::Sin };
-                    let twin = dag.find(Node::Unary(other, a)).and_then(|twin| slots.get(twin.index()).copied());
+                    let twin =
+                        dag.find(Node::Unary(other, a)).and_then(|twin| slots.get(twin.index()).copied());
                     let twin = twin.filter(|&twin| twin != UNKNOWN);
                     if let Some(twin) = twin {
                         paired[twin as usize] = true;
                     }
                     let twin = twin.unwrap_or(spare);
                     let (sin, cos) = if function == Unary::Sin { (to, twin) } else { (twin, to) };
-                    tape.instructions.push(
-                        match dag.as_difference(a).filter(|_| argument(a).is_none()) {
-                            Some([a, b]) => {
-                                Instruction::SinCosOfDifference { sin, cos, a: slot(a), b: slot(b) }
-                            }
-                            None => Instruction::SinCos { sin, cos, a: slot(a) },
-                        },
-                    );
+                    tape.instructions.push(match dag.as_difference(a).filter(|_| argument(a).is_none()) {
+                        Some([a, b]) => Instruction::SinCosOfDifference { sin, cos, a: slot(a), b: slot(b) },
+                        None => Instruction::SinCos { sin, cos, a: slot(a) },
+                    });
                 }
                 Node::Unary(function, a) => {
                     tape.instructions.push(Instruction::Unary { function, to, a: slot(a) });

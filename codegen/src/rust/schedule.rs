@@ -161,10 +161,10 @@ impl Graph {
     /// Of the three orders the one with the least register overflow; of equally good ones the first, which is the
     /// easiest to read. Those after one without overflow are not made.
     fn least_overfull(&self) -> Vec<usize> {
-        let make: [fn(&Self, &[usize]) -> Vec<usize>; 2] = [Self::forward, Self::backward];
+        type Make = fn(&Graph, &[usize]) -> Vec<usize>;
         let mut last = self.depth_first();
         let mut best = (self.overfull(&last), last.clone());
-        for make in make {
+        for make in [Self::forward as Make, Self::backward] {
             if best.0 == 0 {
                 break;
             }
