@@ -14,7 +14,9 @@ impl NodeSet {
     /// The empty set, with room for nodes below `bound`.
     pub fn below(bound: usize) -> Self {
         // Memory that is asked for as zeroed bypasses the allocator's cache of small blocks.
-        Self(std::iter::repeat_n(0, bound.div_ceil(WORD)).collect())
+        let mut set = Self::default();
+        set.0.resize(bound.div_ceil(WORD), 0);
+        set
     }
 
     /// Adds a node below the bound.
