@@ -20,6 +20,8 @@ pub struct File {
     pub path: String,
     /// Its text.
     pub text: String,
+    /// Places of its line breaks, ascending: every declaration of a model asks for its line.
+    breaks: Vec<usize>,
 }
 
 /// The model file and the files it extends. Cheap to clone.
@@ -30,6 +32,13 @@ pub struct Source {
 }
 
 impl File {
+    /// A file by name and text.
+    #[must_use]
+    pub fn new(path: String, text: String) -> Self {
+        let breaks = text.match_indices('\n').map(|(place, _)| place).collect();
+        Self { path, text, breaks }
+    }
+
     /// The last part of the model's path. Emitted text uses this alone, so that it does not depend on the folder.
     #[must_use]
     pub fn name(&self) -> &str {
@@ -41,7 +50,7 @@ impl Source {
     /// A source of one file.
     #[must_use]
     pub fn new(path: &str, text: &str) -> Self {
-        Self { files: Arc::new(vec![File { path: path.to_owned(), text: text.to_owned() }]) }
+        Self { files: Arc::new(vec![File::new(path.to_owned(), text.to_owned())]) }
     }
 
     /// Line and column (both from 1, columns in characters) of the start of `span`.
@@ -52,13 +61,9 @@ impl Source {
         while !file.text.is_char_boundary(end) {
             end -= 1;
         }
-        let before = &file.text[..end];
-        // Sums of at most 255 bytes fit u8, so that the compiler counts sixteen bytes at a time.
-        let breaks = |part: &[u8]| part.iter().map(|&byte| u8::from(byte == b'\n')).sum::<u8>();
-        let line =
-            before.as_bytes().chunks(u8::MAX.into()).map(|part| usize::from(breaks(part))).sum::<usize>() + 1;
-        let column = before.rsplit('\n').next().map_or(0, |l| l.chars().count()) + 1;
-        (line, column)
+        let line = file.breaks.partition_point(|&place| place < end);
+        let start = line.checked_sub(1).map_or(0, |before| file.breaks[before] + 1);
+        (line + 1, file.text[start..end].chars().count() + 1)
     }
 
     /// File and line of the start of `span`, such as `tile.toml:11`.

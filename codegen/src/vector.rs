@@ -96,19 +96,20 @@ impl Vector {
         if dag.is_zero(factor) {
             return Self::zero();
         }
-        Self {
-            terms: self.terms.iter().map(|(&t, c)| (t, c.map(|x| dag.mul(factor, x)))).collect(),
-            points: self.points.iter().map(|(&p, &x)| (p, dag.mul(factor, x))).collect(),
-        }
+        self.map(|x| dag.mul(factor, x))
     }
 
     /// -a.
     #[must_use]
     pub fn negated(&self, dag: &mut Dag) -> Self {
-        Self {
-            terms: self.terms.iter().map(|(&t, c)| (t, c.map(|x| dag.negate(x)))).collect(),
-            points: self.points.iter().map(|(&p, &x)| (p, dag.negate(x))).collect(),
-        }
+        self.map(|x| dag.negate(x))
+    }
+
+    /// The vector with f applied to every component and coefficient.
+    fn map(&self, mut f: impl FnMut(ExprId) -> ExprId) -> Self {
+        let mut vector = self.clone();
+        vector.terms.values_mut().flatten().chain(vector.points.values_mut()).for_each(|x| *x = f(*x));
+        vector
     }
 
     /// a - b.

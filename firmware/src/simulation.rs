@@ -199,9 +199,10 @@ fn answer(model: &Model, t: f32, x: &[f32; NX], inputs: &[f32; N_INPUTS]) {
 pub fn tile_rates(
     model: &mut Model,
     t: f32,
-    (q, u, inputs): (&[f32], &[f32], &[f32]),
-    (q_dot, u_dot): (&mut [f32], &mut [f32]),
+    (x, inputs): (&[f32; NX], &[f32; N_INPUTS]),
+    x_dot: &mut [f32; NX],
 ) -> Result<f32, Fault> {
+    let ((q, u), (q_dot, u_dot)) = (parts(x)?, parts_mut(x_dot)?);
     model.rates(t, q, u, inputs, q_dot, u_dot)
 }
 
@@ -283,6 +284,11 @@ fn parts_mut(x: &mut [f32]) -> Result<(&mut [f32; NQ], &mut [f32; NU]), Fault> {
     Ok((q, u.try_into().map_err(|_| Fault::Shape)?))
 }
 
+/// x and x_dot with their length, which the equations then need not compare.
+fn arrays<'x>(x: &'x [f32], x_dot: &'x mut [f32]) -> Result<(&'x [f32; NX], &'x mut [f32; NX]), Fault> {
+    Ok((x.try_into().map_err(|_| Fault::Shape)?, x_dot.try_into().map_err(|_| Fault::Shape)?))
+}
+
 impl Ode<f32> for Held<'_> {
     fn n_x(&self) -> usize {
         NX
@@ -291,9 +297,10 @@ impl Ode<f32> for Held<'_> {
         NQ
     }
     fn rates(&mut self, t: f32, x: &[f32], x_dot: &mut [f32]) -> Result<f32, Fault> {
-        let ((q, u), (q_dot, u_dot)) = (parts(x)?, parts_mut(x_dot)?);
+        let (x, x_dot) = arrays(x, x_dot)?;
+        let (q, u) = parts(x)?;
         let inputs = *self.inputs(t, q, u, &mut [0.0; N_INPUTS]);
-        tile_rates(self.model, t, (q, u, &inputs), (q_dot, u_dot))
+        tile_rates(self.model, t, (x, &inputs), x_dot)
     }
 }
 
@@ -311,8 +318,7 @@ impl SharedWork<f32> for Held<'_> {
     }
     fn rates_near(&mut self, t: f32, x: &[f32], x_dot: &mut [f32], near: &Near) -> Result<f32, Fault> {
         let mut commanded = [0.0; N_INPUTS];
-        let (x, x_dot): (&[f32; NX], &mut [f32; NX]) =
-            (x.try_into().map_err(|_| Fault::Shape)?, x_dot.try_into().map_err(|_| Fault::Shape)?);
+        let (x, x_dot) = arrays(x, x_dot)?;
         let (q, u) = parts(x)?;
         let inputs = self.inputs(t, q, u, &mut commanded);
         Ok(tile_rates_near(self.model, t, (x, inputs), x_dot, near))

@@ -120,12 +120,12 @@ fn every_angle_has_one_sincos() {
 ///
 /// Instructions are the same whatever else the machine does; `tests/peers/run.py` measures the time on a quiet one.
 const DERIVATION: [(&str, Effort, f64); 6] = [
-    ("tile", Effort::Default, 71.0),
-    ("arm6", Effort::Default, 84.0),
-    ("bicycle", Effort::Default, 78.0),
-    ("pendulum10", Effort::Default, 37.0),
-    ("fourbar", Effort::All, 77.0),
-    ("tile", Effort::All, 770.0),
+    ("tile", Effort::Default, 57.0),
+    ("arm6", Effort::Default, 71.0),
+    ("bicycle", Effort::Default, 63.0),
+    ("pendulum10", Effort::Default, 31.0),
+    ("fourbar", Effort::All, 60.0),
+    ("tile", Effort::All, 630.0),
 ];
 /// Environment variable with model and effort for the new process that derives once.
 const CHILD: &str = "SMARTBED_TESTS_DERIVE";

@@ -292,15 +292,16 @@ fn the_equations_keep_to_their_instructions_and_bytes() {
     let chip = outcome(&Arguments { steps: Some(10), ..Arguments::default() });
     assert!(chip.step.instructions[1] <= 5_000, "{:?}", chip.step);
     let equations = chip.equations.expect("a mechanism has equations");
+    println!("{:.4} per operation, {equations:?}, {:?}", equations.by_operation(), chip.step);
     assert!(equations.sin_cos <= 60, "{equations:?}");
-    assert!(equations.by_operation() <= 1.49, "{equations:?}");
+    assert!(equations.by_operation() <= 1.45, "{equations:?}");
     // Stricter than the bar: the part that sines and cosines share counts as operations.
     assert!(equations.by_operation_with_constants() <= 1.60, "{equations:?}");
     assert!(equations.bytes <= 16 * 1024, "{equations:?}");
 }
 
 /// `derive --costs` counts the instructions in the code of a separate function; here they are executed in a call through
-/// the trait, which compares lengths.
+/// the trait, with lengths that the compiler knows.
 #[test]
 fn the_cost_sheet_counts_what_the_chip_executes() {
     let _image = one_at_a_time();

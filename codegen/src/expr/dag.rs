@@ -10,6 +10,9 @@ use super::set::NodeSet;
 use crate::id::{Id, IdVec};
 use rustc_hash::{FxHashMap as HashMap, FxHashSet as HashSet};
 
+/// Capacity reserved, in nodes: address space that becomes memory only as it is filled.
+const NODES: usize = 1 << 14;
+
 /// The arena of nodes.
 #[derive(Clone, Debug, Default)]
 pub struct Dag {
@@ -57,6 +60,7 @@ impl Dag {
     }
 
     /// Is it the length of a vector which may vanish?
+    #[inline]
     pub(crate) fn is_norm(&self, id: ExprId) -> bool {
         self.norms.contains(&id)
     }
@@ -75,12 +79,14 @@ impl Dag {
 
     /// The node behind an id.
     #[must_use]
+    #[inline]
     pub fn node(&self, id: ExprId) -> Node {
         self.nodes[id]
     }
 
     /// Whether the value can change with the state, with parameters only, or not at all.
     #[must_use]
+    #[inline]
     pub fn dependence(&self, id: ExprId) -> Dependence {
         self.facts[id].dependence
     }
@@ -93,6 +99,7 @@ impl Dag {
 
     /// The symbol that `id` is, if it is one.
     #[must_use]
+    #[inline]
     pub fn as_symbol(&self, id: ExprId) -> Option<SymbolId> {
         match self.nodes[id] {
             Node::Symbol(symbol) => Some(symbol),
@@ -102,6 +109,7 @@ impl Dag {
 
     /// The constant that `id` is, if it is one.
     #[must_use]
+    #[inline]
     pub fn as_number(&self, id: ExprId) -> Option<Number> {
         match self.nodes[id] {
             Node::Number(number) => Some(number),
@@ -112,18 +120,21 @@ impl Dag {
 
     /// Is it the constant 0?
     #[must_use]
+    #[inline]
     pub fn is_zero(&self, id: ExprId) -> bool {
         Some(id) == self.zero
     }
 
     /// Is it the constant 1?
     #[must_use]
+    #[inline]
     pub fn is_one(&self, id: ExprId) -> bool {
         Some(id) == self.one
     }
 
     /// May the node depend on one of the symbols with these bits? "No" is certain; "yes" is not (64 bits for all
     /// symbols).
+    #[inline]
     pub(super) fn may_read(&self, id: ExprId, bits: u64) -> bool {
         self.facts[id].symbols_read & bits != 0
     }
@@ -145,11 +156,13 @@ impl Dag {
     }
 
     /// 0.
+    #[inline]
     pub fn zero(&mut self) -> ExprId {
         self.zero.unwrap_or_else(|| self.number(Number::ZERO))
     }
 
     /// 1.
+    #[inline]
     pub fn one(&mut self) -> ExprId {
         self.one.unwrap_or_else(|| self.number(Number::ONE))
     }
@@ -161,12 +174,14 @@ impl Dag {
 
     /// The expression without its negation: a for -a and for a.
     #[must_use]
+    #[inline]
     pub fn unsigned(&self, expr: ExprId) -> ExprId {
         if let Node::Negate(a) = self.nodes[expr] { a } else { expr }
     }
 
     /// Operands of a node.
     #[must_use]
+    #[inline]
     pub fn operands(&self, id: ExprId) -> [Option<ExprId>; 2] {
         match self.nodes[id] {
             Node::Number(_) | Node::Pi | Node::Symbol(_) => [None, None],
@@ -226,26 +241,40 @@ impl Dag {
             Ok(id) => return id,
             Err(slot) => slot,
         };
-        let of = |a: ExprId| self.facts[a];
-        let (dependence, symbols_read) = match node {
-            Node::Number(_) | Node::Pi => (Dependence::Constant, 0),
-            Node::Symbol(symbol) => (self.symbols[symbol].1, symbol_bit(symbol)),
-            Node::Negate(a) | Node::Unary(_, a) => (of(a).dependence, of(a).symbols_read),
+        if self.nodes.is_empty() {
+            self.nodes.reserve(NODES);
+            self.facts.reserve(NODES);
+        }
+        let id = ExprId::from_index(self.nodes.len());
+        let facts = self.facts_of(id, node);
+        self.nodes.push(node);
+        self.facts.push(facts);
+        self.index.insert(slot, &self.nodes);
+        id
+    }
+
+    /// The facts of a new node, from those of its operands.
+    #[inline]
+    fn facts_of(&self, id: ExprId, node: Node) -> Facts {
+        let of = |a: ExprId| &self.facts[a];
+        let (dependence, symbols_read, operations_read) = match node {
+            Node::Number(_) | Node::Pi => (Dependence::Constant, 0, [NO_OPERATION; 2]),
+            Node::Symbol(symbol) => (self.symbols[symbol].1, symbol_bit(symbol), [NO_OPERATION; 2]),
+            Node::Negate(a) | Node::Unary(_, a) => {
+                (of(a).dependence, of(a).symbols_read, [of(a).operation, NO_OPERATION])
+            }
             Node::Binary(_, a, b) => {
                 let (a, b) = (of(a), of(b));
-                (a.dependence.max(b.dependence), a.symbols_read | b.symbols_read)
+                let dependence = a.dependence.max(b.dependence);
+                (dependence, a.symbols_read | b.symbols_read, [a.operation, b.operation])
             }
         };
-        let id = self.nodes.push(node);
         let operation = match node {
-            Node::Negate(a) => of(a).operation,
+            Node::Negate(_) => operations_read[0],
             Node::Unary(..) | Node::Binary(..) if dependence != Dependence::Constant => id,
             _ => NO_OPERATION,
         };
-        let operations_read = self.operands(id).map(|a| a.map_or(NO_OPERATION, |a| of(a).operation));
-        self.facts.push(Facts { dependence, symbols_read, operation, operations_read });
-        self.index.insert(slot, &self.nodes);
-        id
+        Facts { dependence, symbols_read, operation, operations_read, is_labelled: false }
     }
 }
 
@@ -259,14 +288,16 @@ impl Dag {
             Some(known) => known.join(&label),
             None => {
                 self.labels.insert(id, label);
+                self.facts[id].is_labelled = true;
             }
         }
     }
 
     /// The label of a node.
     #[must_use]
+    #[inline]
     pub fn label_of(&self, id: ExprId) -> Option<&Label> {
-        self.labels.get(&id)
+        if self.facts[id].is_labelled { self.labels.get(&id) } else { None }
     }
 
     /// The name of a node.

@@ -3,7 +3,6 @@
 use super::dag::Dag;
 use super::node::{Binary, ExprId, Node, SymbolId, Unary};
 use super::number::Number;
-use crate::id::Id;
 use smartbed_runtime::real::Real;
 
 /// f(a) over `S`, exactly as the emitted code computes it.
@@ -41,6 +40,7 @@ pub(crate) fn steepness(function: Unary, x: f64, value: f64) -> f64 {
 }
 
 /// a (op) b over `S`, exactly as the emitted code computes it.
+#[inline]
 pub fn binary<S: Real>(operator: Binary, a: S, b: S) -> S {
     match operator {
         Binary::Add => a + b,
@@ -61,38 +61,28 @@ pub fn number<S: Real>(number: Number) -> S {
 impl Dag {
     /// Values of `roots` with the symbols' values from `value_of`.
     pub fn evaluate<S: Real>(&self, roots: &[ExprId], value_of: &dyn Fn(SymbolId) -> S) -> Vec<S> {
-        self.evaluate_at(roots, 1, &|symbol, _| value_of(symbol)).remove(0)
-    }
-
-    /// [`Self::evaluate`] at several points, one after the other.
-    pub(crate) fn evaluate_at<S: Real>(
-        &self,
-        roots: &[ExprId],
-        points: usize,
-        value_of: &dyn Fn(SymbolId, usize) -> S,
-    ) -> Vec<Vec<S>> {
         let order = self.reachable(roots);
-        let mut values = vec![S::ZERO; order.last().map_or(0, |id| id.index() + 1)];
-        let mut at = |point: usize| {
-            for &id in &order {
-                values[id.index()] = match self.node(id) {
-                    Node::Number(c) => number(c),
-                    Node::Pi => S::from_f64(std::f64::consts::PI),
-                    Node::Symbol(symbol) => value_of(symbol, point),
-                    Node::Negate(a) => -values[a.index()],
-                    Node::Unary(function @ (Unary::Sin | Unary::Cos), angle) => {
-                        let (sin, cos) = match self.as_difference(angle) {
-                            Some([a, b]) => S::sin_cos_of_difference(values[a.index()], values[b.index()]),
-                            None => values[angle.index()].sin_cos(),
-                        };
-                        if function == Unary::Sin { sin } else { cos }
-                    }
-                    Node::Unary(function, a) => unary(function, values[a.index()]),
-                    Node::Binary(operator, a, b) => binary(operator, values[a.index()], values[b.index()]),
-                };
-            }
-            roots.iter().map(|r| values[r.index()]).collect()
-        };
-        (0..points).map(&mut at).collect()
+        // Few of all nodes, in ascending order: a search takes less than a list by node.
+        let of = |values: &[S], id: ExprId| values[order.partition_point(|&other| other < id)];
+        let mut values: Vec<S> = Vec::with_capacity(order.len());
+        for &id in &order {
+            let value = match self.node(id) {
+                Node::Number(c) => number(c),
+                Node::Pi => S::from_f64(std::f64::consts::PI),
+                Node::Symbol(symbol) => value_of(symbol),
+                Node::Negate(a) => -of(&values, a),
+                Node::Unary(function @ (Unary::Sin | Unary::Cos), angle) => {
+                    let (sin, cos) = match self.as_difference(angle) {
+                        Some([a, b]) => S::sin_cos_of_difference(of(&values, a), of(&values, b)),
+                        None => of(&values, angle).sin_cos(),
+                    };
+                    if function == Unary::Sin { sin } else { cos }
+                }
+                Node::Unary(function, a) => unary(function, of(&values, a)),
+                Node::Binary(operator, a, b) => binary(operator, of(&values, a), of(&values, b)),
+            };
+            values.push(value);
+        }
+        roots.iter().map(|&root| of(&values, root)).collect()
     }
 }

@@ -23,6 +23,7 @@ impl Default for Index {
 
 impl Index {
     /// The id of a node, or the slot where it belongs.
+    #[inline]
     pub fn find(&self, nodes: &IdVec<ExprId, Node>, node: &Node) -> Result<ExprId, usize> {
         let last = self.0.len() - 1;
         let mut slot = hash(node) as usize & last;
@@ -40,6 +41,7 @@ impl Index {
 
     /// Puts the newest node into the slot that [`Index::find`] returned; rehashes into a larger table once it is half
     /// full.
+    #[inline]
     pub fn insert(&mut self, slot: usize, nodes: &IdVec<ExprId, Node>) {
         self.0[slot] = nodes.len() as u32;
         if 2 * nodes.len() > self.0.len() {
@@ -64,8 +66,11 @@ pub(super) struct Facts {
     pub operation: ExprId,
     /// The operations that its operands are, negations skipped.
     pub operations_read: [ExprId; 2],
+    /// Has it got a label? Few nodes have.
+    pub is_labelled: bool,
 }
 
+#[inline]
 fn hash(node: &Node) -> u64 {
     match *node {
         Node::Binary(operator, a, b) => hash_operation(operator, [a, b]),
@@ -75,11 +80,13 @@ fn hash(node: &Node) -> u64 {
     }
 }
 
+#[inline]
 fn hash_operation(operator: Binary, [a, b]: [ExprId; 2]) -> u64 {
     spread(((a.index() as u64) << 32 | b.index() as u64) ^ (operator as u64) << 61)
 }
 
 /// Hash by one multiplication: operands are small integers, and the upper bits of the product are used.
+#[inline]
 fn spread(key: u64) -> u64 {
     key.wrapping_mul(0x9E37_79B9_7F4A_7C15) >> 32
 }
@@ -98,16 +105,19 @@ impl Default for Results {
 }
 
 impl Results {
+    #[inline]
     fn place(operator: Binary, operands: [ExprId; 2]) -> usize {
         hash_operation(operator, operands) as usize % RESULTS
     }
 
     /// The cached result, if the entry at this place is of the same operation.
+    #[inline]
     pub fn find(&self, operator: Binary, operands: [ExprId; 2]) -> Option<ExprId> {
         let (known, of, result) = self.0[Self::place(operator, operands)]?;
         (known == operator && of == operands).then_some(result)
     }
 
+    #[inline]
     pub fn insert(&mut self, operator: Binary, operands: [ExprId; 2], result: ExprId) {
         self.0[Self::place(operator, operands)] = Some((operator, operands, result));
     }

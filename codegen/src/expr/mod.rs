@@ -65,7 +65,12 @@ impl Dag {
     }
 
     /// a + b.
+    #[inline]
     pub fn add(&mut self, a: ExprId, b: ExprId) -> ExprId {
+        // Half of all sums and products have a 0 among their operands: components along an axis.
+        if self.is_zero(a) || self.is_zero(b) {
+            return if self.is_zero(a) { b } else { a };
+        }
         self.binary(Binary::Add, a, b)
     }
 
@@ -75,7 +80,11 @@ impl Dag {
     }
 
     /// a b.
+    #[inline]
     pub fn mul(&mut self, a: ExprId, b: ExprId) -> ExprId {
+        if self.is_zero(a) || self.is_zero(b) {
+            return if self.is_zero(a) { a } else { b };
+        }
         self.binary(Binary::Mul, a, b)
     }
 

@@ -13,15 +13,20 @@ pub(crate) struct NodeSet(Vec<u64>);
 impl NodeSet {
     /// The empty set, with room for nodes below `bound`.
     pub fn below(bound: usize) -> Self {
-        Self(vec![0; bound.div_ceil(WORD)])
+        // Memory that is asked for as zeroed bypasses the allocator's cache of small blocks.
+        let mut set = Self::default();
+        set.0.resize(bound.div_ceil(WORD), 0);
+        set
     }
 
     /// Adds a node below the bound.
+    #[inline]
     pub fn insert(&mut self, id: ExprId) {
         self.0[id.index() / WORD] |= 1 << (id.index() % WORD);
     }
 
     /// Is a node below the bound in the set?
+    #[inline]
     pub fn contains(&self, id: ExprId) -> bool {
         self.0[id.index() / WORD] >> (id.index() % WORD) & 1 == 1
     }
@@ -35,6 +40,7 @@ impl NodeSet {
     }
 
     /// Takes a node below the bound out.
+    #[inline]
     pub fn remove(&mut self, id: ExprId) {
         self.0[id.index() / WORD] &= !(1 << (id.index() % WORD));
     }
@@ -47,9 +53,15 @@ impl NodeSet {
         words.filter(|word| *word != 0).map(|word| word.count_ones() as usize).sum()
     }
 
+    /// The number of nodes.
+    pub fn len(&self) -> usize {
+        // Most words are empty.
+        self.0.iter().filter(|word| **word != 0).map(|word| word.count_ones() as usize).sum()
+    }
+
     /// The nodes, ascending, as a list.
     pub fn to_vec(&self) -> Vec<ExprId> {
-        let mut list = Vec::with_capacity(self.0.iter().map(|word| word.count_ones() as usize).sum());
+        let mut list = Vec::with_capacity(self.len());
         for (k, &word) in self.0.iter().enumerate() {
             let mut left = word;
             while left != 0 {

@@ -21,12 +21,21 @@ impl Dag {
     pub fn rebuild(
         &mut self,
         roots: &[ExprId],
-        mut replace: impl FnMut(&mut Self, ExprId, &Image) -> Option<ExprId>,
+        replace: impl FnMut(&mut Self, ExprId, &Image) -> Option<ExprId>,
     ) -> Image {
         let order = self.reachable(roots);
+        self.rebuild_in(&order, replace)
+    }
+
+    /// [`Self::rebuild`] of these nodes, which are all that some roots need, operands first.
+    pub fn rebuild_in(
+        &mut self,
+        order: &[ExprId],
+        mut replace: impl FnMut(&mut Self, ExprId, &Image) -> Option<ExprId>,
+    ) -> Image {
         let n = order.last().map_or(0, |id| id.index() + 1);
         let mut image = Image((0..n).map(ExprId::from_index).collect());
-        for &id in &order {
+        for &id in order {
             let new = match replace(self, id, &image) {
                 Some(new) => new,
                 None => self.with_operands(id, &image),

@@ -16,6 +16,10 @@ enum Instruction {
     Unary { function: Unary, to: u32, a: u32 },
     SinCos { sin: u32, cos: u32, a: u32 },
     SinCosOfDifference { sin: u32, cos: u32, a: u32, b: u32 },
+    // The most frequent ones are told apart by one jump instead of two.
+    Sum { to: u32, a: u32, b: u32 },
+    Difference { to: u32, a: u32, b: u32 },
+    Product { to: u32, a: u32, b: u32 },
     Binary { operator: Binary, to: u32, a: u32, b: u32 },
 }
 
@@ -45,28 +49,31 @@ impl<S: Real> Tape<S> {
     /// If a root depends on a symbol other than through `inputs`: a fault of the derivation.
     #[must_use]
     pub fn above(dag: &Dag, roots: &[ExprId], inputs: &[ExprId]) -> Self {
-        let position: HashMap<ExprId, usize> = inputs.iter().enumerate().map(|(k, &id)| (id, k)).collect();
-        let order = dag.reachable_above(roots, |id| position.contains_key(&id));
-        let mut slot = HashMap::default();
-        for (k, &id) in order.iter().enumerate() {
-            slot.insert(id, u32::try_from(k).expect("fewer than 2^32 nodes"));
-        }
+        // By node: which argument it is, if it is one.
+        let mut arguments = vec![UNKNOWN; inputs.iter().map(|id| id.index() + 1).max().unwrap_or(0)];
+        inputs.iter().zip(0..).for_each(|(id, k)| arguments[id.index()] = k);
+        let argument = |id: ExprId| arguments.get(id.index()).copied().filter(|&k| k != UNKNOWN);
+        let order = dag.reachable_above(roots, |id| argument(id).is_some());
+        // By node: its slot among the values, if it has one.
+        let mut slots = vec![UNKNOWN; order.last().map_or(0, |id| id.index() + 1)];
+        order.iter().zip(0..).for_each(|(id, k)| slots[id.index()] = k);
+        let slot = |id: ExprId| slots[id.index()];
         let mut tape = Self {
-            instructions: Vec::new(),
-            inputs: Vec::new(),
-            outputs: roots.iter().map(|r| slot[r]).collect(),
+            instructions: Vec::with_capacity(order.len()),
+            inputs: Vec::with_capacity(inputs.len()),
+            outputs: roots.iter().map(|&root| slot(root)).collect(),
             values: vec![S::ZERO; order.len() + 1],
         };
         let spare = u32::try_from(order.len()).expect("fewer than 2^32 nodes");
         let mut paired = vec![false; order.len()];
         for &id in &order {
-            let to = slot[&id];
+            let to = slot(id);
             if dag.is_constant(id) {
                 tape.values[to as usize] = S::from_f64(dag.evaluate_constant(id));
                 continue;
             }
-            if let Some(&k) = position.get(&id) {
-                tape.inputs.push((k, to));
+            if let Some(k) = argument(id) {
+                tape.inputs.push((k as usize, to));
                 continue;
             }
             match dag.node(id) {
@@ -74,30 +81,34 @@ impl<S: Real> Tape<S> {
                 Node::Symbol(symbol) => {
                     panic!("symbol `{}` is not an input of this program", dag.symbol_name(symbol))
                 }
-                Node::Negate(a) => tape.instructions.push(Instruction::Negate { to, a: slot[&a] }),
+                Node::Negate(a) => tape.instructions.push(Instruction::Negate { to, a: slot(a) }),
                 Node::Unary(Unary::Sin | Unary::Cos, _) if paired[to as usize] => {}
                 Node::Unary(function @ (Unary::Sin | Unary::Cos), a) => {
                     let other = if function == Unary::Sin { Unary::Cos } else { Unary::Sin };
-                    let twin = dag.find(Node::Unary(other, a)).and_then(|t| slot.get(&t)).copied();
+                    let twin =
+                        dag.find(Node::Unary(other, a)).and_then(|twin| slots.get(twin.index()).copied());
+                    let twin = twin.filter(|&twin| twin != UNKNOWN);
                     if let Some(twin) = twin {
                         paired[twin as usize] = true;
                     }
                     let twin = twin.unwrap_or(spare);
                     let (sin, cos) = if function == Unary::Sin { (to, twin) } else { (twin, to) };
-                    tape.instructions.push(
-                        match dag.as_difference(a).filter(|_| !position.contains_key(&a)) {
-                            Some([a, b]) => {
-                                Instruction::SinCosOfDifference { sin, cos, a: slot[&a], b: slot[&b] }
-                            }
-                            None => Instruction::SinCos { sin, cos, a: slot[&a] },
-                        },
-                    );
+                    tape.instructions.push(match dag.as_difference(a).filter(|_| argument(a).is_none()) {
+                        Some([a, b]) => Instruction::SinCosOfDifference { sin, cos, a: slot(a), b: slot(b) },
+                        None => Instruction::SinCos { sin, cos, a: slot(a) },
+                    });
                 }
                 Node::Unary(function, a) => {
-                    tape.instructions.push(Instruction::Unary { function, to, a: slot[&a] });
+                    tape.instructions.push(Instruction::Unary { function, to, a: slot(a) });
                 }
                 Node::Binary(operator, a, b) => {
-                    tape.instructions.push(Instruction::Binary { operator, to, a: slot[&a], b: slot[&b] });
+                    let (a, b) = (slot(a), slot(b));
+                    tape.instructions.push(match operator {
+                        Binary::Add => Instruction::Sum { to, a, b },
+                        Binary::Sub => Instruction::Difference { to, a, b },
+                        Binary::Mul => Instruction::Product { to, a, b },
+                        _ => Instruction::Binary { operator, to, a, b },
+                    });
                 }
             }
         }
@@ -106,7 +117,7 @@ impl<S: Real> Tape<S> {
 
     /// Runs the tape; `outputs` receives the roots' values in order (as many as it has room for).
     pub fn run(&mut self, inputs: &[S], outputs: &mut [S]) {
-        let v = &mut self.values;
+        let v = &mut self.values[..];
         for &(k, to) in &self.inputs {
             v[to as usize] = inputs[k];
         }
@@ -123,6 +134,9 @@ impl<S: Real> Tape<S> {
                     let of_difference = S::sin_cos_of_difference(v[a as usize], v[b as usize]);
                     (v[sin as usize], v[cos as usize]) = of_difference;
                 }
+                Instruction::Sum { to, a, b } => v[to as usize] = v[a as usize] + v[b as usize],
+                Instruction::Difference { to, a, b } => v[to as usize] = v[a as usize] - v[b as usize],
+                Instruction::Product { to, a, b } => v[to as usize] = v[a as usize] * v[b as usize],
                 Instruction::Binary { operator, to, a, b } => {
                     v[to as usize] = evaluate::binary(operator, v[a as usize], v[b as usize]);
                 }
@@ -305,6 +319,8 @@ impl SampleTable {
     }
 }
 
+/// A function of its own, in which the lists are known not to overlap, so that several samples are taken at a time.
+#[inline(never)]
 fn fill(to: &mut [f64], a: &[f64], b: &[f64], f: impl Fn(f64, f64) -> f64) {
     to.iter_mut().zip(a.iter().zip(b)).for_each(|(to, (&a, &b))| *to = f(a, b));
 }

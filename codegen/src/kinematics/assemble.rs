@@ -60,20 +60,33 @@ pub struct Assembly {
     /// Values of the tape's inputs: coordinates, then parameters, then the time.
     arguments: Vec<f64>,
     n_q: usize,
+    /// Working memory of [`Assembly::correct`], which is called some hundred times.
+    equations: Linearised,
+    solver: linear::Solver,
 }
 
 /// Residuals and their derivatives at a configuration, each divided by its scale.
+#[derive(Clone, Debug, Default)]
 struct Linearised {
     /// Largest residual before scaling, and the index of its equation.
     absolute: (f64, usize),
-    residual: Vec<f64>,
-    /// Row-major: one row per equation, one column per dependent coordinate.
-    jacobian: Vec<f64>,
+    /// The residuals, one per equation; then their derivatives, one row per equation, one column per dependent
+    /// coordinate.
+    values: Vec<f64>,
+    equations: usize,
 }
 
 impl Linearised {
+    fn residual(&self) -> &[f64] {
+        &self.values[..self.equations]
+    }
+
+    fn jacobian(&self) -> &[f64] {
+        &self.values[self.equations..]
+    }
+
     fn largest(&self) -> f64 {
-        largest(&self.residual).0
+        largest(self.residual()).0
     }
 }
 
@@ -145,6 +158,8 @@ impl Assembly {
             independent,
             arguments,
             n_q: coordinates.len(),
+            equations: Linearised::default(),
+            solver: linear::Solver::default(),
         }
     }
 
@@ -204,21 +219,12 @@ impl Assembly {
     pub fn correct(&mut self, q: &mut [f64]) -> Result<(), Unreachable> {
         let mut best = (f64::INFINITY, 0);
         for _ in 0..MAX_CORRECTIONS {
-            let mut equations = self.linearised(q);
+            let mut equations = std::mem::take(&mut self.equations);
+            self.linearise(q, &mut equations);
             best = if equations.absolute.0 < best.0 { equations.absolute } else { best };
             let scaled = equations.largest();
-            equations.residual.iter_mut().for_each(|r| *r = -*r);
-            let (jacobian, residual) = (&equations.jacobian, &mut equations.residual);
-            let (correction, _) = linear::solve(jacobian, residual, self.dependent.len());
-            let mut size = 0.0_f64;
-            for (&i, &d) in self.dependent.iter().zip(&correction) {
-                // Relative to the length for a length above 1; absolute for an angle.
-                let part = if self.kinds[i].0 { d } else { d / q[i].abs().max(1.0) };
-                size = if part.is_nan() { f64::NAN } else { size.max(part.abs()) };
-                // Applied even in the last iteration: convergence is quadratic, so it brings the error far below the
-                // tolerance.
-                q[i] += d;
-            }
+            let size = self.take_step(q, &mut equations);
+            self.equations = equations;
             if scaled < SATISFIED && size < SATISFIED.sqrt() {
                 return Ok(());
             }
@@ -229,20 +235,42 @@ impl Assembly {
         Err(Unreachable { residual: best.0, constraint: self.names.get(best.1).cloned(), locked: false })
     }
 
+    /// Corrects `q` by the solution of the linearised equations; returns the size of the correction, NaN if it is not
+    /// finite. Applied even in the last iteration: convergence is quadratic, so it brings the error far below the
+    /// tolerance.
+    fn take_step(&mut self, q: &mut [f64], equations: &mut Linearised) -> f64 {
+        let (residual, jacobian) = equations.values.split_at_mut(equations.equations);
+        residual.iter_mut().for_each(|r| *r = -*r);
+        let correction = self.solver.basic(jacobian, residual, self.dependent.len());
+        let mut size = 0.0_f64;
+        for (&i, &d) in self.dependent.iter().zip(correction) {
+            let part = d / unit(self.kinds[i].0, q[i]);
+            size = if part.is_nan() { f64::NAN } else { size.max(part.abs()) };
+            q[i] += d;
+        }
+        size
+    }
+
     /// The equations, and their derivatives with respect to the dependent coordinates.
     fn linearised(&mut self, q: &[f64]) -> Linearised {
-        let mut residual = vec![0.0; self.tape.n_outputs()];
-        self.arguments[..self.n_q].copy_from_slice(&q[..self.n_q]);
-        self.tape.run(&self.arguments, &mut residual);
+        let mut equations = Linearised::default();
+        self.linearise(q, &mut equations);
+        equations
+    }
+
+    /// [`Self::linearised`] in memory that is there already.
+    fn linearise(&mut self, q: &[f64], equations: &mut Linearised) {
         let (m, n) = (self.scales.len(), self.dependent.len());
-        let mut jacobian = residual.split_off(m);
-        jacobian.truncate(m * n);
-        let absolute = largest(&residual);
+        equations.equations = m;
+        equations.values.resize(m + m * n, 0.0);
+        self.arguments[..self.n_q].copy_from_slice(&q[..self.n_q]);
+        self.tape.run(&self.arguments, &mut equations.values);
+        let (residual, jacobian) = equations.values.split_at_mut(m);
+        equations.absolute = largest(residual);
         for (i, scale) in self.scales.iter().enumerate().filter(|(_, scale)| **scale != 1.0) {
             residual[i] /= scale;
             jacobian[i * n..(i + 1) * n].iter_mut().for_each(|slope| *slope /= scale);
         }
-        Linearised { absolute, residual, jacobian }
     }
 
     /// The configuration nearest to `guess`, among those found from many guesses of the dependent coordinates.
@@ -293,14 +321,14 @@ impl Assembly {
     fn descend(&mut self, q: &mut Vec<f64>) {
         let n = self.dependent.len();
         let mut damping = 1e-2;
-        let squares = |equations: &Linearised| equations.residual.iter().map(|r| r * r).sum::<f64>();
+        let squares = |equations: &Linearised| equations.residual().iter().map(|r| r * r).sum::<f64>();
         let mut equations = self.linearised(q);
         for _ in 0..DESCENT {
             let size = squares(&equations);
             if size < DESCENDED || size.is_nan() {
                 return;
             }
-            let rows: Vec<&[f64]> = equations.jacobian.chunks_exact(n.max(1)).collect();
+            let rows: Vec<&[f64]> = equations.jacobian().chunks_exact(n.max(1)).collect();
             let product = |i: usize, j: usize| rows.iter().map(|row| row[i] * row[j]).sum::<f64>();
             // Scales each unknown by the norm of its column, so that lengths of any size and angles count alike.
             let length = |i: usize| product(i, i).sqrt();
@@ -312,7 +340,7 @@ impl Assembly {
             };
             let gram: Vec<f64> = (0..n * n).map(|ij| entry(ij / n, ij % n)).collect();
             let slope =
-                |i: usize| rows.iter().zip(&equations.residual).map(|(row, r)| -row[i] * r).sum::<f64>();
+                |i: usize| rows.iter().zip(equations.residual()).map(|(row, r)| -row[i] * r).sum::<f64>();
             let mut right: Vec<f64> = (0..n).map(|i| slope(i) * units[i]).collect();
             let (step, _) = linear::solve(&gram, &mut right, n);
             let mut there = q.clone();
@@ -380,10 +408,10 @@ impl Assembly {
         straight: bool,
     ) -> Result<Vec<f64>, Unreachable> {
         let mut q = from.to_vec();
-        let mut before = q.clone();
+        let [mut before, mut here] = [q.clone(), q.clone()];
         for step in 1..=steps {
             let part = step as f64 / steps as f64;
-            let here = q.clone();
+            here.copy_from_slice(&q);
             if straight {
                 self.dependent.iter().for_each(|&i| q[i] += here[i] - before[i]);
             }
@@ -391,10 +419,15 @@ impl Assembly {
                 q[i] = if step == steps { target[i] } else { from[i] + part * (target[i] - from[i]) };
             }
             self.correct(&mut q)?;
-            before = here;
+            std::mem::swap(&mut before, &mut here);
         }
         Ok(q)
     }
+}
+
+/// What corrections of a coordinate are measured by: its length for a length above 1; 1 for others and for angles.
+fn unit(is_angle: bool, value: f64) -> f64 {
+    if is_angle { 1.0 } else { value.abs().max(1.0) }
 }
 
 /// A power of 1024 near the size of an equation's terms: division by it is exact, and 1 for terms of order 1.

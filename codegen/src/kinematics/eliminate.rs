@@ -267,16 +267,14 @@ fn check_consequences(
                 if alg.dag.is_zero(partial) {
                     continue;
                 }
-                let (c, t) = (table.computed(coefficient), table.computed(partial));
-                for (((sum, size), c), t) in sum.iter_mut().zip(&mut size).zip(c).zip(t) {
-                    *sum += c * t;
-                    *size += (c * t).abs();
-                }
+                add_products(&mut sum, &mut size, table.computed(coefficient), table.computed(partial));
             }
-            let off: Vec<usize> = (0..sum.len()).filter(|&s| sum[s].abs() > CONSEQUENCE * size[s]).collect();
-            if off.is_empty() {
+            let is_off = |(sum, size): (&f64, &f64)| sum.abs() > CONSEQUENCE * size;
+            // Without an exit from the loop, which then takes several samples at a time.
+            if !sum.iter().zip(&size).fold(false, |any, pair| any | is_off(pair)) {
                 continue;
             }
+            let off: Vec<usize> = (0..sum.len()).filter(|&s| is_off((&sum[s], &size[s]))).collect();
             let is_clock = k.unknowns.clock().is_some() && j + 1 == n;
             match is_small(alg, table, (row, &solution.partials, j), &off, &sum) {
                 Small::Sum => {}
@@ -287,6 +285,16 @@ fn check_consequences(
         }
     }
     Ok(())
+}
+
+/// Adds products to sums and their sizes to the sums of sizes, one per sample. A function of its own, in which the lists
+/// are known not to overlap, so that several samples are taken at a time.
+#[inline(never)]
+fn add_products(sums: &mut [f64], sizes: &mut [f64], a: &[f64], b: &[f64]) {
+    for (((sum, size), a), b) in sums.iter_mut().zip(sizes).zip(a).zip(b) {
+        *sum += a * b;
+        *size += (a * b).abs();
+    }
 }
 
 /// Which quantity of a doubtful row is within its rounding error.
@@ -311,12 +319,14 @@ fn is_small(
     let numeric = NumericRow::new(&alg.dag, table, row, &column);
     let lengths = (0..points).map(|sample| (sample, numeric.length(sample)));
     let Some((longest, length)) = lengths.max_by(|a, b| a.1.total_cmp(&b.1)) else { return Small::Row };
+    let is_large = |s: usize| sum[s].abs() > CONSEQUENCE * CONSEQUENCE * length;
+    if !samples.iter().any(|&s| is_large(s)) {
+        return Small::Sum;
+    }
     if length <= numeric.rounding(&alg.dag, longest) {
         return Small::Row;
     }
-    let is_long = |s: usize| {
-        sum[s].abs() > CONSEQUENCE * CONSEQUENCE * length && numeric.length(s) > numeric.rounding(&alg.dag, s)
-    };
+    let is_long = |s: usize| is_large(s) && numeric.length(s) > numeric.rounding(&alg.dag, s);
     let long: Vec<usize> = samples.iter().copied().filter(|&s| is_long(s)).collect();
     let terms: Vec<[ExprId; 2]> = row.coefficients.iter().map(|(y, &c)| [c, partials[y][j]]).collect();
     match long.iter().any(|&s| sum[s].abs() > rounding_of_products(&alg.dag, table, &terms, s)) {

@@ -18,76 +18,150 @@ pub fn solve(a: &[f64], b: &mut [f64], columns: usize) -> (Vec<f64>, usize) {
 /// [`solve`] with another rank threshold, relative to the largest entry.
 #[must_use]
 pub fn solve_to(a: &[f64], b: &mut [f64], columns: usize, zero: f64) -> (Vec<f64>, usize) {
-    let (rows, width) = (b.len(), columns.div_ceil(LANES));
-    let mut blocks = vec![[0.0; LANES]; rows * width];
-    for (to, from) in blocks.chunks_exact_mut(width.max(1)).zip(a.chunks_exact(columns.max(1))) {
-        to.as_flattened_mut()[..columns].copy_from_slice(from);
+    let mut solver = Solver::default();
+    let rank = solver.solve(a, b, columns, zero);
+    (solver.x, rank)
+}
+
+/// Some entries of a row.
+type Block = [f64; LANES];
+
+/// Working memory for many systems one after the other.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Solver {
+    /// The matrix, row after row.
+    blocks: Vec<Block>,
+    /// Largest entry of each row; updated only when the row changes.
+    sizes: Vec<f64>,
+    /// The columns, those of pivots first.
+    order: Vec<usize>,
+    x: Vec<f64>,
+}
+
+impl Solver {
+    /// [`solve`], without the rank.
+    pub fn basic(&mut self, a: &[f64], b: &mut [f64], columns: usize) -> &[f64] {
+        self.solve(a, b, columns, RANK);
+        &self.x
     }
-    // Largest entry of each row; updated only when the row changes.
-    let mut sizes: Vec<f64> = blocks.chunks_exact(width.max(1)).map(largest).collect();
-    let scale = sizes.iter().fold(0.0, |most: f64, size| most.max(*size));
-    let mut order: Vec<usize> = (0..columns).collect();
-    let mut rank = 0;
-    while rank < rows.min(columns) {
-        let mut best = rank;
-        for r in rank + 1..rows {
-            best = if sizes[r] > sizes[best] { r } else { best };
+
+    fn solve(&mut self, a: &[f64], b: &mut [f64], columns: usize, zero: f64) -> usize {
+        let width = columns.div_ceil(LANES).max(1);
+        let mut blocks = std::mem::take(&mut self.blocks);
+        blocks.clear();
+        blocks.resize(b.len() * width, [0.0; LANES]);
+        for (to, from) in blocks.chunks_exact_mut(width).zip(a.chunks_exact(columns.max(1))) {
+            to.as_flattened_mut()[..columns].copy_from_slice(from);
         }
-        let size = sizes[best];
-        // Also ends the elimination if the entry is NaN.
-        if size.is_nan() || size <= zero * scale {
-            break;
+        self.order.clear();
+        self.order.extend(0..columns);
+        // Where the compiler knows the width, it needs no loop over the blocks of a row.
+        let rank = match width {
+            1 => self.solve_rows(blocks.as_chunks_mut::<1>().0, b, zero),
+            2 => self.solve_rows(blocks.as_chunks_mut::<2>().0, b, zero),
+            3 => self.solve_rows(blocks.as_chunks_mut::<3>().0, b, zero),
+            4 => self.solve_rows(blocks.as_chunks_mut::<4>().0, b, zero),
+            _ => self.solve_rows(&mut blocks.chunks_exact_mut(width).collect::<Vec<_>>(), b, zero),
+        };
+        self.blocks = blocks;
+        rank
+    }
+
+    fn solve_rows<R: AsRef<[Block]> + AsMut<[Block]>>(
+        &mut self,
+        rows: &mut [R],
+        b: &mut [f64],
+        zero: f64,
+    ) -> usize {
+        self.sizes.clear();
+        self.sizes.extend(rows.iter().map(|row| largest(row.as_ref())));
+        let rank = self.eliminate(rows, b, zero);
+        self.x.clear();
+        self.x.resize(self.order.len(), 0.0);
+        for (r, row) in rows[..rank].iter().enumerate().rev() {
+            let row = row.as_ref().as_flattened();
+            let known: f64 = self.order[r + 1..rank].iter().map(|&c| row[c] * self.x[c]).sum();
+            self.x[self.order[r]] = (b[r] - known) / row[self.order[r]];
         }
-        sizes.swap(rank, best);
-        b.swap(rank, best);
-        let (done, below) = blocks.split_at_mut((rank + 1) * width);
-        let pivot_row = &mut done[rank * width..];
-        if rank != best {
-            pivot_row.swap_with_slice(&mut below[(best - rank - 1) * width..][..width]);
-        }
-        let entries = pivot_row.as_flattened();
-        let place = (rank..columns).find(|&place| entries[order[place]].abs() == size).unwrap_or(rank);
-        order.swap(rank, place);
-        let column = order[rank];
-        // With 0 in the place of the pivot an entry that is 0 already stays so.
-        let pivot = std::mem::replace(&mut pivot_row.as_flattened_mut()[column], 0.0);
-        for (r, row) in below.chunks_exact_mut(width).enumerate() {
-            // A loop's equations are sparse: many rows have no part in the unknown at hand.
-            let entry = std::mem::replace(&mut row.as_flattened_mut()[column], 0.0);
-            if entry != 0.0 {
-                let factor = entry / pivot;
-                let mut most = [0.0; LANES];
-                for (row, pivot_row) in row.iter_mut().zip(&*pivot_row) {
-                    for ((x, p), most) in row.iter_mut().zip(pivot_row).zip(&mut most) {
-                        *x -= factor * p;
-                        *most = larger(*most, *x);
-                    }
-                }
-                b[rank + 1 + r] -= factor * b[rank];
-                sizes[rank + 1 + r] = most.into_iter().fold(0.0, larger);
+        rank
+    }
+
+    /// Brings the matrix to triangular form; returns the number of pivots.
+    fn eliminate<R: AsRef<[Block]> + AsMut<[Block]>>(
+        &mut self,
+        rows: &mut [R],
+        b: &mut [f64],
+        zero: f64,
+    ) -> usize {
+        let scale = self.sizes.iter().fold(0.0, |most: f64, size| most.max(*size));
+        let most = rows.len().min(self.order.len());
+        for rank in 0..most {
+            let (mut best, mut size) = (rank, self.sizes[rank]);
+            for (r, &other) in (rank + 1..).zip(&self.sizes[rank + 1..]) {
+                (best, size) = if other > size { (r, other) } else { (best, size) };
             }
+            // Also ends the elimination if the entry is NaN.
+            if size.is_nan() || size <= zero * scale {
+                return rank;
+            }
+            if rank != best {
+                self.sizes.swap(rank, best);
+                b.swap(rank, best);
+                rows.swap(rank, best);
+            }
+            let (done, below) = rows.split_at_mut(rank + 1);
+            let pivot_row = done[rank].as_mut();
+            let entries = pivot_row.as_flattened_mut();
+            let place = self.order[rank..].iter().position(|&column| entries[column].abs() == size);
+            self.order.swap(rank, rank + place.unwrap_or(0));
+            let column = self.order[rank];
+            // With 0 in the place of the pivot an entry that is 0 already stays so.
+            let pivot = std::mem::replace(&mut entries[column], 0.0);
+            let (solved, right) = b.split_at_mut(rank + 1);
+            for ((row, right), size) in below.iter_mut().zip(right).zip(&mut self.sizes[rank + 1..]) {
+                // A loop's equations are sparse: many rows have no part in the unknown at hand.
+                let row = row.as_mut();
+                let entry = std::mem::replace(&mut row.as_flattened_mut()[column], 0.0);
+                if entry != 0.0 {
+                    let factor = entry / pivot;
+                    *size = subtract(row, factor, pivot_row);
+                    *right -= factor * solved[rank];
+                }
+            }
+            pivot_row.as_flattened_mut()[column] = pivot;
         }
-        pivot_row.as_flattened_mut()[column] = pivot;
-        rank += 1;
+        most
     }
-    let mut x = vec![0.0; columns];
-    for r in (0..rank).rev() {
-        let row = blocks[r * width..].as_flattened();
-        let known: f64 = order[r + 1..rank].iter().map(|&c| row[c] * x[c]).sum();
-        x[order[r]] = (b[r] - known) / row[order[r]];
+}
+
+/// Subtracts a multiple of another row; returns the size of the largest entry.
+#[inline(always)]
+fn subtract(row: &mut [Block], factor: f64, other: &[Block]) -> f64 {
+    let mut most = [0.0; LANES];
+    for (row, other) in row.iter_mut().zip(other) {
+        for ((x, y), most) in row.iter_mut().zip(other).zip(&mut most) {
+            *x -= factor * y;
+            *most = larger(*most, *x);
+        }
     }
-    (x, rank)
+    most.into_iter().fold(0.0, larger)
 }
 
 /// The larger size. The comparison is one instruction, where `f64::max` is six.
+#[inline(always)]
 fn larger(most: f64, x: f64) -> f64 {
     if x.abs() > most { x.abs() } else { most }
 }
 
 /// The size of the largest entry.
-fn largest(row: &[[f64; LANES]]) -> f64 {
-    let most =
-        row.iter().fold([0.0; LANES], |most, block| std::array::from_fn(|k| larger(most[k], block[k])));
+#[inline(always)]
+fn largest(row: &[Block]) -> f64 {
+    let mut most = [0.0; LANES];
+    for block in row {
+        for (most, x) in most.iter_mut().zip(block) {
+            *most = larger(*most, *x);
+        }
+    }
     most.into_iter().fold(0.0, larger)
 }
 

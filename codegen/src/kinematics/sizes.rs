@@ -8,6 +8,7 @@
 use super::quantities::Kinematics;
 use super::unknowns::UnknownKind;
 use crate::expr::{Binary, Dag, ExprId, Node, SymbolId, Unary};
+use crate::id::Id;
 use crate::model::Model;
 use crate::model::unit::{self, Unit};
 use crate::vector::Algebra;
@@ -53,12 +54,12 @@ impl Sizes {
     /// The size of each expression relative to that at the nominal parameters.
     pub fn growth(&self, dag: &mut Dag, exprs: &[ExprId]) -> Vec<ExprId> {
         let lengths = self.growth_of_lengths(dag);
-        let mut sizes: HashMap<ExprId, ExprId> = HashMap::default();
-        for id in dag.reachable(exprs) {
-            let size = self.size(dag, id, lengths, &|operand| sizes[&operand]);
-            sizes.insert(id, size);
+        let order = dag.reachable(exprs);
+        let mut sizes: Vec<ExprId> = vec![lengths; order.last().map_or(0, |id| id.index() + 1)];
+        for id in order {
+            sizes[id.index()] = self.size(dag, id, lengths, &|operand| sizes[operand.index()]);
         }
-        exprs.iter().map(|expr| self.relative(dag, sizes[expr])).collect()
+        exprs.iter().map(|expr| self.relative(dag, sizes[expr.index()])).collect()
     }
 
     /// The size of the independent speeds relative to nominal: that of the lengths for a velocity, 1 for all others.

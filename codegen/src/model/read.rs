@@ -100,7 +100,7 @@ pub fn parse_with(path: &str, text: &str, load: Loader<'_>) -> Result<Model, Dia
 
 /// The tables of the model and of those it extends, with all texts.
 fn chain(path: &str, text: &str, load: Loader<'_>) -> (Source, Vec<Table>, Diagnostics) {
-    let mut files = vec![File { path: path.to_owned(), text: text.to_owned() }];
+    let mut files = vec![File::new(path.to_owned(), text.to_owned())];
     let (mut tables, mut items) = (Vec::new(), Vec::new());
     let mut at = PathBuf::from(path);
     loop {
@@ -146,7 +146,7 @@ fn chain(path: &str, text: &str, load: Loader<'_>) -> (Source, Vec<Table>, Diagn
             load(&at)
         };
         match fault {
-            Ok(text) => files.push(File { path: name, text }),
+            Ok(text) => files.push(File::new(name, text)),
             Err(reason) => {
                 let help = match !name.ends_with(".toml") && load(Path::new(&format!("{name}.toml"))).is_ok()
                 {

@@ -18,7 +18,7 @@ pub(super) fn share(program: &mut Program) {
             *quotients.entry(divisor).or_insert(0) += 1;
         }
     }
-    let image = program.dag.rebuild(&roots, |dag, id, image| match dag.node(id) {
+    let image = program.dag.rebuild_in(&order, |dag, id, image| match dag.node(id) {
         Node::Binary(Binary::Div, a, divisor)
             if quotients[&divisor] > 1 || dag.dependence(divisor) == Dependence::Parameters =>
         {

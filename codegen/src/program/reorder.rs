@@ -19,13 +19,14 @@ const WORTH: f64 = 0.9;
 /// Reorders the sums of all answers, unless that would take more operations.
 pub(super) fn sums(program: &mut Program, table: &mut SampleTable) {
     let roots = program.groups().concat();
-    if program.dag.reachable(&roots).len() * table.points() > MOST_VALUES {
+    let needed = program.dag.reachable(&roots);
+    if needed.len() * table.points() > MOST_VALUES {
         return;
     }
-    let inner = inner_sums(&program.dag, &roots);
+    let inner = inner_sums(&program.dag, &roots, &needed);
     // Few nodes of the equations remain in use: their values would occupy memory beside those of the program.
     table.clear();
-    let image = program.dag.rebuild(&roots, |dag, id, image| {
+    let image = program.dag.rebuild_in(&needed, |dag, id, image| {
         if inner[id.index()] {
             return None;
         }
@@ -50,13 +51,12 @@ pub(super) fn sums(program: &mut Program, table: &mut SampleTable) {
     }
 }
 
-/// Sums that are operands of exactly one other sum and of nothing else.
-fn inner_sums(dag: &Dag, roots: &[ExprId]) -> Vec<bool> {
-    let order = dag.reachable(roots);
+/// Sums that are operands of exactly one other sum and of nothing else, among the nodes that the roots need.
+fn inner_sums(dag: &Dag, roots: &[ExprId], order: &[ExprId]) -> Vec<bool> {
     let n = order.last().map_or(0, |id| id.index() + 1);
     let (mut reads, mut in_sums) = (vec![0_u32; n], vec![0_u32; n]);
     roots.iter().for_each(|root| reads[root.index()] += 2);
-    for &id in &order {
+    for &id in order {
         for operand in dag.operands(id).into_iter().flatten() {
             reads[operand.index()] += 1;
             in_sums[operand.index()] += u32::from(is_sum(dag, id));
@@ -103,7 +103,13 @@ impl Term {
 
 /// The terms of a sum, if there are at least three and not too many, and the existing partial sums except the total.
 fn taken_apart(dag: &Dag, sum: ExprId, inner: &[bool]) -> Option<(Vec<Term>, Vec<ExprId>)> {
-    if !has_terms(dag, sum) {
+    let is_inner = |mut operand: ExprId| {
+        while let Node::Negate(a) = dag.node(operand) {
+            operand = a;
+        }
+        inner[operand.index()]
+    };
+    if !has_terms(dag, sum) || !dag.operands(sum).into_iter().flatten().any(is_inner) {
         return None;
     }
     let (mut terms, mut partial_sums) = (Vec::new(), Vec::new());
@@ -183,7 +189,7 @@ mod tests {
         let abc = dag.sub(ab, c);
         let all = dag.sub(d, abc);
         let signs = |roots: &[ExprId]| {
-            let inner = inner_sums(&dag, roots);
+            let inner = inner_sums(&dag, roots, &dag.reachable(roots));
             let (terms, _) = taken_apart(&dag, all, &inner).unwrap_or_default();
             terms.iter().map(|t| (t.value, t.negative)).collect::<Vec<_>>()
         };

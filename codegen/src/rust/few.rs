@@ -10,6 +10,7 @@ pub(super) struct Few<T, const N: usize> {
 }
 
 impl<T: Copy + Default, const N: usize> Default for Few<T, N> {
+    #[inline]
     fn default() -> Self {
         Self { items: [T::default(); N], n: 0 }
     }
@@ -20,6 +21,7 @@ impl<T, const N: usize> Few<T, N> {
     ///
     /// # Panics
     /// If the list is full: a fault of the emitter.
+    #[inline]
     pub fn push(&mut self, item: T) {
         self.items[self.n] = item;
         self.n += 1;
@@ -27,6 +29,7 @@ impl<T, const N: usize> Few<T, N> {
 }
 
 impl<T: Copy + Default, const N: usize> FromIterator<T> for Few<T, N> {
+    #[inline]
     fn from_iter<I: IntoIterator<Item = T>>(items: I) -> Self {
         let mut few = Self::default();
         items.into_iter().for_each(|item| few.push(item));
@@ -36,12 +39,14 @@ impl<T: Copy + Default, const N: usize> FromIterator<T> for Few<T, N> {
 
 impl<T, const N: usize> Deref for Few<T, N> {
     type Target = [T];
+    #[inline]
     fn deref(&self) -> &[T] {
         &self.items[..self.n]
     }
 }
 
 impl<T, const N: usize> DerefMut for Few<T, N> {
+    #[inline]
     fn deref_mut(&mut self) -> &mut [T] {
         &mut self.items[..self.n]
     }

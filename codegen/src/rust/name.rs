@@ -6,6 +6,7 @@
 
 use crate::program::Program;
 use rustc_hash::FxHashSet as HashSet;
+use std::borrow::Cow;
 
 /// Words that Rust does not accept as names, in any edition.
 const KEYWORDS: [&str; 53] = [
@@ -143,14 +144,14 @@ pub(super) fn sentence(doc: &str, name: &str) -> String {
 #[derive(Default)]
 pub(super) struct Scope {
     /// All names except those of temporaries, which are numbered and need no list.
-    taken: HashSet<String>,
+    taken: HashSet<Cow<'static, str>>,
     temporaries: usize,
 }
 
 impl Scope {
     /// A place in which these names are in use.
-    fn of<'n>(names: impl Iterator<Item = &'n &'n str>) -> Self {
-        Self { taken: names.map(|&name| name.to_owned()).collect(), temporaries: 0 }
+    fn of(names: impl Iterator<Item = &'static &'static str>) -> Self {
+        Self { taken: names.map(|&name| Cow::Borrowed(name)).collect(), temporaries: 0 }
     }
 
     /// The functions of the emitted file.
@@ -161,7 +162,7 @@ impl Scope {
     /// The types of the emitted file.
     pub fn of_types(program: &Program) -> Self {
         let mut scope = Self::of(TYPES.iter().chain(&PRELUDE).chain(&KEYWORDS));
-        scope.taken.insert(type_name(&program.name));
+        scope.taken.insert(type_name(&program.name).into());
         scope
     }
 
@@ -169,7 +170,7 @@ impl Scope {
     pub fn unique_type(&mut self, wished: &str) -> String {
         let mut number = 2;
         let mut name = wished.to_owned();
-        while !self.taken.insert(name.clone()) {
+        while !self.taken.insert(name.clone().into()) {
             name = format!("{wished}{number}");
             number += 1;
         }
@@ -189,13 +190,14 @@ impl Scope {
     }
 
     fn free(&mut self, wished: String) -> String {
-        let mut name = wished.clone();
         let mut suffix = 2;
-        while self.is_taken(&name) {
-            name = format!("{wished}_{suffix}");
+        let mut other: Option<String> = None;
+        while self.is_taken(other.as_deref().unwrap_or(&wished)) {
+            other = Some(format!("{wished}_{suffix}"));
             suffix += 1;
         }
-        self.taken.insert(name.clone());
+        let name = other.unwrap_or(wished);
+        self.taken.insert(name.clone().into());
         name
     }
 
@@ -214,7 +216,7 @@ impl Scope {
         let mut name = String::with_capacity(8);
         name.push('t');
         push_number(&mut name, self.temporaries + 1);
-        let name = if self.taken.contains(&name) { self.free(name) } else { name };
+        let name = if self.taken.contains(name.as_str()) { self.free(name) } else { name };
         self.temporaries += 1;
         name
     }

@@ -17,15 +17,16 @@ use super::refine::refine;
 use crate::expr::ExprId;
 use crate::id::Id;
 use std::cmp::Reverse;
-use std::collections::BinaryHeap;
 
 /// Registers of single precision on a Cortex-M4F.
 const REGISTERS: usize = 32;
 
+/// Most values that a step makes, and most that it uses.
+const MOST_VALUES: usize = 4;
 /// Values that a step makes: one, or sine and cosine of one or two angles.
-pub(super) type Makes<T> = Few<T, 4>;
+pub(super) type Makes<T> = Few<T, MOST_VALUES>;
 /// Values that a step uses: two operands, or the angles of two differences.
-pub(super) type Reads<T> = Few<T, 4>;
+pub(super) type Reads<T> = Few<T, MOST_VALUES>;
 
 /// A step: the values that are computed at once, either one, or sine and cosine of one or two angles.
 #[derive(Clone, Copy)]
@@ -63,12 +64,7 @@ pub(super) fn order(steps: &[Step], results: Results, order: Order) -> Vec<usize
     if order.core == Core::Host {
         return graph.critical_path_first(steps);
     }
-    let depth_first = graph.depth_first();
-    let forward = graph.forward(&ranks(&depth_first));
-    let backward = graph.backward(&ranks(&forward));
-    let tried = [depth_first, forward, backward];
-    // Of equally good orders the first, which is the easiest to read.
-    let best = tried.into_iter().min_by_key(|order| graph.overfull(order)).unwrap_or_default();
+    let best = graph.least_overfull();
     if !order.is_refined {
         return best;
     }
@@ -160,6 +156,25 @@ impl Graph {
             makes.iter().for_each(|&value| maker[value] = Some(step));
         }
         Self { readers: Readers::new(&reads, n), makes, reads, maker, results, returned }
+    }
+
+    /// Of the three orders the one with the least register overflow; of equally good ones the first, which is the
+    /// easiest to read. Those after one without overflow are not made.
+    fn least_overfull(&self) -> Vec<usize> {
+        type Make = fn(&Graph, &[usize]) -> Vec<usize>;
+        let mut last = self.depth_first();
+        let mut best = (self.overfull(&last), last.clone());
+        for make in [Self::forward as Make, Self::backward] {
+            if best.0 == 0 {
+                break;
+            }
+            last = make(self, &ranks(&last));
+            let overfull = self.overfull(&last);
+            if overfull < best.0 {
+                best = (overfull, last.clone());
+            }
+        }
+        best.1
     }
 
     /// Operands before their users, the operand that needs more registers first (Sethi & Ullman).
@@ -313,21 +328,25 @@ struct Ready<'r> {
     /// By rank: its step.
     steps: Vec<usize>,
     growth: Vec<Option<isize>>,
-    /// Growth and rank in one number, least first; an entry whose growth has changed since stays and is skipped.
-    queue: BinaryHeap<Reverse<u64>>,
+    /// By growth, the least first: the ranks of its steps.
+    queues: [Ranks; GROWTHS],
     /// Steps whose growth must be recomputed: it has changed, or they have become ready.
     refresh: Vec<usize>,
 }
+
+/// A step lets at most all that it uses die, and at most all that it makes and uses come to life.
+const GROWTHS: usize = 3 * MOST_VALUES + 1;
 
 impl<'r> Ready<'r> {
     fn new(ranks: &'r [usize]) -> Self {
         let mut steps = vec![0; ranks.len() + 1];
         ranks.iter().enumerate().for_each(|(step, &rank)| steps[rank] = step);
-        Self { ranks, steps, growth: vec![None; ranks.len()], queue: BinaryHeap::new(), refresh: Vec::new() }
+        let queues = std::array::from_fn(|_| Ranks::default());
+        Self { ranks, steps, growth: vec![None; ranks.len()], queues, refresh: Vec::new() }
     }
 
-    fn key(&self, step: usize, growth: isize) -> u64 {
-        ((growth as u64 ^ 1 << 31) << 32) | self.ranks[step] as u64
+    fn queue(&mut self, growth: isize) -> &mut Ranks {
+        &mut self.queues[(growth + MOST_VALUES.cast_signed()).cast_unsigned()]
     }
 
     /// Records that the growth of those of the steps that are ready has changed.
@@ -336,26 +355,58 @@ impl<'r> Ready<'r> {
     }
 
     fn set(&mut self, step: usize, growth: isize) {
-        if self.growth[step].replace(growth) != Some(growth) {
-            self.queue.push(Reverse(self.key(step, growth)));
+        let (old, rank) = (self.growth[step].replace(growth), self.ranks[step]);
+        if old != Some(growth) {
+            self.queue(growth).insert(rank);
+            old.into_iter().for_each(|old| self.queue(old).remove(rank));
         }
     }
 
     fn update(&mut self, growth: impl Fn(usize) -> isize) {
-        for step in std::mem::take(&mut self.refresh) {
+        let mut refresh = std::mem::take(&mut self.refresh);
+        for step in refresh.drain(..) {
             self.set(step, growth(step));
         }
+        self.refresh = refresh;
     }
 
     fn pop(&mut self) -> Option<usize> {
-        loop {
-            let Reverse(key) = self.queue.pop()?;
-            let step = self.steps[key as u32 as usize];
-            if self.growth[step].is_some_and(|growth| self.key(step, growth) == key) {
-                self.growth[step] = None;
-                return Some(step);
-            }
+        let step = self.steps[self.queues.iter_mut().find_map(Ranks::pop)?];
+        self.growth[step] = None;
+        Some(step)
+    }
+}
+
+/// A set of ranks as bits: there are few, and the least is asked for.
+#[derive(Default)]
+struct Ranks {
+    words: Vec<u64>,
+    /// Words before this one are 0.
+    first: usize,
+}
+
+impl Ranks {
+    fn insert(&mut self, rank: usize) {
+        let word = rank / 64;
+        if self.words.len() <= word {
+            self.words.resize(word + 1, 0);
         }
+        self.words[word] |= 1 << (rank % 64);
+        self.first = self.first.min(word);
+    }
+
+    fn remove(&mut self, rank: usize) {
+        self.words[rank / 64] &= !(1 << (rank % 64));
+    }
+
+    fn pop(&mut self) -> Option<usize> {
+        while *self.words.get(self.first)? == 0 {
+            self.first += 1;
+        }
+        let word = &mut self.words[self.first];
+        let bit = word.trailing_zeros() as usize;
+        *word &= *word - 1;
+        Some(64 * self.first + bit)
     }
 }
 

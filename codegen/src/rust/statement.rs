@@ -60,8 +60,8 @@ pub(super) struct Body<'p> {
     unwritten: HashMap<ExprId, Vec<usize>>,
     /// Results whose values have been computed since the last were written.
     ready: Vec<usize>,
-    /// By node: number of uses.
-    uses: Vec<u32>,
+    /// By node: number of uses, as far as it counts.
+    uses: Vec<u8>,
     /// Nodes that get a statement of their own.
     own_statement: NodeSet,
     /// By angle: the angle whose sine and cosine are computed in the same call.

@@ -5,7 +5,8 @@
 
 use super::double_double::{self, Double2};
 use super::states::States;
-use crate::expr::{Dag, ExprId};
+use crate::expr::tape::Tape;
+use crate::expr::{Dag, ExprId, SymbolId};
 
 /// Limits of a new program's error relative to the original's: for the median over the states,
 const MEDIAN_WORSE: f64 = 1.5;
@@ -42,9 +43,13 @@ impl<'s> Check<'s> {
     fn errors(&self, dag: &Dag, groups: &[Vec<ExprId>]) -> Vec<Vec<f64>> {
         let roots = groups.concat();
         let mut errors = vec![Vec::with_capacity(self.states.points); groups.len()];
-        let of_symbol = |symbol, k| self.states.value(symbol, k);
-        let computed = dag.evaluate_at::<f64>(&roots, self.states.points, &of_symbol);
-        for (exact, values) in self.exact.iter().zip(&computed) {
+        let symbols: Vec<SymbolId> =
+            dag.reachable(&roots).into_iter().filter_map(|id| dag.as_symbol(id)).collect();
+        let mut tape = Tape::<f64>::new(dag, &roots, &symbols);
+        let mut values = vec![0.0; roots.len()];
+        for (point, exact) in self.exact.iter().enumerate() {
+            let inputs: Vec<f64> = symbols.iter().map(|&s| self.states.value(s, point)).collect();
+            tape.run(&inputs, &mut values);
             let mut start = 0;
             for (errors, &length) in errors.iter_mut().zip(&self.lengths) {
                 let part = start..start + length;

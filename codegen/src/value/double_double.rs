@@ -236,6 +236,8 @@ pub(super) fn evaluate_at(
         for &id in &order {
             let of = |a: ExprId| values[a.index()];
             values[id.index()] = match dag.node(id) {
+                // The same at every point.
+                Node::Number(_) | Node::Pi if point > 0 => continue,
                 Node::Number(c) => Double2::number(c),
                 Node::Pi => Double2::new(std::f64::consts::PI),
                 Node::Symbol(symbol) => Double2::new(value_of(symbol, point)),

@@ -32,6 +32,8 @@ pub(super) struct Extraction<'g> {
     seen: Vec<u32>,
     round: u32,
     stack: Vec<ClassId>,
+    /// The same for [`Extraction::place`] and [`Extraction::reaches`].
+    path: Vec<ClassId>,
     /// Classes whose use count a trial has raised.
     tried: Vec<ClassId>,
     random: u64,
@@ -61,6 +63,7 @@ impl<'g> Extraction<'g> {
             seen: vec![0; n],
             round: 0,
             stack: Vec::new(),
+            path: Vec::new(),
             tried: Vec::new(),
             random: 0x5EED,
             cost: 0,
@@ -246,8 +249,16 @@ impl<'g> Extraction<'g> {
     /// Gives positions to classes that came into use with the definition of `class`, and new ones to its operands that
     /// stand after it; false if the whole order must be sorted instead.
     fn place(&mut self, class: ClassId) -> bool {
+        let mut stack = std::mem::take(&mut self.path);
+        stack.clear();
+        let placed = self.place_by(class, &mut stack);
+        self.path = stack;
+        placed
+    }
+
+    fn place_by(&mut self, class: ClassId, stack: &mut Vec<ClassId>) -> bool {
         let limit = self.position[class.index()];
-        let mut stack: Vec<ClassId> = self.graph.classes[class].current.reads().collect();
+        stack.extend(self.graph.classes[class].current.reads());
         while let Some(&c) = stack.last() {
             let i = c.index();
             if self.position[i] < limit {
@@ -286,15 +297,16 @@ impl<'g> Extraction<'g> {
     fn reaches(&mut self, definition: &Definition, class: ClassId) -> bool {
         self.round += 1;
         let place = self.position[class.index()];
-        let mut stack: Vec<ClassId> = definition.reads().collect();
-        while let Some(c) = stack.pop() {
+        self.path.clear();
+        self.path.extend(definition.reads());
+        while let Some(c) = self.path.pop() {
             if c == class {
                 return true;
             }
             let i = c.index();
             // A class earlier in the order of evaluation cannot depend on this one.
             if self.seen[i] != self.round && (self.position[i] == NOWHERE || self.position[i] > place) {
-                stack.extend(self.graph.classes[c].current.reads());
+                self.path.extend(self.graph.classes[c].current.reads());
             }
             self.seen[i] = self.round;
         }

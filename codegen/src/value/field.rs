@@ -24,21 +24,25 @@ impl Field {
     pub const ONE: Self = Self(1);
 
     /// The element of an integer.
+    #[inline]
     pub fn new(n: u64) -> Self {
         Self(n % P)
     }
 
     /// The representative in 0..P.
+    #[inline]
     pub fn bits(self) -> u64 {
         self.0
     }
 
     /// One of x and -x is "upper", the other one is the canonical sign.
+    #[inline]
     pub fn is_upper(self) -> bool {
         self.0 > P / 2
     }
 
     /// Whichever of x and -x is not "upper".
+    #[inline]
     pub fn canonical(self) -> Self {
         if self.is_upper() { -self } else { self }
     }
@@ -56,6 +60,7 @@ impl Field {
     }
 
     /// 1/x; `None` for 0.
+    #[inline]
     pub fn inverse(self) -> Option<Self> {
         // Extended Euclidean algorithm: a third of the time of x^(P - 2).
         let (mut r, mut s) = ((P, self.0), (0_i128, 1_i128));
@@ -135,6 +140,7 @@ impl Field {
 
 impl Add for Field {
     type Output = Self;
+    #[inline]
     fn add(self, other: Self) -> Self {
         let sum = self.0 + other.0;
         Self(if sum >= P { sum - P } else { sum })
@@ -143,6 +149,7 @@ impl Add for Field {
 
 impl Sub for Field {
     type Output = Self;
+    #[inline]
     fn sub(self, other: Self) -> Self {
         let (difference, below) = self.0.overflowing_sub(other.0);
         Self(if below { difference.wrapping_add(P) } else { difference })
@@ -151,6 +158,7 @@ impl Sub for Field {
 
 impl Neg for Field {
     type Output = Self;
+    #[inline]
     fn neg(self) -> Self {
         Self(if self.0 == 0 { 0 } else { P - self.0 })
     }
@@ -158,6 +166,7 @@ impl Neg for Field {
 
 impl Mul for Field {
     type Output = Self;
+    #[inline]
     fn mul(self, other: Self) -> Self {
         const LOW: u64 = (1 << BITS) - 1;
         let product = u128::from(self.0) * u128::from(other.0);
@@ -169,6 +178,7 @@ impl Mul for Field {
 }
 
 /// SplitMix64's finaliser: the same hash on every machine.
+#[inline]
 pub(crate) fn mix(seed: u64) -> u64 {
     let mut z = seed.wrapping_add(0x9E37_79B9_7F4A_7C15);
     z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);

@@ -26,6 +26,7 @@ pub(super) struct Signed {
 }
 
 impl Signed {
+    #[inline]
     pub fn times(self, negative: bool) -> Self {
         Self { negative: self.negative != negative, ..self }
     }
@@ -50,6 +51,7 @@ pub(super) enum Operation {
 
 impl Operation {
     /// Estimated time, in additions.
+    #[inline]
     pub fn weight(self) -> u32 {
         match self {
             Self::Leaf(_) => 0,
@@ -80,6 +82,7 @@ const EVERY_EVALUATION: u32 = 32;
 
 impl Definition {
     /// Defines the class (or its negative, if `negative`) as a (operation) b.
+    #[inline]
     pub fn new(operation: Operation, a: Signed, b: Signed, negative: bool) -> Self {
         let commutes = matches!(operation, Operation::Sum | Operation::Product);
         let (a, b) = if commutes && b.class < a.class { (b, a) } else { (a, b) };
@@ -103,12 +106,29 @@ impl Definition {
         }
     }
 
+    /// Value and round-off bound at a state from those of its operands.
+    #[inline(always)]
+    fn estimate(&self, a: &Estimate, b: &Estimate) -> Estimate {
+        let (x, y) = (self.operands[0].negative, self.operands[1].negative);
+        let value = match self.operation {
+            Operation::Leaf(_) => a.signed(x),
+            Operation::Sum => Estimate::sum(a.signed(x), b.signed(y)),
+            Operation::Product => Estimate::product(a.signed(x), b.signed(y)),
+            Operation::Quotient => Estimate::quotient(a.signed(x), b.signed(y)),
+            Operation::Unary(f) => Estimate::unary(f, a.signed(x)),
+            Operation::Binary(f) => Estimate::binary(f, a.signed(x), b.signed(y)),
+        };
+        value.signed(self.negative)
+    }
+
     /// Its contribution to the cost that the search minimises.
+    #[inline]
     pub fn cost(&self) -> u32 {
         self.operation.weight() * if self.prepared { 1 } else { EVERY_EVALUATION }
     }
 
     /// The classes that it depends on.
+    #[inline]
     pub fn reads(&self) -> impl Iterator<Item = ClassId> + use<> {
         let n = match self.operation {
             Operation::Leaf(_) => 0,
@@ -119,6 +139,7 @@ impl Definition {
         (0..n).map(move |k| if k == 0 { a.class } else { b.class })
     }
 
+    #[inline]
     fn same_but_for_signs(&self, other: &Self) -> bool {
         self.operation == other.operation && self.operands.map(|o| o.class) == other.operands.map(|o| o.class)
     }
@@ -139,15 +160,18 @@ pub(super) struct Class {
 
 impl Class {
     /// All known definitions, the first one first.
+    #[inline]
     pub fn definitions(&self) -> impl Iterator<Item = &Definition> {
         std::iter::once(&self.first).chain(&self.others)
     }
 
     /// The k-th definition, if it exists.
+    #[inline]
     pub fn definition(&self, k: usize) -> Option<Definition> {
         if k == 0 { Some(self.first) } else { self.others.get(k - 1).copied() }
     }
 
+    #[inline]
     pub fn is_leaf(&self) -> bool {
         matches!(self.current.operation, Operation::Leaf(_))
     }
@@ -164,6 +188,7 @@ pub(super) struct Graph {
 }
 
 impl Graph {
+    #[inline]
     pub fn new(points: usize) -> Self {
         Self { classes: IdVec::default(), index: HashMap::default(), points, estimates: Vec::new() }
     }
@@ -175,22 +200,26 @@ impl Graph {
         self.estimates.reserve(classes * self.points);
     }
 
+    #[inline]
     pub fn value(&self, x: Signed) -> Value {
         let value = self.classes[x.class].value;
         if x.negative { value.map(|v| -v) } else { value }
     }
 
     /// Values and round-off bounds of a class at the guard's states.
+    #[inline]
     pub fn estimates(&self, class: ClassId) -> &[Estimate] {
         let start = class.index() * self.points;
         &self.estimates[start..start + self.points]
     }
 
+    #[inline]
     pub fn signed_estimates(&self, x: Signed) -> impl Iterator<Item = Estimate> {
         self.estimates(x.class).iter().map(move |e| e.signed(x.negative))
     }
 
     /// The class with this value, if there is one.
+    #[inline]
     pub fn find(&self, value: Value) -> Option<Signed> {
         let negative = value[0].is_upper();
         let canonical = if negative { value.map(|v| -v) } else { value };
@@ -199,6 +228,7 @@ impl Graph {
     }
 
     /// The class with this value at the first point of the field; the second is not compared.
+    #[inline]
     pub fn find_at_first_point(&self, value: Field) -> Option<Signed> {
         let &class = self.index.get(&value.canonical().bits())?;
         Some(Signed { class, negative: value.is_upper() })
@@ -208,10 +238,10 @@ impl Graph {
     pub fn add(&mut self, value: Value, operation: Operation, a: Signed, b: Signed) -> Signed {
         let negative = value[0].is_upper();
         let current = self.prepared(Definition::new(operation, a, b, negative));
-        for point in 0..self.points {
-            let estimate = self.estimate(&current, point);
-            self.estimates.push(estimate);
-        }
+        let known = self.estimates.len();
+        self.estimates.resize(known + self.points, Estimate::exact(0.0));
+        let (known, new) = self.estimates.split_at_mut(known);
+        new.iter_mut().zip(estimates_of(known, self.points, current)).for_each(|(new, of)| *new = of);
         self.push(value, current)
     }
 
@@ -244,6 +274,7 @@ impl Graph {
     }
 
     /// The definition with `prepared` set.
+    #[inline]
     fn prepared(&self, definition: Definition) -> Definition {
         // A leaf depends on no class; whether it is a parameter is set by the caller.
         let prepared = definition.reads().all(|c| self.classes[c].prepared);
@@ -251,6 +282,7 @@ impl Graph {
     }
 
     /// The result of an operation in the field; `None` for a division by zero or an operation other than + * /.
+    #[inline]
     pub fn apply(&self, operation: Operation, a: Signed, b: Signed) -> Option<Value> {
         let (x, y) = (self.value(a), self.value(b));
         Some(match operation {
@@ -261,25 +293,10 @@ impl Graph {
         })
     }
 
-    /// Value and round-off bound of a definition at one of the guard's states.
-    fn estimate(&self, definition: &Definition, point: usize) -> Estimate {
-        let [a, b] = definition
-            .operands
-            .map(|x| self.estimates[x.class.index() * self.points + point].signed(x.negative));
-        let value = match definition.operation {
-            Operation::Leaf(_) => a,
-            Operation::Sum => Estimate::sum(a, b),
-            Operation::Product => Estimate::product(a, b),
-            Operation::Quotient => Estimate::quotient(a, b),
-            Operation::Unary(f) => Estimate::unary(f, a),
-            Operation::Binary(f) => Estimate::binary(f, a, b),
-        };
-        value.signed(definition.negative)
-    }
-
     /// Values and round-off bounds of a definition at the guard's states.
+    #[inline]
     pub fn estimates_of(&self, definition: &Definition) -> impl Iterator<Item = Estimate> {
-        (0..self.points).map(move |point| self.estimate(definition, point))
+        estimates_of(&self.estimates, self.points, *definition)
     }
 
     /// Adds a definition to `target`, which must have the same value; true if it is new and the guard admits it.
@@ -326,6 +343,7 @@ impl Graph {
     }
 
     /// Does `definition` depend on `class`, through the current definitions?
+    #[inline]
     fn reads(&self, definition: &Definition, class: ClassId) -> bool {
         let mut seen = vec![false; self.classes.len()];
         let mut stack: Vec<ClassId> = definition.reads().collect();
@@ -362,4 +380,12 @@ impl Graph {
             }
         }
     }
+}
+
+/// Values and round-off bounds of a definition at each state, from those of all classes.
+#[inline]
+fn estimates_of(known: &[Estimate], points: usize, definition: Definition) -> impl Iterator<Item = Estimate> {
+    let [x, y] = definition.operands;
+    let of = |x: Signed| &known[x.class.index() * points..][..points];
+    of(x).iter().zip(of(y)).map(move |(a, b)| definition.estimate(a, b))
 }

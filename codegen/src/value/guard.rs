@@ -28,34 +28,41 @@ pub(crate) struct Estimate {
 
 impl Estimate {
     /// A number that is known exactly.
+    #[inline]
     pub fn exact(value: f64) -> Self {
         Self { value, error: 0.0, cancels: false }
     }
 
     /// A constant rounded once.
+    #[inline]
     pub fn rounded(value: f64) -> Self {
         Self::computed(value, 0.0)
     }
 
     /// Result of an operation; `inherited` is the error propagated from the operands.
+    #[inline]
     fn computed(value: f64, inherited: f64) -> Self {
         Self { value, error: inherited + ROUNDING * value.abs(), cancels: false }
     }
 
+    #[inline]
     pub fn signed(self, negative: bool) -> Self {
         Self { value: if negative { -self.value } else { self.value }, ..self }
     }
 
+    #[inline]
     pub fn sum(a: Self, b: Self) -> Self {
         let value = a.value + b.value;
         let cancels = value.abs() < CANCELS * a.value.abs().max(b.value.abs());
         Self { cancels, ..Self::computed(value, a.error + b.error) }
     }
 
+    #[inline]
     pub fn product(a: Self, b: Self) -> Self {
         Self::computed(a.value * b.value, a.value.abs() * b.error + b.value.abs() * a.error)
     }
 
+    #[inline]
     pub fn quotient(a: Self, b: Self) -> Self {
         let value = a.value / b.value;
         Self::computed(value, (a.error + value.abs() * b.error) / b.value.abs())
@@ -82,6 +89,7 @@ impl Estimate {
     }
 
     /// May `new` replace this? Both are the same function of the state.
+    #[inline]
     pub fn admits(&self, new: &Self) -> bool {
         if !self.error.is_finite() || !self.value.is_finite() {
             return true; // a pole: the old definition is no better there
@@ -99,6 +107,7 @@ impl Estimate {
 
 /// The largest ratio of new to old bound over all states (at least 1), or `None` if some state does not admit the new
 /// one.
+#[inline]
 pub(crate) fn admits(
     old: impl Iterator<Item = Estimate>,
     new: impl Iterator<Item = Estimate>,

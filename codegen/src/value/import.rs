@@ -30,7 +30,6 @@ impl<'a> Import<'a> {
     /// Loads the nodes that `roots` depend on and returns the classes of the roots.
     pub fn load(&mut self, roots: &[ExprId]) -> Vec<Option<Signed>> {
         let nodes = self.dag.reachable(roots);
-        self.graph.reserve(nodes.len());
         for id in nodes {
             if self.classes[id.index()].is_none() {
                 self.classes[id.index()] = Some(self.class(id));

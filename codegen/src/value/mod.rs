@@ -136,6 +136,7 @@ fn round(
 ) -> Vec<Vec<ExprId>> {
     let (zero, one) = (dag.zero(), dag.one());
     let mut graph = Graph::new(guard.points);
+    graph.reserve(dag.cone(&groups.concat()).len() + 1);
     let mut import = Import::new(&mut graph, dag, guard, zero, effort == Effort::Default);
     let one = import.load(&[one])[0].expect("1 is not 0");
     let classes: Vec<Vec<Option<Signed>>> = groups.iter().map(|group| import.load(group)).collect();

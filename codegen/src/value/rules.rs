@@ -2,7 +2,7 @@
 
 use super::field::Field;
 use super::graph::{ClassId, Definition, Graph, Operation, Signed};
-use crate::id::IdVec;
+use crate::id::{Id, IdVec};
 use rustc_hash::FxHashMap as HashMap;
 
 /// Number of definitions of an operand that a rule examines.
@@ -14,6 +14,7 @@ const MOST_TERMS: usize = 12;
 
 /// Applies every rule to every definition of the classes.
 pub(super) fn apply(graph: &mut Graph, classes: &[ClassId], one: Signed) {
+    let mut factors = Factors::default();
     for &class in classes {
         let target = Signed { class, negative: false };
         // The list grows while the rules run; definitions that they add wait for the next round.
@@ -21,7 +22,7 @@ pub(super) fn apply(graph: &mut Graph, classes: &[ClassId], one: Signed) {
             match definition.operation {
                 Operation::Sum => {
                     reassociate(graph, target, &definition);
-                    factor_terms(graph, target, &definition.operands, one);
+                    factor_terms(graph, target, &definition.operands, one, &mut factors);
                 }
                 Operation::Product => reassociate(graph, target, &definition),
                 Operation::Quotient => reciprocal(graph, target, &definition, one),
@@ -66,11 +67,13 @@ pub(super) fn reassociate_shared(graph: &mut Graph, live: &[ClassId]) {
 /// Takes common factors out of the classes' sums, the only rule that shortens by itself.
 pub(super) fn factor_sums(graph: &mut Graph, live: &[ClassId], classes: &[ClassId], one: Signed) {
     let readers = readers(graph, live);
+    let mut factors = Factors::default();
+    let mut memory = Default::default();
     for &class in classes {
         let target = Signed { class, negative: false };
         if graph.classes[class].current.operation == Operation::Sum {
-            let terms = terms(graph, target, &readers);
-            factor_terms(graph, target, &terms, one);
+            let terms = terms(graph, target, &readers, &mut memory);
+            factor_terms(graph, target, terms, one, &mut factors);
         }
     }
 }
@@ -86,9 +89,14 @@ fn readers(graph: &Graph, live: &[ClassId]) -> IdVec<ClassId, u32> {
     readers
 }
 
-/// The terms of a sum, flattened through inner sums that nothing else uses.
-fn terms(graph: &Graph, sum: Signed, readers: &IdVec<ClassId, u32>) -> Vec<Signed> {
-    let (mut terms, mut stack) = (Vec::with_capacity(MOST_TERMS), Vec::with_capacity(MOST_TERMS));
+/// The terms of a sum, flattened through inner sums that nothing else uses; in the given memory, a list and a stack.
+fn terms<'m>(
+    graph: &Graph,
+    sum: Signed,
+    readers: &IdVec<ClassId, u32>,
+    (terms, stack): &'m mut (Vec<Signed>, Vec<Signed>),
+) -> &'m [Signed] {
+    terms.clear();
     stack.push(sum);
     while let Some(x) = stack.pop() {
         let current = &graph.classes[x.class].current;
@@ -103,19 +111,17 @@ fn terms(graph: &Graph, sum: Signed, readers: &IdVec<ClassId, u32>) -> Vec<Signe
 }
 
 /// f x + f y + ... + r = f (x + y + ...) + r, for every factor f of two or more terms.
-fn factor_terms(graph: &mut Graph, target: Signed, terms: &[Signed], one: Signed) {
-    // (factor, index of the term, term / factor); each factor once per term.
-    let mut divided: Vec<(ClassId, usize, Signed)> = Vec::with_capacity(4 * terms.len());
+fn factor_terms(graph: &mut Graph, target: Signed, terms: &[Signed], one: Signed, factors: &mut Factors) {
+    factors.clear();
     for (i, &term) in terms.iter().enumerate() {
         for [a, b] in parts(graph, term, Operation::Product, LOOKED_INTO) {
-            divided.extend([[a, b], [b, a]].map(|[f, x]| (f.class, i, x.times(f.negative))));
+            factors.push(a.class, i, b.times(a.negative));
+            factors.push(b.class, i, a.times(b.negative));
         }
-        divided.push((term.class, i, one.times(term.negative)));
+        factors.push(term.class, i, one.times(term.negative));
     }
-    divided.retain(|(f, ..)| *f != one.class);
-    divided.sort_by_key(|&(f, i, _)| (f, i));
-    divided.dedup_by_key(|&mut (f, i, _)| (f, i));
-    for quotients in divided.chunk_by(|a, b| a.0 == b.0).filter(|quotients| quotients.len() > 1) {
+    let divided = factors.common(one.class);
+    for quotients in divided.chunk_by(|a, b| a.0 == b.0) {
         let f = quotients[0].0;
         let taken: u32 = quotients.iter().fold(0, |set, &(_, i, _)| set | 1 << i);
         let Some(inner) = sum(graph, quotients.iter().map(|&(.., x)| x)) else { continue };
@@ -127,6 +133,50 @@ fn factor_terms(graph: &mut Graph, target: Signed, terms: &[Signed], one: Signed
         {
             graph.propose(target, Operation::Sum, rest, product);
         }
+    }
+}
+
+/// Factors of the terms of one sum after the other.
+#[derive(Default)]
+struct Factors {
+    /// (factor, index of the term, term / factor); each factor once per term.
+    divided: Vec<(ClassId, usize, Signed)>,
+    /// By class: the last sum and term of which it is a factor, and whether it is one of two terms of that sum.
+    seen: Vec<(usize, usize, bool)>,
+    sum: usize,
+}
+
+impl Factors {
+    /// Begins with the next sum.
+    fn clear(&mut self) {
+        self.divided.clear();
+        self.sum += 1;
+    }
+
+    /// Adds a factor of the i-th term, unless it is known as such; terms come in order.
+    fn push(&mut self, factor: ClassId, i: usize, quotient: Signed) {
+        let place = factor.index();
+        if self.seen.len() <= place {
+            self.seen.resize(place + 1, (0, 0, false));
+        }
+        let (sum, term, is_common) = &mut self.seen[place];
+        if *sum != self.sum {
+            (*sum, *term, *is_common) = (self.sum, i, false);
+        } else if *term != i {
+            (*term, *is_common) = (i, true);
+        } else {
+            return;
+        }
+        self.divided.push((factor, i, quotient));
+    }
+
+    /// The factors of two or more terms except 1, sorted by factor and term.
+    fn common(&mut self, one: ClassId) -> &[(ClassId, usize, Signed)] {
+        let seen = &self.seen;
+        // Most are factors of one term alone: only the others are sorted.
+        self.divided.retain(|&(factor, ..)| seen[factor.index()].2 && factor != one);
+        self.divided.sort_unstable_by_key(|&(factor, i, _)| (factor, i));
+        &self.divided
     }
 }
 

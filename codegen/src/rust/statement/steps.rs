@@ -80,18 +80,18 @@ impl<'p> Body<'p> {
     }
 
     pub(super) fn count_uses(&mut self, steps: &[Step], results: &[ExprId]) {
+        let mut add = |id: ExprId, n: u8| self.uses[id.index()] = self.uses[id.index()].saturating_add(n);
         for step in steps {
-            for &read in step.reads.iter() {
-                self.uses[read.index()] += 1;
-            }
+            step.reads.iter().for_each(|&read| add(read, 1));
+        }
+        results.iter().for_each(|&result| add(result, 2));
+        for step in steps {
             if let [Some(a), Some(b)] = self.operands(step.makes[0]).map(|a| a.map(|a| self.value(a)))
                 && a == b
             {
-                self.uses[a.index()] += 1; // x x reads x twice
+                // x x reads x twice.
+                self.uses[a.index()] = self.uses[a.index()].saturating_add(1);
             }
-        }
-        for &result in results {
-            self.uses[result.index()] += 2;
         }
     }
 

@@ -12,7 +12,7 @@ pub(crate) fn apply(mut table: Table, settings: &[String], found: &mut Diagnosti
         let file = u32::try_from(found.source.files.len()).unwrap_or(u32::MAX);
         let (text, read) = toml(setting, file);
         let mut files: Vec<File> = found.source.files.to_vec();
-        files.push(File { path: "--set".to_owned(), text });
+        files.push(File::new("--set".to_owned(), text));
         found.source = Source { files: Arc::new(files) };
         match read {
             Some(given) => merge(&mut table, given),
