@@ -117,6 +117,10 @@ fn every_refusal_of_a_scene_has_its_cause_and_cure() {
         format!(
             "{GROUND}{CUBE}[[contacts]]\nbetween = [\"cube\", \"ground\"]\nimpact = \"moreau\"\n[run]\nmethod = \"rk4\""
         ),
+        format!(
+            "{GROUND}{}[[contacts]]\nbetween = [\"cube\", \"ground\"]\nimpact = \"moreau\"",
+            CUBE.replace("height = 1", "height = -0.01")
+        ),
         format!("{CUBE}air_drag = 1\n[parts.other]\nshape = \"cube\"\nstart = {{ height = 3 }}"),
         // Gas and controllers.
         format!("{BLADDER}, supply = {{ gauge = \"-200_kPa\", conductance = 1e-8 }} }}"),
