@@ -13,7 +13,7 @@ use crate::engine::ScalarKind;
 use crate::failure::Failure;
 use crate::model_argument;
 use crate::plot::{Recording, svg};
-use crate::run::world as drawn;
+use crate::run::rows as drawn;
 use crate::scene::dop853::Dop853;
 use crate::world::Assembly;
 use crate::world::assembly::{Controlling, Sensing, Transducer};

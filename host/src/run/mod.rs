@@ -15,11 +15,13 @@ mod outcome;
 mod plant;
 #[cfg(feature = "whole")]
 mod records;
+#[cfg(feature = "whole")]
+pub(crate) mod rows;
 pub mod settings;
 pub mod simulate;
 pub(crate) mod start;
 #[cfg(feature = "whole")]
-pub(crate) mod world;
+mod world;
 
 pub use arguments::Arguments;
 

@@ -4,7 +4,7 @@ use super::accounts::{Closed, Rows};
 use super::arguments::Arguments;
 use super::health::{Energies as Moved, Health};
 use super::outcome::{ended_early, line};
-use super::world::{drawing, names, shown, told, values};
+use super::rows::{drawing, names, shown, told, values};
 use crate::engine::ScalarKind;
 use crate::failure::Failure;
 use crate::number::worst;
