@@ -5,7 +5,7 @@
 
 use super::state::State;
 use crate::contact::{Frozen, System};
-use crate::flexible::grid::{Conserve, Corner, Course, Line, March, WIDTH};
+use crate::flexible::grid::{Conserve, Corner, Course, Line, March, Span, WIDTH};
 use crate::flexible::{Gas, PressureForm};
 use crate::kernel;
 use crate::ode::nodes::Workspace;
@@ -70,28 +70,25 @@ pub fn march<'a, S: Scalar>(
         return false;
     }
     let Marching { rows, beside, is_current } = marching;
-    let (form, gravity, goes_on, motion) = (inflation.form, body.gravity, *is_current, &mut state.motion);
+    let span = Span {
+        grid,
+        form: inflation.form,
+        pressure,
+        beside,
+        gravity: body.gravity,
+        h,
+        steps,
+        motion: &mut state.motion,
+        goes_on: *is_current,
+    };
     let mut evaluations = 0;
     let taken = match rows {
         Rows::Verlet(lines) => {
             evaluations = steps;
-            kernel::run(March { grid, form, pressure, beside, gravity, h, steps, motion, lines, goes_on })
+            kernel::run(March { span, lines })
         }
         Rows::EnergyMomentum(courses) => {
-            let evaluations = &mut evaluations;
-            let march = Conserve {
-                grid,
-                form,
-                pressure,
-                beside,
-                gravity,
-                h,
-                steps,
-                motion,
-                courses,
-                goes_on,
-                evaluations,
-            };
+            let march = Conserve { span, courses, evaluations: &mut evaluations };
             // The forces at the end are refused only where a spring has run away, for which the march has looked.
             kernel::run(march) && state.motion.refresh(&Frozen { system, modes: state.modes }).is_ok()
         }

@@ -71,19 +71,8 @@ fn check_registers<S: Scalar>(sheet: &Sheet<S>) {
     let [plain, avx2, avx512] = [Registers::Plain, Registers::Avx2, Registers::Avx512].map(|registers| {
         let (mut courses, mut evaluations) = (courses(sheet), 0);
         let (numbers, taken) = sheet.run(form, |system, state, _| {
-            let kernel = Conserve {
-                grid: &grid,
-                form,
-                pressure: sheet.pressure,
-                beside: &sheet.beside,
-                gravity: system.body.gravity,
-                h: S::from_f64(H),
-                steps: 3,
-                motion: &mut state.motion,
-                courses: &mut courses,
-                goes_on: false,
-                evaluations: &mut evaluations,
-            };
+            let span = sheet.span(&grid, form, (S::from_f64(H), 3), system, state);
+            let kernel = Conserve { span, courses: &mut courses, evaluations: &mut evaluations };
             kernel::run_within(registers, kernel)
         });
         (numbers, evaluations, taken)

@@ -3,7 +3,7 @@
 use proptest::prelude::*;
 use smartbed_runtime::contact::compensation::PointImpact;
 use smartbed_runtime::contact::{ContactState, System};
-use smartbed_runtime::flexible::grid::{Corner, Family, Grid, Line, March, Run, pitch};
+use smartbed_runtime::flexible::grid::{Corner, Family, Grid, Line, March, Run, Span, pitch};
 use smartbed_runtime::flexible::{Body, BodyError, Gas, Inflation, PressureForm, Spring};
 use smartbed_runtime::kernel::{self, Registers};
 use smartbed_runtime::ode::nodes::{MOTION_ROWS, Method, Motion, Workspace, workspace_len};
@@ -207,6 +207,28 @@ impl<S: Scalar> Sheet<S> {
         })
     }
 
+    /// Steps from the start.
+    pub fn span<'a, 'm>(
+        &'a self,
+        grid: &'a Grid<'a, S>,
+        form: PressureForm,
+        (h, steps): (S, usize),
+        system: &System<S>,
+        state: &'a mut State<'m, S>,
+    ) -> Span<'a, 'm, S> {
+        Span {
+            grid,
+            form,
+            pressure: self.pressure,
+            beside: &self.beside,
+            gravity: system.body.gravity,
+            h,
+            steps,
+            motion: &mut state.motion,
+            goes_on: false,
+        }
+    }
+
     fn lines(&self) -> Vec<Line<S>> {
         let grid = self.grid();
         (0..=self.rows).map(|row| Line::new(&grid, row, &self.inverse_mass, &self.beside)).collect()
@@ -249,19 +271,8 @@ impl<S: Scalar> Sheet<S> {
         for registers in [Registers::Plain, Registers::Avx2, Registers::Avx512] {
             let mut lines = self.lines();
             let (marched, taken) = self.run(form, |system, state, _| {
-                let kernel = March {
-                    grid: &grid,
-                    form,
-                    pressure: self.pressure,
-                    beside: &self.beside,
-                    gravity: system.body.gravity,
-                    h,
-                    steps,
-                    motion: &mut state.motion,
-                    lines: &mut lines,
-                    goes_on: false,
-                };
-                kernel::run_within(registers, kernel)
+                let span = self.span(&grid, form, (h, steps), system, state);
+                kernel::run_within(registers, March { span, lines: &mut lines })
             });
             assert!(taken);
             // The time is the caller's.

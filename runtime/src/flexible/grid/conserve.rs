@@ -12,40 +12,22 @@
 //! is Q/4 at its start and 3 Q/4 after two thirds of it (Radau's rule, exact for such forms).
 
 use super::course::{Course, Forces, Largest, arrive, improve, measure, pull_and_push, set_out};
-use super::layout::{Grid, WIDTH};
-use super::line::{Corner, LEAD, Springs, Wide, get, set};
-use super::march::{add_sizes, larger, sum};
-use super::strip::Row;
-use crate::flexible::pressure::{self, PressureForm, Weights};
+use super::layout::WIDTH;
+use super::line::{Corner, LEAD, Springs, Wide, get, larger, set};
+use super::span::Span;
+use crate::flexible::pressure::{self, Weights};
 use crate::kernel::Kernel;
-use crate::ode::nodes::Motion;
 use crate::real::Scalar;
-use crate::vec3::{self, Vec3};
+use crate::vec3;
 
 /// Takes steps; returns whether all could be taken. Where one would be refused, or nearly so, the motion stays what it was: who
 /// takes them one by one finds which and why.
 #[derive(Debug)]
 pub struct Conserve<'a, 'm, S> {
-    /// The grid: no wider than [`WIDTH`], without dampers, all nodes and springs of the body.
-    pub grid: &'a Grid<'a, S>,
-    /// How a facet's force is shared; not [`PressureForm::Fan`].
-    pub form: PressureForm,
-    /// Gauge pressure (Pa).
-    pub pressure: S,
-    /// Facets that are no cells of the grid, each on two neighbouring rows.
-    pub beside: &'a [[Corner; 4]],
-    /// Acceleration of gravity (m/s^2).
-    pub gravity: Vec3<S>,
-    /// Length of a step (s), > 0.
-    pub h: S,
-    /// How many steps, at least one.
-    pub steps: usize,
-    /// The motion.
-    pub motion: &'a mut Motion<'m, S>,
+    /// The steps; a facet beside the grid touches two neighbouring rows.
+    pub span: Span<'a, 'm, S>,
     /// [`Course::new`] of each row and of one more.
     pub courses: &'a mut [Course<S>],
-    /// Whether they hold the motion at the start, as steps that were taken leave them.
-    pub goes_on: bool,
     /// Evaluations of all forces so far.
     pub evaluations: &'a mut usize,
 }
@@ -64,40 +46,27 @@ impl<S: Scalar> Kernel for Conserve<'_, '_, S> {
 
     #[inline(always)]
     fn run(mut self) -> bool {
-        let lowest =
-            |corners: &[Corner; 4]| corners.iter().fold(usize::MAX, |row, corner| row.min(corner.row));
-        if self.beside.iter().any(|corners| corners.iter().any(|corner| corner.row > lowest(corners) + 1)) {
+        let is_high = |corners: &[Corner; 4]| {
+            let lowest = corners.iter().fold(usize::MAX, |row, corner| row.min(corner.row));
+            corners.iter().any(|corner| corner.row > lowest + 1)
+        };
+        if self.span.beside.iter().any(is_high) {
             return false;
         }
-        let mut memory = [Row::zero(); 5];
-        let scale = S::from_f64(0.5) * self.h * self.h;
-        for (row, course) in self.courses.iter_mut().enumerate() {
-            if !self.goes_on {
-                course.line.read(self.grid, row, self.motion, &mut memory);
-            }
+        self.span.begin(self.courses.iter_mut().map(|course| &mut course.line));
+        let scale = S::from_f64(0.5) * self.span.h * self.span.h;
+        for course in &mut *self.courses {
             for (mobility, inverse_mass) in course.mobility.iter_mut().zip(&course.line.inverse_mass) {
                 *mobility = scale * *inverse_mass;
             }
         }
         let (bounds, mut forces) = (self.bounds(), Forces::zero());
-        for _ in 0..self.steps {
+        for _ in 0..self.span.steps {
             if !self.step(&bounds, &mut forces) {
                 return false;
             }
         }
-        let mut ends = [S::ZERO; WIDTH];
-        for Course { line, .. } in &*self.courses {
-            add_sizes(&line.pos, &mut ends);
-            add_sizes(&line.vel, &mut ends);
-        }
-        // What is no number once stays so to the end.
-        let taken = sum(&ends) <= S::FAR;
-        if taken {
-            for (row, course) in self.courses.iter().enumerate() {
-                course.line.write(self.grid, row, self.motion);
-            }
-        }
-        taken
+        self.span.end(self.courses.iter().map(|course| &course.line))
     }
 }
 
@@ -109,7 +78,7 @@ impl<S: Scalar> Conserve<'_, '_, S> {
             // Pressure on the cells beside a spring changes like the force of one of stiffness P L.
             let of = |springs: &Springs<S>, lane: usize| {
                 let (stiffness, length) = (springs.stiffness[lane], springs.rest_length[lane]);
-                [stiffness + self.pressure.abs() * length, stiffness * length]
+                [stiffness + self.span.pressure.abs() * length, stiffness * length]
             };
             let mut left = [S::ZERO; 2];
             for lane in 0..WIDTH {
@@ -160,10 +129,10 @@ impl<S: Scalar> Conserve<'_, '_, S> {
     /// Lengths and forces at the start of a step; the way by constant forces alone.
     #[inline(always)]
     fn begin(&mut self, forces: &mut Forces<S>) {
-        let pressure = S::from_f64(0.25) * self.pressure;
-        let weights = Weights::of(self.form, false).times(pressure);
+        let pressure = S::from_f64(0.25) * self.span.pressure;
+        let weights = Weights::of(self.span.form, false).times(pressure);
         forces.begin();
-        for row in 0..self.grid.rows {
+        for row in 0..self.span.grid.rows {
             let Some([course, above]) = self.courses.get_mut(row..).and_then(<[_]>::first_chunk_mut) else {
                 break;
             };
@@ -181,7 +150,7 @@ impl<S: Scalar> Conserve<'_, '_, S> {
                 self.push_beside(row, pressure, |course| &course.line.pos, forces);
             }
             if let Some(course) = self.courses.get_mut(row) {
-                set_out(self.h, &self.gravity, course, forces);
+                set_out(self.span.h, &self.span.gravity, course, forces);
             }
         }
     }
@@ -191,7 +160,7 @@ impl<S: Scalar> Conserve<'_, '_, S> {
     fn iterate<const LOOK: bool>(&mut self, gains: [S; 2], forces: &mut Forces<S>) -> Largest<S> {
         let mut largest = Largest::none();
         forces.begin();
-        for row in 0..self.grid.rows {
+        for row in 0..self.span.grid.rows {
             self.forces::<LOOK>(row, forces, &mut largest);
             let Some(course) = self.courses.get_mut(row) else { break };
             improve::<S, LOOK>(gains, course, forces, &mut largest);
@@ -204,10 +173,10 @@ impl<S: Scalar> Conserve<'_, '_, S> {
     #[inline(always)]
     fn end(&mut self, forces: &mut Forces<S>) {
         forces.begin();
-        for row in 0..self.grid.rows {
+        for row in 0..self.span.grid.rows {
             self.forces::<false>(row, forces, &mut Largest::none());
             let Some(course) = self.courses.get_mut(row) else { break };
-            arrive(self.h, course, forces);
+            arrive(self.span.h, course, forces);
         }
         *self.evaluations += 1;
     }
@@ -215,8 +184,8 @@ impl<S: Scalar> Conserve<'_, '_, S> {
     /// Mean forces from the nodes of a row.
     #[inline(always)]
     fn forces<const LOOK: bool>(&mut self, row: usize, forces: &mut Forces<S>, largest: &mut Largest<S>) {
-        let pressure = S::from_f64(0.75) * self.pressure;
-        let weights = Weights::of(self.form, false).times(pressure);
+        let pressure = S::from_f64(0.75) * self.span.pressure;
+        let weights = Weights::of(self.span.form, false).times(pressure);
         let Some([course, above]) = self.courses.get_mut(row..).and_then(<[_]>::first_chunk_mut) else {
             return;
         };
@@ -235,7 +204,7 @@ impl<S: Scalar> Conserve<'_, '_, S> {
         place: impl Fn(&Course<S>) -> &Wide<S>,
         forces: &mut Forces<S>,
     ) {
-        for corners in self.beside {
+        for corners in self.span.beside {
             if corners.iter().any(|corner| corner.row < row) || corners.iter().all(|corner| corner.row > row)
             {
                 continue;
@@ -243,7 +212,7 @@ impl<S: Scalar> Conserve<'_, '_, S> {
             let places = corners.each_ref().map(|Corner { row, column, .. }| {
                 self.courses.get(*row).map_or(vec3::zero(), |course| get(place(course), column % WIDTH))
             });
-            let shares = pressure::corner_shares(self.form, places);
+            let shares = pressure::corner_shares(self.span.form, places);
             for (corner, share) in corners.iter().zip(shares) {
                 let on = if corner.row == row { &mut forces.own } else { &mut forces.over };
                 let lane = LEAD + corner.column % WIDTH;

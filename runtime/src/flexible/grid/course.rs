@@ -4,8 +4,7 @@
 //! at the end.
 
 use super::layout::{Grid, WIDTH};
-use super::line::{Corner, LEAD, Lanes, Line, Springs, Vectors, Wide, get, set};
-use super::march::larger;
+use super::line::{Corner, LEAD, Lanes, Line, Springs, Vectors, Wide, get, larger, set};
 use crate::flexible::pressure::{self, Weights};
 use crate::ode::nodes::add_exactly;
 use crate::real::Scalar;

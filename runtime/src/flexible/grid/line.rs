@@ -28,6 +28,27 @@ pub(super) fn set<S: Copy, const N: usize>([x, y, z]: &mut [[S; N]; 3], lane: us
     [x[lane], y[lane], z[lane]] = value;
 }
 
+/// The larger of two numbers, in one instruction: of one that is no number it may take the other.
+#[inline(always)]
+pub(super) fn larger<S: Scalar>(a: S, b: S) -> S {
+    if a > b { a } else { b }
+}
+
+/// Adds sizes lane by lane.
+#[inline(always)]
+pub(super) fn add_sizes<S: Scalar, const N: usize>(vectors: &[[S; N]; 3], sums: &mut Lanes<S>) {
+    for numbers in vectors {
+        for (sum, number) in sums.iter_mut().zip(numbers) {
+            *sum = *sum + number.abs();
+        }
+    }
+}
+
+/// The sum of all lanes.
+pub(super) fn sum<S: Scalar>(numbers: &Lanes<S>) -> S {
+    numbers.iter().fold(S::ZERO, |sum, x| sum + *x)
+}
+
 /// Springs of a row in one direction, each at its tail.
 #[derive(Clone, Debug)]
 pub(super) struct Springs<S> {

@@ -7,12 +7,12 @@
 //!
 //! [`Verlet`]: crate::ode::nodes::method::Verlet
 
-use super::layout::{Grid, WIDTH};
-use super::line::{Corner, LEAD, Lanes, Line, Springs, Vectors, Wide, get, push_beside, set};
-use super::strip::Row;
-use crate::flexible::pressure::{self, PressureForm, Weights};
+use super::layout::WIDTH;
+use super::line::{LEAD, Lanes, Line, Springs, Vectors, Wide, add_sizes, get, larger, push_beside, set, sum};
+use super::span::Span;
+use crate::flexible::pressure::{self, Weights};
 use crate::kernel::Kernel;
-use crate::ode::nodes::{Motion, add_exactly};
+use crate::ode::nodes::add_exactly;
 use crate::real::Scalar;
 use crate::vec3::{self, Vec3};
 
@@ -20,26 +20,10 @@ use crate::vec3::{self, Vec3};
 /// takes them one by one finds which and why.
 #[derive(Debug)]
 pub struct March<'a, 'm, S> {
-    /// The grid: no wider than [`WIDTH`], without dampers, all nodes and springs of the body.
-    pub grid: &'a Grid<'a, S>,
-    /// How a facet's force is shared; not [`PressureForm::Fan`].
-    pub form: PressureForm,
-    /// Gauge pressure (Pa).
-    pub pressure: S,
-    /// Facets that are no cells of the grid.
-    pub beside: &'a [[Corner; 4]],
-    /// Acceleration of gravity (m/s^2).
-    pub gravity: Vec3<S>,
-    /// Length of a step (s), > 0.
-    pub h: S,
-    /// How many steps, at least one.
-    pub steps: usize,
-    /// The motion, forces included.
-    pub motion: &'a mut Motion<'m, S>,
+    /// The steps.
+    pub span: Span<'a, 'm, S>,
     /// [`Line::new`] of each row and of one more.
     pub lines: &'a mut [Line<S>],
-    /// Whether the lines hold the motion at the start, as a march that took its steps leaves them.
-    pub goes_on: bool,
 }
 
 impl<S: Scalar> Kernel for March<'_, '_, S> {
@@ -47,42 +31,28 @@ impl<S: Scalar> Kernel for March<'_, '_, S> {
 
     #[inline(always)]
     fn run(mut self) -> bool {
-        if !self.goes_on {
-            let mut memory = [Row::zero(); 5];
-            for (row, line) in self.lines.iter_mut().enumerate() {
-                line.read(self.grid, row, self.motion, &mut memory);
-            }
-        }
+        self.span.begin(self.lines.iter_mut());
+        let (h, steps) = (self.span.h, self.span.steps);
         // Sums of sizes: bounds of the largest, and no number where one is none.
-        let [mut places, mut speeds, mut ends] = [[S::ZERO; WIDTH]; 3];
+        let [mut places, mut speeds] = [[S::ZERO; WIDTH]; 2];
         for line in &mut *self.lines {
             add_sizes(&line.pos, &mut places);
-            kick_and_drift(self.h, line);
+            kick_and_drift(h, line);
             add_sizes(&line.half, &mut speeds);
         }
         let mut forces = [Forces::zero(), Forces::zero()];
-        for step in 1..=self.steps {
-            self.step(step == self.steps, &mut forces);
-        }
-        for line in &*self.lines {
-            add_sizes(&line.pos, &mut ends);
-            add_sizes(&line.vel, &mut ends);
+        for step in 1..=steps {
+            self.step(step == steps, &mut forces);
         }
         let (mut speed, mut stretch) = (sum(&speeds), S::ZERO);
         for forces in &forces {
             speed = forces.speed.as_flattened().iter().fold(speed, |largest, x| larger(*x, largest));
             stretch = forces.stretch.iter().fold(stretch, |largest, x| larger(*x, largest));
         }
-        // No place is further off than this at any time; what is no number once stays so to the end.
-        let ways = self.h * S::from_f64(1.001 * self.steps as f64) * speed;
-        let taken =
-            stretch <= S::ONE && speed <= S::FAR && sum(&places) + ways <= S::FAR && sum(&ends) <= S::FAR;
-        if taken {
-            for (row, line) in self.lines.iter().enumerate() {
-                line.write(self.grid, row, self.motion);
-            }
-        }
-        taken
+        // No place is further off than this at any time.
+        let ways = h * S::from_f64(1.001 * steps as f64) * speed;
+        let is_near = stretch <= S::ONE && speed <= S::FAR && sum(&places) + ways <= S::FAR;
+        is_near && self.span.end(self.lines.iter())
     }
 }
 
@@ -90,10 +60,11 @@ impl<S: Scalar> March<'_, '_, S> {
     /// From the middle of a step to that of the next, or to its end if it is the last.
     #[inline(always)]
     fn step(&mut self, is_last: bool, [even, odd]: &mut [Forces<S>; 2]) {
-        push_beside(self.beside, self.form, self.pressure, self.lines);
+        let Span { beside, form, pressure, .. } = self.span;
+        push_beside(beside, form, pressure, self.lines);
         odd.begin(even);
         let (mut forces, mut below) = (even, odd);
-        for row in 0..self.grid.rows {
+        for row in 0..self.span.grid.rows {
             self.row(row, is_last, forces, below);
             core::mem::swap(&mut forces, &mut below);
         }
@@ -103,16 +74,16 @@ impl<S: Scalar> March<'_, '_, S> {
     #[inline(always)]
     fn row(&mut self, row: usize, is_last: bool, forces: &mut Forces<S>, below: &Forces<S>) {
         let Some([line, above]) = self.lines.get_mut(row..).and_then(<[_]>::first_chunk_mut) else { return };
-        let weights = Weights::of(self.form, false);
-        pull_and_push(weights, self.pressure, [line, above], forces, below);
+        let Span { form, pressure, gravity, h, .. } = self.span;
+        pull_and_push(Weights::of(form, false), pressure, [line, above], forces, below);
         if is_last && line.has_beside {
-            arrive::<S, true, true>(self.h, self.gravity, line, forces, below);
+            arrive::<S, true, true>(h, gravity, line, forces, below);
         } else if is_last {
-            arrive::<S, true, false>(self.h, self.gravity, line, forces, below);
+            arrive::<S, true, false>(h, gravity, line, forces, below);
         } else if line.has_beside {
-            arrive::<S, false, true>(self.h, self.gravity, line, forces, below);
+            arrive::<S, false, true>(h, gravity, line, forces, below);
         } else if !line.is_still {
-            arrive::<S, false, false>(self.h, self.gravity, line, forces, below);
+            arrive::<S, false, false>(h, gravity, line, forces, below);
         } else {
             forces.speed = below.speed;
         }
@@ -255,13 +226,7 @@ fn arrive<S: Scalar, const LAST: bool, const BESIDE: bool>(
     }
 }
 
-/// The larger of two numbers, in one instruction: of one that is no number it may take the other.
-#[inline(always)]
-pub(super) fn larger<S: Scalar>(a: S, b: S) -> S {
-    if a > b { a } else { b }
-}
-
-/// The same lane by lane.
+/// The larger of two numbers lane by lane.
 #[inline(always)]
 fn larger_of<S: Scalar>(a: &Lanes<S>, b: &Lanes<S>) -> Lanes<S> {
     let mut larger_ones = [S::ZERO; WIDTH];
@@ -269,18 +234,4 @@ fn larger_of<S: Scalar>(a: &Lanes<S>, b: &Lanes<S>) -> Lanes<S> {
         larger_ones[lane] = larger(a[lane], b[lane]);
     }
     larger_ones
-}
-
-/// Adds sizes lane by lane.
-#[inline(always)]
-pub(super) fn add_sizes<S: Scalar, const N: usize>(vectors: &[[S; N]; 3], sums: &mut Lanes<S>) {
-    for numbers in vectors {
-        for (sum, number) in sums.iter_mut().zip(numbers) {
-            *sum = *sum + number.abs();
-        }
-    }
-}
-
-pub(super) fn sum<S: Scalar>(numbers: &Lanes<S>) -> S {
-    numbers.iter().fold(S::ZERO, |sum, x| sum + *x)
 }

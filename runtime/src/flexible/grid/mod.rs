@@ -2,9 +2,8 @@
 //!
 //! In: where the nodes of a grid stand in the lists of a body ([`Grid`]), positions. Out: the sums of forces that the lists
 //! give, number for number: a node's terms are added in their order, left, right, below, above, then its four cells;
-//! [`weave`] has the forces of positions, [`damp`] those of speeds, [`mean`] the means over a step, [`march`] whole steps by Verlet's method,
-//! [`conserve`] by the energy-momentum method. Rows are computed side
-//! by side; a row wider than [`WIDTH`] goes in strips, whose borders are computed twice. Where there is no spring or cell
+//! [`weave`] has the forces of positions, [`damp`] those of speeds, [`mean`] the means over a step; [`march`] takes the steps
+//! of a [`span`] by Verlet's method, [`conserve`] by the energy-momentum method. Rows are computed side by side; a row wider than [`WIDTH`] goes in strips, whose borders are computed twice. Where there is no spring or cell
 //! its force is 0.
 
 pub mod conserve;
@@ -14,6 +13,7 @@ pub mod layout;
 pub mod line;
 pub mod march;
 pub mod mean;
+pub mod span;
 mod strip;
 pub mod weave;
 
@@ -24,4 +24,5 @@ pub use layout::{Family, Grid, Run, WIDTH, beside, pitch};
 pub use line::{Corner, Line};
 pub use march::March;
 pub use mean::Mean;
+pub use span::Span;
 pub use weave::Weave;
