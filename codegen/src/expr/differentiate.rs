@@ -161,8 +161,14 @@ impl Dag {
     /// The symbols that `expr` depends on, ascending.
     #[must_use]
     pub fn symbols_of(&self, expr: ExprId) -> Vec<SymbolId> {
+        self.symbols_of_all(&[expr])
+    }
+
+    /// The symbols that some of `roots` depend on, ascending.
+    #[must_use]
+    pub fn symbols_of_all(&self, roots: &[ExprId]) -> Vec<SymbolId> {
         let mut symbols: Vec<_> =
-            self.reachable(&[expr]).into_iter().filter_map(|id| self.as_symbol(id)).collect();
+            self.reachable(roots).into_iter().filter_map(|id| self.as_symbol(id)).collect();
         symbols.sort_by_key(|s| s.index());
         symbols
     }

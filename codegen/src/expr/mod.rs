@@ -68,8 +68,11 @@ impl Dag {
     #[inline]
     pub fn add(&mut self, a: ExprId, b: ExprId) -> ExprId {
         // Half of all sums and products have a 0 among their operands: components along an axis.
-        if self.is_zero(a) || self.is_zero(b) {
-            return if self.is_zero(a) { b } else { a };
+        if self.is_zero(a) {
+            return b;
+        }
+        if self.is_zero(b) {
+            return a;
         }
         self.binary(Binary::Add, a, b)
     }
@@ -82,8 +85,11 @@ impl Dag {
     /// a b.
     #[inline]
     pub fn mul(&mut self, a: ExprId, b: ExprId) -> ExprId {
-        if self.is_zero(a) || self.is_zero(b) {
-            return if self.is_zero(a) { a } else { b };
+        if self.is_zero(a) {
+            return a;
+        }
+        if self.is_zero(b) {
+            return b;
         }
         self.binary(Binary::Mul, a, b)
     }

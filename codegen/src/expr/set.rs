@@ -49,14 +49,12 @@ impl NodeSet {
     pub fn count_without(&self, other: &Self) -> usize {
         let theirs = other.0.iter().copied().chain(std::iter::repeat(0));
         let words = self.0.iter().zip(theirs).map(|(mine, theirs)| mine & !theirs);
-        // Most words are empty; skipping them is faster than counting their bits.
-        words.filter(|word| *word != 0).map(|word| word.count_ones() as usize).sum()
+        count(words)
     }
 
     /// The number of nodes.
     pub fn len(&self) -> usize {
-        // Most words are empty.
-        self.0.iter().filter(|word| **word != 0).map(|word| word.count_ones() as usize).sum()
+        count(self.0.iter().copied())
     }
 
     /// The nodes, ascending, as a list.
@@ -98,6 +96,12 @@ impl NodeSet {
             }
         }
     }
+}
+
+/// The number of nodes in some words.
+fn count(words: impl Iterator<Item = u64>) -> usize {
+    // Most words are empty; skipping them is faster than counting their bits.
+    words.filter(|word| *word != 0).map(|word| word.count_ones() as usize).sum()
 }
 
 #[cfg(test)]

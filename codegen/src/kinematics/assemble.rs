@@ -219,12 +219,10 @@ impl Assembly {
     pub fn correct(&mut self, q: &mut [f64]) -> Result<(), Unreachable> {
         let mut best = (f64::INFINITY, 0);
         for _ in 0..MAX_CORRECTIONS {
-            let mut equations = std::mem::take(&mut self.equations);
-            self.linearise(q, &mut equations);
-            best = if equations.absolute.0 < best.0 { equations.absolute } else { best };
-            let scaled = equations.largest();
-            let size = self.take_step(q, &mut equations);
-            self.equations = equations;
+            self.linearise(q);
+            best = if self.equations.absolute.0 < best.0 { self.equations.absolute } else { best };
+            let scaled = self.equations.largest();
+            let size = self.take_step(q);
             if scaled < SATISFIED && size < SATISFIED.sqrt() {
                 return Ok(());
             }
@@ -238,8 +236,8 @@ impl Assembly {
     /// Corrects `q` by the solution of the linearised equations; returns the size of the correction, NaN if it is not
     /// finite. Applied even in the last iteration: convergence is quadratic, so it brings the error far below the
     /// tolerance.
-    fn take_step(&mut self, q: &mut [f64], equations: &mut Linearised) -> f64 {
-        let (residual, jacobian) = equations.values.split_at_mut(equations.equations);
+    fn take_step(&mut self, q: &mut [f64]) -> f64 {
+        let (residual, jacobian) = self.equations.values.split_at_mut(self.equations.equations);
         residual.iter_mut().for_each(|r| *r = -*r);
         let correction = self.solver.basic(jacobian, residual, self.dependent.len());
         let mut size = 0.0_f64;
@@ -253,13 +251,13 @@ impl Assembly {
 
     /// The equations, and their derivatives with respect to the dependent coordinates.
     fn linearised(&mut self, q: &[f64]) -> Linearised {
-        let mut equations = Linearised::default();
-        self.linearise(q, &mut equations);
-        equations
+        self.linearise(q);
+        std::mem::take(&mut self.equations)
     }
 
-    /// [`Self::linearised`] in memory that is there already.
-    fn linearise(&mut self, q: &[f64], equations: &mut Linearised) {
+    /// [`Self::linearised`] in the working memory.
+    fn linearise(&mut self, q: &[f64]) {
+        let equations = &mut self.equations;
         let (m, n) = (self.scales.len(), self.dependent.len());
         equations.equations = m;
         equations.values.resize(m + m * n, 0.0);

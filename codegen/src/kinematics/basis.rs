@@ -3,6 +3,7 @@
 //! Gram-Schmidt at all samples at once: a vector is a list of columns with one value per sample, so that structural
 //! zeros cost nothing and the inner loops vectorise.
 
+use super::linear;
 use super::quantities::Row;
 use super::unknowns::UnknownId;
 use crate::expr::tape::SampleTable;
@@ -63,14 +64,8 @@ pub(super) fn longest_entry(dag: &Dag, rows: &[Row], table: &mut SampleTable) ->
 
 /// The largest absolute value; what is not a number counts as 0.
 fn longest(values: &[f64]) -> f64 {
-    // Several side by side, each by a comparison, which is one instruction where `f64::max` is six.
-    let larger = |most: f64, x: f64| if x.abs() > most { x.abs() } else { most };
-    let (blocks, rest) = values.as_chunks::<4>();
-    let mut most = [0.0_f64; 4];
-    for block in blocks {
-        most.iter_mut().zip(block).for_each(|(most, &x)| *most = larger(*most, x));
-    }
-    most.iter().chain(rest).fold(0.0, |most, &x| larger(most, x))
+    let (blocks, rest) = values.as_chunks();
+    rest.iter().fold(linear::largest(blocks), |most, &x| linear::larger(most, x))
 }
 
 /// sums + x y, sample by sample. Functions of their own, in which the lists are known not to overlap, so that several

@@ -24,7 +24,7 @@ pub fn solve_to(a: &[f64], b: &mut [f64], columns: usize, zero: f64) -> (Vec<f64
 }
 
 /// Some entries of a row.
-type Block = [f64; LANES];
+pub(super) type Block = [f64; LANES];
 
 /// Working memory for many systems one after the other.
 #[derive(Clone, Debug, Default)]
@@ -147,15 +147,15 @@ fn subtract(row: &mut [Block], factor: f64, other: &[Block]) -> f64 {
     most.into_iter().fold(0.0, larger)
 }
 
-/// The larger size. The comparison is one instruction, where `f64::max` is six.
+/// The larger size; what is not a number counts as 0. The comparison is one instruction, where `f64::max` is six.
 #[inline(always)]
-fn larger(most: f64, x: f64) -> f64 {
+pub(super) fn larger(most: f64, x: f64) -> f64 {
     if x.abs() > most { x.abs() } else { most }
 }
 
-/// The size of the largest entry.
+/// The size of the largest entry, several side by side.
 #[inline(always)]
-fn largest(row: &[Block]) -> f64 {
+pub(super) fn largest(row: &[Block]) -> f64 {
     let mut most = [0.0; LANES];
     for block in row {
         for (most, x) in most.iter_mut().zip(block) {

@@ -103,12 +103,7 @@ impl Term {
 
 /// The terms of a sum, if there are at least three and not too many, and the existing partial sums except the total.
 fn taken_apart(dag: &Dag, sum: ExprId, inner: &[bool]) -> Option<(Vec<Term>, Vec<ExprId>)> {
-    let is_inner = |mut operand: ExprId| {
-        while let Node::Negate(a) = dag.node(operand) {
-            operand = a;
-        }
-        inner[operand.index()]
-    };
+    let is_inner = |operand: ExprId| inner[dag.unsigned(operand).index()];
     if !has_terms(dag, sum) || !dag.operands(sum).into_iter().flatten().any(is_inner) {
         return None;
     }

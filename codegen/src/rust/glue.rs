@@ -217,7 +217,7 @@ fn satisfied(program: &Program, scalar: &ScalarType) -> Option<String> {
 /// Do projection or energy depend on time?
 fn keeps_time(program: &Program) -> bool {
     let roots = ["projection", "energy", "speed_projection"].map(|answer| program.roots_of(answer)).concat();
-    program.dag.reachable(&roots).into_iter().any(|id| program.dag.as_symbol(id) == Some(program.time))
+    program.dag.symbols_of_all(&roots).contains(&program.time)
 }
 
 /// The name of the struct that implements `Mechanism` in the emitted file.

@@ -6,7 +6,7 @@
 use super::double_double::{self, Double2};
 use super::states::States;
 use crate::expr::tape::Tape;
-use crate::expr::{Dag, ExprId, SymbolId};
+use crate::expr::{Dag, ExprId};
 
 /// Limits of a new program's error relative to the original's: for the median over the states,
 const MEDIAN_WORSE: f64 = 1.5;
@@ -43,8 +43,7 @@ impl<'s> Check<'s> {
     fn errors(&self, dag: &Dag, groups: &[Vec<ExprId>]) -> Vec<Vec<f64>> {
         let roots = groups.concat();
         let mut errors = vec![Vec::with_capacity(self.states.points); groups.len()];
-        let symbols: Vec<SymbolId> =
-            dag.reachable(&roots).into_iter().filter_map(|id| dag.as_symbol(id)).collect();
+        let symbols = dag.symbols_of_all(&roots);
         let mut tape = Tape::<f64>::new(dag, &roots, &symbols);
         let mut values = vec![0.0; roots.len()];
         for (point, exact) in self.exact.iter().enumerate() {

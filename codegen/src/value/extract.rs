@@ -249,29 +249,22 @@ impl<'g> Extraction<'g> {
     /// Gives positions to classes that came into use with the definition of `class`, and new ones to its operands that
     /// stand after it; false if the whole order must be sorted instead.
     fn place(&mut self, class: ClassId) -> bool {
-        let mut stack = std::mem::take(&mut self.path);
-        stack.clear();
-        let placed = self.place_by(class, &mut stack);
-        self.path = stack;
-        placed
-    }
-
-    fn place_by(&mut self, class: ClassId, stack: &mut Vec<ClassId>) -> bool {
         let limit = self.position[class.index()];
-        stack.extend(self.graph.classes[class].current.reads());
-        while let Some(&c) = stack.last() {
+        self.path.clear();
+        self.path.extend(self.graph.classes[class].current.reads());
+        while let Some(&c) = self.path.last() {
             let i = c.index();
             if self.position[i] < limit {
-                stack.pop();
+                self.path.pop();
                 continue;
             }
             if self.position[i] != NOWHERE && self.keeps_depths {
                 return false;
             }
             let definition = self.graph.classes[c].current;
-            let waiting = stack.len();
-            stack.extend(definition.reads().filter(|r| self.position[r.index()] >= limit));
-            if stack.len() > waiting {
+            let waiting = self.path.len();
+            self.path.extend(definition.reads().filter(|r| self.position[r.index()] >= limit));
+            if self.path.len() > waiting {
                 continue;
             }
             let below = definition.reads().map(|r| self.position[r.index()]).max().unwrap_or(0);

@@ -80,19 +80,18 @@ impl<'p> Body<'p> {
     }
 
     pub(super) fn count_uses(&mut self, steps: &[Step], results: &[ExprId]) {
-        let mut add = |id: ExprId, n: u8| self.uses[id.index()] = self.uses[id.index()].saturating_add(n);
+        let mut uses = std::mem::take(&mut self.uses);
+        let mut add = |id: ExprId, n: u8| uses[id.index()] = uses[id.index()].saturating_add(n);
         for step in steps {
             step.reads.iter().for_each(|&read| add(read, 1));
-        }
-        results.iter().for_each(|&result| add(result, 2));
-        for step in steps {
             if let [Some(a), Some(b)] = self.operands(step.makes[0]).map(|a| a.map(|a| self.value(a)))
                 && a == b
             {
-                // x x reads x twice.
-                self.uses[a.index()] = self.uses[a.index()].saturating_add(1);
+                add(a, 1); // x x reads x twice
             }
         }
+        results.iter().for_each(|&result| add(result, 2));
+        self.uses = uses;
     }
 
     /// Decides which steps get a statement of their own. A step that could be written inside its only user is held
