@@ -3,6 +3,7 @@
 mod accounts;
 mod aims;
 mod air;
+mod bounces;
 mod carried;
 mod conserving;
 mod costs;

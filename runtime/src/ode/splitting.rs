@@ -135,15 +135,21 @@ impl<'a, S: Scalar, O: Ode<S>> Flow<'a, S, O> {
         // Changes made by the last two iterations: errors pass between coordinates and speeds, so that only every
         // second change is smaller.
         let mut before = [S::ONE / S::ZERO; 2];
+        // Share of each change that is made. Friction turns against a slip by more than the slip has turned where
+        // little slip is left: an iteration that gains nothing then makes half the changes.
+        let mut share = S::ONE;
         for _ in 0..ITERATIONS {
             self.evaluate(moving, t)?;
-            let (step, size) = self.improve(h, range.clone())?;
+            let (step, size) = self.improve((h, share), range.clone())?;
             let settled = step <= S::from_f64(SETTLED) * S::EPSILON * size;
             // Below the root of the rounding unit, a change that no longer shrinks is rounding noise.
             let is_rounding = step >= before[0] && step <= S::EPSILON.sqrt() * size;
             if is_exact || settled || is_rounding {
                 self.advance();
                 return Ok(());
+            }
+            if step >= before[0] {
+                share = S::from_f64(0.5) * share;
             }
             before = [before[1], step];
         }
@@ -164,8 +170,8 @@ impl<'a, S: Scalar, O: Ode<S>> Flow<'a, S, O> {
         accept(pivot, &mut self.pivot)
     }
 
-    /// Sets d = h f; returns the largest change of d and the size of the state.
-    fn improve(&mut self, h: S, range: core::ops::Range<usize>) -> Result<(S, S), Fault> {
+    /// Moves d by a share of the way to h f; returns the largest entry of that way and the size of the state.
+    fn improve(&mut self, (h, share): (S, S), range: core::ops::Range<usize>) -> Result<(S, S), Fault> {
         let (mut step, mut size) = (S::ZERO, S::ZERO);
         let rows = self.change.iter_mut().zip(&*self.rates).zip(&*self.trial.x);
         for ((change, rate), x) in rows.take(range.end).skip(range.start) {
@@ -173,9 +179,10 @@ impl<'a, S: Scalar, O: Ode<S>> Flow<'a, S, O> {
             if !next.is_finite() {
                 return Err(Fault::NonFinite);
             }
-            step = step.max((next - *change).abs());
+            let way = next - *change;
+            step = step.max(way.abs());
             size = size.max(x.abs()).max(next.abs());
-            *change = next;
+            *change = if share < S::ONE { *change + share * way } else { next };
         }
         Ok((step, size))
     }

@@ -22,7 +22,7 @@ const SLOW: f64 = 0.1;
 impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
     /// Stops contacts whose slip has reversed slowly: towards the end of a slip its direction is known less and less,
     /// and the rest of it is the method's error.
-    fn stop(&mut self, t: S, way: &mut PartialStep<S>) -> Result<(), Fault> {
+    pub(super) fn stop(&mut self, t: S, way: &mut PartialStep<S>) -> Result<(), Fault> {
         let touches = way.memory.touches[0].get(..way.known).unwrap_or_default();
         let list = way.pressing.get_mut(..way.held).unwrap_or_default();
         let mut stopped = 0;
@@ -50,13 +50,12 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
 
     /// Selects the contacts that push from here on, and whether each sticks or slides.
     pub(super) fn hold_at_start(&mut self, t: S, way: &mut PartialStep<S>) -> Result<(), Fault> {
-        self.stop(t, way)?;
         let (rate, deepest) = (way.rounding.rate, -S::from_f64(OVERLAP) * way.rounding.gap);
         let overlaps = |touch: &Touch<S>| touch.gap < deepest;
         *way.overlaps &= way.touches().iter().any(overlaps);
         way.held = 0;
-        for touch in way.memory.touches[0].iter().take(way.known).filter(|touch| touch.start[0].abs() <= rate)
-        {
+        let rests = |touch: &&Touch<S>| touch.start[0].abs() <= way.rounding.still;
+        for touch in way.memory.touches[0].iter().take(way.known).filter(rests) {
             let own = way.pressing.get_mut(way.held).ok_or(Fault::TooManyContacts)?;
             let kept = if *way.overlaps && overlaps(touch) { touch.gap } else { S::ZERO };
             *own = Pressing { pair: touch.pair, id: touch.id, kept, ..Pressing::empty() };
@@ -84,6 +83,8 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         let StepMemory { twists: [gained, ..], inertias, .. } = &mut *way.memory;
         gained.fill(Twist::zero());
         let list = way.pressing.get_mut(..way.held).unwrap_or_default();
+        // The foot of a deep overlap may be another one than was detected: keep the gap that projections will measure.
+        list.iter_mut().filter(|own| own.kept < S::ZERO).for_each(|own| own.kept = own.gap.min(S::ZERO));
         hold(list, &*inertias, gained).map_err(|unheld| match unheld {
             Unheld::Jammed => Fault::Jammed,
             Unheld::Unbalanced => Fault::Unbalanced,

@@ -8,7 +8,8 @@
 //! shorten     to the first new touch, to where a normal force would pull, slip stops, or sticking ends
 //! ```
 //! Repeated until h is used up. A step is split at most [`SPLITS`] times; the rest is stepped without locating events,
-//! as in `step`, and the report says so: use that step for many contacts. Gaps and speeds that count as zero follow
+//! as in `step`, and the report says so: use that step for many contacts. The same where an implicit method's iteration
+//! does not converge, because friction turns round however short the piece. Gaps and speeds that count as zero follow
 //! from the sizes and speeds present.
 
 mod hold;
@@ -61,7 +62,7 @@ pub struct LocatedReport<S> {
     pub pieces: usize,
     /// Contacts that push at the end.
     pub pressing: usize,
-    /// Whether splits were used up: the rest of the step then went without location, with e = 0.
+    /// Whether splits were used up, or an implicit method did not converge: the rest of the step then went without location, with e = 0.
     pub forced: bool,
     /// Whether every impact converged to rounding; the rest of one that did not ended as with e = 0.
     pub settled: bool,
@@ -78,6 +79,8 @@ struct Rounding<S> {
     drift: S,
     /// Speed (m/s).
     rate: S,
+    /// Normal speed of a lasting contact (m/s): the same, or more where contacts have just come to rest.
+    still: S,
 }
 
 /// Parts of a step beside its equations: the state so far, the trial state, the method's memory.
@@ -136,7 +139,7 @@ impl<'m, S: Scalar> LocatedMemory<'m, S> {
             known: 0,
             held: 0,
             span: S::from_f64(SPAN) * h,
-            rounding: Rounding { gap: S::ZERO, drift: S::ZERO, rate: S::ZERO },
+            rounding: Rounding { gap: S::ZERO, drift: S::ZERO, rate: S::ZERO, still: S::ZERO },
         })
     }
 }
@@ -158,6 +161,12 @@ impl<'m, S: Scalar> PartialStep<'_, 'm, S> {
             t: S::ZERO,
         };
         (pressed, Sight { now: [from, from_low], trial: [x, low], room: self.room })
+    }
+
+    /// Does a contact that pushes slide against friction?
+    fn rubs(&self) -> bool {
+        let list = self.pressing.get(..self.held).unwrap_or_default();
+        list.iter().any(|own| own.slip.is_some() && own.held.contact.friction > S::ZERO)
     }
 
     /// The contacts at the start of the piece.
@@ -194,15 +203,22 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
             accounts: Accounts::empty(),
         };
         let way = &mut memory.way(h, state)?;
-        let mut left = h;
+        let (mut left, mut length) = (h, S::ZERO);
         for _ in 0..SPLITS {
             let start = t + (h - left);
             self.measure(start, way)?;
-            self.strike(kinds, start, way, &mut report, |touches, struck, ends| {
+            let struck = self.strike(kinds, (start, length), way, &mut report, |touches, struck, ends| {
                 watch.strike(&Strike { time: h - left, touches, struck, ends });
             })?;
+            // An impact changes slips at once: none of them has come to rest slowly.
+            if !struck {
+                self.stop(start, way)?;
+            }
             self.hold_at_start(start, way)?;
-            let length = self.shorten(method, (start, left), way)?;
+            length = match self.shorten(method, (start, left), way) {
+                Err(Fault::Unsettled) if way.rubs() => break,
+                done => done?,
+            };
             report.accounts = report.accounts.plus(&self.works((start, length), way, watch)?);
             for (now, trial) in way.now.iter_mut().zip(&way.trial) {
                 now.iter_mut().zip(trial.iter()).for_each(|(to, from)| *to = *from);
@@ -244,10 +260,12 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         // The speed whose bounce is as high as the rounding of lengths. For gaps epsilon^(2/3), between the rounding
         // unit and 1.
         let lowest = S::from_f64(4.0) * (S::EPSILON * S::from_f64(USUAL) * size).sqrt();
+        let rate = lowest + S::from_f64(64.0) * S::EPSILON * speed;
         way.rounding = Rounding {
             gap: (S::from_f64(2.0 / 3.0) * S::EPSILON.ln()).exp() * size,
             drift: S::from_f64(DRIFT) * size,
-            rate: lowest + S::from_f64(64.0) * S::EPSILON * speed,
+            rate,
+            still: rate,
         };
         Ok(())
     }

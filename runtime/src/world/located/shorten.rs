@@ -27,6 +27,20 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         method.step(&mut pressed, t, length, &mut State::resume(x, low)?, room).map(|_| ())
     }
 
+    /// Advances over all the time left, or over a half, a quarter, ... of it where an implicit method finds no end of the
+    /// step because friction turns round within it; returns how far.
+    fn halve(&mut self, method: Method, (t, left): (S, S), way: &mut PartialStep<S>) -> Result<S, Fault> {
+        let mut length = left;
+        loop {
+            match self.advance(method, (t, length), way) {
+                Err(Fault::Unsettled) if way.rubs() && length > S::EPSILON * left => {
+                    length = S::from_f64(0.5) * length;
+                }
+                done => return done.map(|()| length),
+            }
+        }
+    }
+
     /// Advances over all the time left, or to the first event; returns how far.
     pub(super) fn shorten(
         &mut self,
@@ -34,7 +48,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         (t, left): (S, S),
         way: &mut PartialStep<S>,
     ) -> Result<S, Fault> {
-        self.advance(method, (t, left), way)?;
+        let left = self.halve(method, (t, left), way)?;
         if self.clearance(t + left, way)? >= S::ZERO {
             return Ok(left);
         }
@@ -46,8 +60,10 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
             }
             let gone = self.advance(method, (t, length), way).and_then(|()| self.clearance(t + length, way));
             gone.unwrap_or_else(|why| {
-                fault = Some(why);
-                S::ZERO
+                // No end of the step: beyond the event.
+                let unsettled = why == Fault::Unsettled && way.rubs();
+                fault = fault.or((!unsettled).then_some(why));
+                if unsettled { -S::ONE } else { S::ZERO }
             })
         };
         let found = locate(guard, S::ZERO, left, S::from_f64(4.0) * S::EPSILON * left);
@@ -55,9 +71,13 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
             return Err(why);
         }
         // Stop behind the event: a new contact then touches within rounding, one that pulls has let go.
-        let length = found.map_or(left, |(_, beyond)| beyond);
-        self.advance(method, (t, length), way)?;
-        Ok(length)
+        let (before, length) = found.unwrap_or((left, left));
+        match self.advance(method, (t, length), way) {
+            Err(Fault::Unsettled) if way.rubs() && before > S::ZERO => {
+                self.advance(method, (t, before), way).map(|()| before)
+            }
+            done => done.map(|()| length),
+        }
     }
 
     /// Clearance of the trial state to the first event, negative beyond it: the least over all contacts, each in units

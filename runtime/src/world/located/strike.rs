@@ -14,19 +14,43 @@ use crate::world::observer::Ends;
 use crate::world::pressed::Pressed;
 use crate::world::whole::{StepMemory, World};
 
+/// Height of a bounce times 1 - e, in gaps that count as zero, below which a contact comes to rest. A contact is found
+/// again one such gap deeper than it was left, which alone keeps a bounce of half this height alive for ever.
+const LAST_BOUNCE: f64 = 1.0;
+
 impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
-    /// Resolves the impact of all contacts, if any of them closes.
+    /// Resolves the impact of all contacts, if any of them closes; returns whether one did. `length`: of the piece of
+    /// the step before, 0 if this is the first.
     pub(super) fn strike(
         &mut self,
         kinds: &[Kind],
-        t: S,
+        (t, length): (S, S),
         way: &mut PartialStep<S>,
         report: &mut LocatedReport<S>,
         show: impl FnOnce(&[Touch<S>], &[Struck<S>], Ends<'_, S>),
-    ) -> Result<(), Fault> {
+    ) -> Result<bool, Fault> {
+        let before = way.known;
+        way.memory.touches.swap(0, 1);
         self.find_touches(t, way)?;
-        if !way.touches().iter().any(|touch| touch.start[0] < -way.rounding.rate) {
-            return Ok(());
+        let closes = |touch: &Touch<S>| touch.start[0] < -way.rounding.rate;
+        if !way.touches().iter().any(closes) {
+            return Ok(false);
+        }
+        let [touches, before] = [(0, way.known), (1, before)].map(|(list, known)| {
+            let list = &way.memory.touches[list];
+            list.get(..known).unwrap_or_default()
+        });
+        let bounces = |touch: &Touch<S>| {
+            // A bounce of this speed at both ends is as high as a quarter of speed times duration.
+            let height = -(S::from_f64(0.25) * length * touch.start[0]);
+            let limit = S::from_f64(LAST_BOUNCE) * way.rounding.gap;
+            let again = before.iter().any(|own| own.pair == touch.pair && own.id == touch.id);
+            !again || (S::ONE - touch.contact.restitution) * height > limit
+        };
+        if !touches.iter().any(|touch| closes(touch) && bounces(touch)) {
+            // One contact that comes to rest lifts others that were at rest by less than it fell: they rest too.
+            way.rounding.still = touches.iter().fold(S::ZERO, |most, touch| most.max(-touch.start[0]));
+            way.memory.touches[0].iter_mut().for_each(|touch| touch.contact.restitution = S::ZERO);
         }
         let before = self.island.energy(t, way.now[0])?.total();
         let StepMemory { twists: [one, twists, other], inertias, touches: [touches, _], .. } =
@@ -69,6 +93,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         report.impacts += 1;
         report.accounts.drive = report.accounts.drive + given;
         report.accounts.impact = report.accounts.impact + (before + given - after);
-        self.find_touches(t, way)
+        self.find_touches(t, way)?;
+        Ok(true)
     }
 }

@@ -1,0 +1,101 @@
+//! Worlds that are not rigid alone, with touches located: bounces die out, implicit methods rub, impacts are booked.
+
+use super::rigid::G;
+use super::support::{json, number, scene};
+
+/// An undamped cube far away, so that rigid parts are stepped as parts of any world are.
+const ELSEWHERE: &str =
+    "[parts.cube]\nshape = \"cube\"\nside = 0.1\nmass = 0.1\nK = 100\nstart = { position = [3, 3, 3] }\n";
+
+fn ball(restitution: f64) -> String {
+    format!(
+        "format = 2\n[parts.ground]\nrigid = \"half_space\"\n[parts.ball]\nrigid = \"sphere\"\nradius = 0.1\nmass = 1\n\
+         start = {{ height = 0.1 }}\n{ELSEWHERE}[[contacts]]\nbetween = [\"ball\", \"ground\"]\nimpact = \"stronge\"\n\
+         restitution = {restitution}\n[run]\nseconds = 4\nevery = 100\n"
+    )
+}
+
+#[test]
+fn a_ball_beside_a_flexible_part_comes_to_rest() {
+    for (e, most) in [(0.3, 20), (0.5, 30), (0.8, 90)] {
+        let done = json(&[&scene(&format!("rests{e}"), &ball(e))]);
+        let last = |what: &str| number(&done["last"][what]);
+        let events = done["events"].as_array().expect("events");
+        assert!(events.len() < most, "e = {e}: {} events", events.len());
+        assert!((last("ball.z") - 0.1).abs() < 1e-9, "e = {e}: {}", last("ball.z"));
+        assert!((last("ball-ground.normal") - G).abs() < 1e-9, "e = {e}: {}", last("ball-ground.normal"));
+        // The series of all flights: t1 (1 + e)/(1 - e).
+        let rest = (0.2 / G).sqrt() * (1.0 + e) / (1.0 - e);
+        let stops = number(&events.last().expect("an event")["time"]);
+        assert!((stops - rest).abs() < 1e-3, "e = {e}: {stops} against {rest}");
+        assert!(number(&done["imbalance"]).abs() < 1e-8, "e = {e}: {}", done["imbalance"]);
+        assert_eq!(done["warnings"].as_array().map(Vec::len), Some(0), "e = {e}: {}", done["warnings"]);
+    }
+}
+
+/// Two damped cubes that bounce on one another: 69,000 events and no end of them before bounces died out.
+#[test]
+fn cubes_that_bounce_on_one_another_come_to_an_end() {
+    let cube = |name: &str, side: f64, start: &str| {
+        format!(
+            "[parts.{name}]\nshape = \"cube\"\nside = {side}\nmass = 0.05\nK = 800\nC = 0.3\nstart = {start}\n"
+        )
+    };
+    let pair = |one: &str, other: &str| {
+        format!(
+            "[[contacts]]\nbetween = [\"{one}\", \"{other}\"]\nimpact = \"stronge\"\nrestitution = 0.4\nfriction = 0.3\n"
+        )
+    };
+    let text = format!(
+        "format = 2\n[parts.g]\nrigid = \"half_space\"\n{}{}{}{}[run]\nseconds = 0.3\nstep = 5e-4\nevery = 10\n",
+        cube("a", 0.2, "{ height = 0.05, tilt = 0.1 }"),
+        cube("b", 0.18, "{ position = [0.01, 0.012, 0], height = 0.32 }"),
+        pair("a", "g"),
+        pair("b", "a"),
+    );
+    let done = json(&[&scene("bouncing_cubes", &text)]);
+    let events = done["events"].as_array().map_or(0, Vec::len);
+    assert!(events > 10 && events < 2000, "{events} events");
+}
+
+/// A cube of springs that is thrown over the ground: its corners slide, turn round and stick.
+fn thrown(method: &str, friction: f64, step: f64) -> (f64, f64) {
+    let text = format!(
+        "format = 2\n[parts.ground]\nrigid = \"half_space\"\n[parts.cube]\nshape = \"cube\"\nside = 0.2\nmass = 0.05\nK = 800\nC = 0.3\n\
+         start = {{ height = 0.05, tilt = 0.3, velocity = [1, 0, 0] }}\n[[contacts]]\nbetween = [\"cube\", \"ground\"]\n\
+         impact = \"stronge\"\nfriction = {friction}\n[run]\nseconds = 0.6\nstep = {step}\nmethod = \"{method}\"\nevery = 100\n"
+    );
+    let done = json(&[&scene(&format!("thrown_{method}_{friction}"), &text)]);
+    let mean = (0..8).map(|node| number(&done["last"][format!("cube.x{node}")])).sum::<f64>() / 8.0;
+    (mean, number(&done["imbalance"]))
+}
+
+#[test]
+fn implicit_methods_slide_and_stick_as_others_do() {
+    for friction in [0.3, 0.6] {
+        let (expected, _) = thrown("rk4", friction, 2e-5);
+        for (method, near) in [("verlet", 1e-3), ("implicit_midpoint", 2e-3), ("blanes_moan4", 2e-4)] {
+            let (x, imbalance) = thrown(method, friction, 5e-4);
+            println!("mu {friction}, {method}: {x} against {expected}, ledger {imbalance:e}");
+            assert!((x - expected).abs() < near, "mu {friction}, {method}: {x} against {expected}");
+            assert!(imbalance.abs() < 1e-3, "mu {friction}, {method}: {imbalance:e}");
+        }
+    }
+}
+
+/// A box lands on one edge, then on the other: what the second impact takes is booked, and it leaves nothing to strike.
+#[test]
+fn a_box_that_slaps_down_books_its_second_impact() {
+    let text = format!(
+        "format = 2\n[parts.g]\nrigid = \"half_space\"\n[parts.b]\nrigid = \"box\"\nsize = [0.2, 0.2, 0.1]\nmass = 1\n\
+         start = {{ height = 0.1, axis = [0, 1, 0], angle = 0.3 }}\n{ELSEWHERE}[[contacts]]\nbetween = [\"b\", \"g\"]\n\
+         impact = \"plastic\"\nfriction = 0.3\n[run]\nseconds = 0.3\nstep = 1e-4\nevery = 100\n"
+    );
+    let done = json(&[&scene("slap", &text)]);
+    assert_eq!(done["events"].as_array().map(Vec::len), Some(2), "{}", done["events"]);
+    assert!(number(&done["imbalance"]).abs() < 1e-9, "{}", done["imbalance"]);
+    // As the step of rigid bodies alone has it.
+    let alone = json(&[&scene("slap_alone", &text.replace(ELSEWHERE, ""))]);
+    let off = number(&done["last"]["b.x"]) - number(&alone["last"]["b.x"]);
+    assert!(off.abs() < 1e-7, "{off:e}");
+}
