@@ -50,18 +50,10 @@ struct Free {
     pivot: ExprId,
 }
 
-/// A place in a node's triad where other nodes hang, and the speeds by which it slides there.
+/// A place in a node's triad where other nodes hang.
 struct Place {
     parent: usize,
     offset: Components,
-    slides: BTreeMap<UnknownId, Components>,
-}
-
-/// The released speeds: by node those of its rotation, in its triad; by place those of its translation, in the
-/// parent's.
-struct Freed {
-    turning: Vec<Vec<Free>>,
-    sliding: Vec<Vec<Free>>,
 }
 
 /// A speed with its acceleration and the pivot.
@@ -93,7 +85,7 @@ pub(super) fn derive(
     if !independent || bodies.is_empty() || bodies.iter().any(|m| !m.body.weight) {
         return None;
     }
-    let forest = tree::build(alg, model, k, &bodies, tree::Balls::Joints);
+    let forest = tree::build(alg, model, k, &bodies, tree::Joints::All);
     let roots: Vec<usize> = forest.roots().into_keys().collect();
     let moving =
         roots.iter().filter(|&&root| !derivative_of(alg, k, &forest.nodes[root].origin).partials.is_empty());
@@ -148,12 +140,11 @@ impl Tree {
         let (states, moves) = tree_motion::motions(alg, k, &Given::default(), &nodes, root, &base.state);
         let (mut places, mut place_of): (Vec<Place>, _) = (Vec::new(), vec![None; nodes.len()]);
         for (i, node) in nodes.iter().enumerate() {
-            let (Some(joint), Some(motion)) = (&node.joint, &moves[i]) else { continue };
+            let (Some(joint), Some(_)) = (&node.joint, &moves[i]) else { continue };
             let same = places.iter().position(|p| p.parent == joint.parent && p.offset == joint.offset);
             place_of[i] = Some(same.unwrap_or(places.len()));
             if same.is_none() {
-                let slides = slides(&mut alg.dag, motion);
-                places.push(Place { parent: joint.parent, offset: joint.offset, slides });
+                places.push(Place { parent: joint.parent, offset: joint.offset });
             }
         }
         let one = alg.dag.one();
@@ -163,9 +154,10 @@ impl Tree {
         }
         let turning = moves.iter().flatten().flat_map(|motion| motion.turn.partials.keys());
         let turning = turning.chain(balls.by_ref().flat_map(|rate| rate.partials.keys()));
-        let sliding = places.iter().flat_map(|place| place.slides.keys());
+        let sliding = moves.iter().flatten().flat_map(|motion| slides(&mut alg.dag, motion).into_keys());
+        let sliding: Vec<UnknownId> = sliding.collect();
         let mut speeds: Vec<UnknownId> =
-            base.twists.iter().map(|(u, ..)| u).chain(turning).chain(sliding).copied().collect();
+            base.twists.iter().map(|(u, ..)| u).chain(turning).chain(&sliding).copied().collect();
         let n = speeds.len();
         speeds.sort();
         speeds.dedup();
@@ -174,9 +166,9 @@ impl Tree {
 
     /// Solves for the derivatives of all speeds.
     fn solve(&self, dag: &mut Dag, active: &MassAndForce) -> Vec<Solved> {
-        let mut freed = Freed { turning: Vec::new(), sliding: Vec::new() };
-        freed.turning.resize_with(self.nodes.len(), Vec::new);
-        freed.sliding.resize_with(self.places.len(), Vec::new);
+        // By node: the released speeds of its joint, with their twists in its triad.
+        let mut freed: Vec<Vec<Free>> = Vec::new();
+        freed.resize_with(self.nodes.len(), Vec::new);
         // By place: the articulated body that hangs there, in the triad of the node that has the place.
         let mut hanging: Vec<Option<Articulated>> = self.places.iter().map(|_| None).collect();
         let zero = [dag.zero(); 3];
@@ -185,16 +177,12 @@ impl Tree {
             let wrench = node.own.resistance(dag, &state.acceleration);
             let mut body = Articulated::rigid(dag, &node.own, wrench);
             for (p, place) in self.places.iter().enumerate().filter(|(_, place)| place.parent == i) {
-                let Some(mut outer) = hanging[p].take() else { continue };
-                for (&unknown, &v) in &place.slides {
-                    freed.sliding[p].push(set_free(dag, &mut outer, (unknown, v, zero), active));
-                }
+                let Some(outer) = hanging[p].take() else { continue };
                 let outer = outer.shifted(dag, &place.offset);
                 body = body.plus(dag, &outer);
             }
             let (Some(joint), Some(motion), Some(p)) = (&node.joint, &self.moves[i], self.place_of[i]) else {
-                freed.turning[i] =
-                    self.base.twists.iter().map(|t| set_free(dag, &mut body, *t, active)).collect();
+                freed[i] = self.base.twists.iter().map(|t| set_free(dag, &mut body, *t, active)).collect();
                 continue;
             };
             let body = match &joint.turn {
@@ -202,7 +190,7 @@ impl Tree {
                     for (&unknown, &partial) in &motion.turn.partials {
                         let mut w = zero;
                         w[*axis as usize] = partial;
-                        freed.turning[i].push(set_free(dag, &mut body, (unknown, zero, w), active));
+                        freed[i].push(set_free(dag, &mut body, (unknown, zero, w), active));
                     }
                     body.turned(dag, *axis, *angle)
                 }
@@ -213,11 +201,17 @@ impl Tree {
                         let mut w = zero;
                         w[axis] = one;
                         for &unknown in rate.partials.keys() {
-                            freed.turning[i].push(set_free(dag, &mut body, (unknown, zero, w), active));
+                            freed[i].push(set_free(dag, &mut body, (unknown, zero, w), active));
                             moment[axis] = active.force.coefficient(dag, unknown);
                         }
                     }
                     body.held_by_force(dag, &ball.0, moment)
+                }
+                JointTurn::Slide => {
+                    for (unknown, v) in slides(dag, motion) {
+                        freed[i].push(set_free(dag, &mut body, (unknown, v, zero), active));
+                    }
+                    body
                 }
             };
             hanging[p] =
@@ -227,23 +221,22 @@ impl Tree {
     }
 
     /// Computes u' from the root to the leaves.
-    fn outwards(&self, dag: &mut Dag, freed: &Freed) -> Vec<Solved> {
+    fn outwards(&self, dag: &mut Dag, freed: &[Vec<Free>]) -> Vec<Solved> {
         let mut found = Vec::new();
         let zero = [dag.zero(); 3];
         let mut beyond: Vec<Option<Beyond>> = vec![None; self.nodes.len()];
         let mut at_place: Vec<Option<Beyond>> = vec![None; self.places.len()];
-        beyond[self.root] = Some(accelerate(dag, (zero, zero), &freed.turning[self.root], &mut found));
+        beyond[self.root] = Some(accelerate(dag, (zero, zero), &freed[self.root], &mut found));
         for (i, node) in self.nodes.iter().enumerate().skip(self.root + 1) {
             let (Some(joint), Some(p)) = (&node.joint, self.place_of[i]) else { continue };
             let Some((a, alpha)) = beyond[joint.parent] else { continue };
             let (a, alpha) = at_place[p].unwrap_or_else(|| {
                 let carried = cross_components(dag, &alpha, &joint.offset);
-                let a = std::array::from_fn(|n| dag.add(a[n], carried[n]));
-                accelerate(dag, (a, alpha), &freed.sliding[p], &mut found)
+                (std::array::from_fn(|n| dag.add(a[n], carried[n])), alpha)
             });
             at_place[p] = Some((a, alpha));
             let [a, alpha] = [a, alpha].map(|v| joint.outwards(dag, v));
-            beyond[i] = Some(accelerate(dag, (a, alpha), &freed.turning[i], &mut found));
+            beyond[i] = Some(accelerate(dag, (a, alpha), &freed[i], &mut found));
         }
         found
     }

@@ -32,7 +32,7 @@ pub(super) fn accumulate(
     let (hanging, alone): (Vec<RigidInertia>, Vec<RigidInertia>) =
         bodies.into_iter().partition(|m| m.body.weight);
     let mut all = body_by_body(alg, model, k, given, &alone);
-    let forest = tree::build(alg, model, k, &hanging, tree::Balls::Roots);
+    let forest = tree::build(alg, model, k, &hanging, tree::Joints::Hinges);
     for (root, bodies) in forest.roots() {
         let bodies: Vec<RigidInertia> = bodies.into_iter().map(|i| hanging[i].clone()).collect();
         // For a long tree the body-by-body form takes products of all pairs of joints below each body and is never

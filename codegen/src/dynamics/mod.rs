@@ -27,6 +27,7 @@ mod rotation;
 mod segment;
 mod segment_inertia;
 mod shared_axis;
+mod slide;
 mod solve;
 mod spatial;
 mod tree;

@@ -2,10 +2,11 @@
 //!
 //! A body centred at O + c, with c resolved in the body's own triad, belongs to the node (triad, O). The node of a
 //! simple rotation hangs on the node of the triad it is turned against, at the part of O that is resolved in that
-//! triad. Inertia that a rotation does not change is moved inwards: mass and moments along a hinge's axis, and all of a
+//! triad. A body that slides within a triad has a node of its own there (`slide`), if slides are joints. Inertia that a rotation does not change is moved inwards: mass and moments along a hinge's axis, and all of a
 //! wheel but its spin. The sums then depend on parameters alone.
 
 use super::rigid_inertia::RigidInertia;
+use super::slide::Slides;
 use super::spatial::Inertia;
 use crate::expr::{Dag, Dependence, ExprId};
 use crate::kinematics::{Kinematics, derivative_of, is_lifted_triad, lower_scalar};
@@ -43,6 +44,8 @@ pub(super) enum JointTurn {
     /// Any rotation: the node's axes in the parent's components, and its angular velocity relative to the parent along
     /// the node's axes.
     Ball(Box<([Components; 3], Spin)>),
+    /// Not at all: it slides, by an offset that moves.
+    Slide,
 }
 
 impl Joint {
@@ -50,7 +53,7 @@ impl Joint {
     pub(super) fn hinge(&self) -> Option<(Axis, ExprId)> {
         match self.turn {
             JointTurn::Hinge(axis, angle) => Some((axis, angle)),
-            JointTurn::Ball(_) => None,
+            JointTurn::Ball(_) | JointTurn::Slide => None,
         }
     }
 
@@ -59,15 +62,18 @@ impl Joint {
         match &self.turn {
             JointTurn::Hinge(axis, angle) => turn_components(dag, *axis, *angle, v, true),
             JointTurn::Ball(ball) => ball.0.each_ref().map(|row| dot_components(dag, row, &v)),
+            JointTurn::Slide => v,
         }
     }
 }
 
-/// Whether a node with an arbitrary rotation is treated as a joint or as the root of a tree of its own.
+/// Which joints connect nodes.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(super) enum Balls {
-    Joints,
-    Roots,
+pub(super) enum Joints {
+    /// Hinges. A node of any other rotation is the root of a tree of its own; an offset may move.
+    Hinges,
+    /// Hinges, ball joints and slides; the offsets of the first two do not move.
+    All,
 }
 
 /// Nodes, each parent before its children, and the node of every body.
@@ -103,27 +109,34 @@ pub(super) fn build(
     model: &Model,
     k: &Kinematics,
     bodies: &[RigidInertia],
-    balls: Balls,
+    joints: Joints,
 ) -> Forest {
-    let mut nodes = Vec::new();
+    let slides = match joints {
+        Joints::All => {
+            let centres = bodies.iter().map(|m| &k.positions[m.body.centre]);
+            Some(Slides::new(&mut alg.dag, centres))
+        }
+        Joints::Hinges => None,
+    };
+    let mut tree = Builder { model, k, slides, nodes: Vec::new() };
     let mut node_of_body = Vec::new();
     for RigidInertia { body, inertia } in bodies {
         let position = k.positions[body.centre].clone();
         let own = body.frame.map(|f| k.frame_triad[f]);
         let triad = own.or(position.terms.keys().max().copied()).unwrap_or(TriadId::INERTIAL);
         let zero = alg.dag.zero();
-        let (mut origin, mut centre) = without(alg, &position, triad);
+        let (mut origin, mut centre) = tree.hold(alg, &position, triad);
         if centre.iter().any(|&c| alg.dag.dependence(c) == Dependence::State) {
             // The mass centre slides in its own triad: the origin moves with it.
             (origin, centre) = (position, [zero; 3]);
         }
         let mass = body.mass.as_ref().map_or(zero, |m| lower_scalar(alg, k, m));
         let inertia = Inertia::of_body(&mut alg.dag, mass, &centre, inertia);
-        let node = node_of(alg, (model, k, balls), &mut nodes, triad, &origin);
-        nodes[node].own = nodes[node].own.plus(&mut alg.dag, &inertia);
+        let node = tree.node_of(alg, triad, &origin);
+        tree.nodes[node].own = tree.nodes[node].own.plus(&mut alg.dag, &inertia);
         node_of_body.push(node);
     }
-    Forest { nodes, node_of_body }
+    Forest { nodes: tree.nodes, node_of_body }
 }
 
 /// The vector without its part in `triad`, and that part.
@@ -133,32 +146,66 @@ fn without(alg: &mut Algebra, vector: &Vector, triad: TriadId) -> (Vector, Compo
     (rest, part.unwrap_or([alg.dag.zero(); 3]))
 }
 
-fn node_of(
-    alg: &mut Algebra,
-    (model, k, balls): (&Model, &Kinematics, Balls),
-    nodes: &mut Vec<Node>,
-    triad: TriadId,
-    origin: &Vector,
-) -> usize {
-    if let Some(found) = nodes.iter().position(|n| n.triad == triad && n.origin == *origin) {
-        return found;
+/// The nodes built so far.
+struct Builder<'m> {
+    model: &'m Model,
+    k: &'m Kinematics,
+    /// What slides, if slides are joints.
+    slides: Option<Slides>,
+    nodes: Vec<Node>,
+}
+
+impl Builder<'_> {
+    /// The origin of the node in `triad` that holds a place, and the place's components about it.
+    fn hold(&self, alg: &mut Algebra, place: &Vector, triad: TriadId) -> (Vector, Components) {
+        let (rest, part) = without(alg, place, triad);
+        let Some(slides) = &self.slides else { return (rest, part) };
+        let (constant, displacements) = slides.split(&mut alg.dag, triad, &part);
+        let moved = displacements.into_iter().fold(rest, |origin, displacement| {
+            let displacement = Vector::new(&alg.dag, triad, displacement);
+            origin.plus(&mut alg.dag, &displacement)
+        });
+        (moved, constant)
     }
-    let turn = match alg.triads.turn(triad).clone() {
-        _ if is_lifted_triad(model, k, triad) => None,
-        Turn::Simple { parent, axis, angle } => Some((parent, JointTurn::Hinge(axis, angle))),
-        Turn::Directions { parent, rows, spin: Some(spin) } if balls == Balls::Joints => {
-            Some((parent, JointTurn::Ball(Box::new((rows, spin)))))
+
+    /// The node of a triad with this origin, with the nodes on which it hangs.
+    fn node_of(&mut self, alg: &mut Algebra, triad: TriadId, origin: &Vector) -> usize {
+        if let Some(found) = self.nodes.iter().position(|n| n.triad == triad && n.origin == *origin) {
+            return found;
         }
-        Turn::Directions { .. } | Turn::Inertial => None,
-    };
-    let joint = turn.map(|(parent, turn)| {
-        let (rest, offset) = without(alg, origin, parent);
-        let parent = node_of(alg, (model, k, balls), nodes, parent, &rest);
-        Joint { parent, turn, offset }
-    });
-    let (own, spin) = (Inertia::zero(&mut alg.dag), alg.dag.zero());
-    nodes.push(Node { triad, origin: origin.clone(), joint, own, spin });
-    nodes.len() - 1
+        let joint = self.slide(alg, triad, origin).or_else(|| self.turn(alg, triad, origin));
+        let (own, spin) = (Inertia::zero(&mut alg.dag), alg.dag.zero());
+        self.nodes.push(Node { triad, origin: origin.clone(), joint, own, spin });
+        self.nodes.len() - 1
+    }
+
+    /// The joint by which an origin slides in its own triad.
+    fn slide(&mut self, alg: &mut Algebra, triad: TriadId, origin: &Vector) -> Option<Joint> {
+        let (mut rest, part) = without(alg, origin, triad);
+        let (_, mut displacements) = self.slides.as_ref()?.split(&mut alg.dag, triad, &part);
+        let offset = displacements.pop()?;
+        for inner in displacements {
+            let inner = Vector::new(&alg.dag, triad, inner);
+            rest = rest.plus(&mut alg.dag, &inner);
+        }
+        let parent = self.node_of(alg, triad, &rest);
+        Some(Joint { parent, turn: JointTurn::Slide, offset })
+    }
+
+    /// The joint that turns a triad; `None` for a root.
+    fn turn(&mut self, alg: &mut Algebra, triad: TriadId, origin: &Vector) -> Option<Joint> {
+        let (parent, turn) = match alg.triads.turn(triad).clone() {
+            _ if is_lifted_triad(self.model, self.k, triad) => return None,
+            Turn::Simple { parent, axis, angle } => (parent, JointTurn::Hinge(axis, angle)),
+            Turn::Directions { parent, rows, spin: Some(spin) } if self.slides.is_some() => {
+                (parent, JointTurn::Ball(Box::new((rows, spin))))
+            }
+            Turn::Directions { .. } | Turn::Inertial => return None,
+        };
+        let (held_at, offset) = self.hold(alg, origin, parent);
+        let parent = self.node_of(alg, parent, &held_at);
+        Some(Joint { parent, turn, offset })
+    }
 }
 
 /// The node at which the tree of `root` is cut: the first, from `root` outwards, that carries inertia or branches.

@@ -24,7 +24,7 @@ pub(super) struct State {
 
 /// A joint's rates: its rotation, and the translation of its place in the parent's triad.
 pub(super) struct Moves {
-    /// Rate of a hinge's angle; zero for a ball joint.
+    /// Rate of a hinge's angle; zero for other joints.
     pub turn: Rate,
     pub turn_rate: ExprId,
     /// Angular velocity of a ball joint, along the node's axes.
@@ -59,13 +59,13 @@ impl Moves {
         let (turn, ball) = match &joint.turn {
             JointTurn::Hinge(_, angle) => (scalar_rate_of(alg, k, *angle), None),
             JointTurn::Ball(ball) => {
-                let still = Rate { partials: LinearForm::default(), bias: alg.dag.zero() };
                 let spin = ball.1.each_ref().map(|terms| {
                     let rate = sum_of_rates(alg, k, terms);
                     given.rate(alg, rate)
                 });
-                (still, Some(spin))
+                (still(alg), Some(spin))
             }
+            JointTurn::Slide => (still(alg), None),
         };
         let turn_rate = turn.value(alg, k);
         let turn = given.rate(alg, turn);
@@ -75,6 +75,11 @@ impl Moves {
         });
         Self { turn, turn_rate, ball, slide }
     }
+}
+
+/// The rate of a constant.
+fn still(alg: &mut Algebra) -> Rate {
+    Rate { partials: LinearForm::default(), bias: alg.dag.zero() }
 }
 
 /// angle'' e at y' = 0 and w x angle' e, in the parent's triad.
