@@ -104,6 +104,8 @@ struct Equations {
     sizes: Vec<f64>,
     /// Rounding errors of the coordinates.
     errors: Vec<f64>,
+    /// Independent coordinates whose range is a single value: a move leaves them there.
+    locked: Vec<usize>,
     /// Number of equations and of coordinates.
     size: (usize, usize),
 }
@@ -112,14 +114,18 @@ impl Equations {
     fn new(alg: &Algebra, model: &Model, k: &Kinematics) -> Self {
         // A copy, so that derivatives needed for numbers alone leave no nodes in the program's DAG.
         let mut dag = alg.dag.clone();
-        let state =
-            k.q.ids().filter_map(|c| Some((k.coordinate_symbol(&alg.dag, c)?, model.coordinates[c].range)));
+        let declared = k.q.ids().map(|c| (c, &model.coordinates[c]));
+        let state: Vec<_> =
+            declared.filter_map(|(id, c)| Some((k.coordinate_symbol(&alg.dag, id)?, c))).collect();
+        let is_locked = |&i: &usize| state[i].1.independent && state[i].1.range.0 == state[i].1.range.1;
+        let locked = (0..state.len()).filter(is_locked).collect();
         // In a driven mechanism time counts as a coordinate: a constraint may follow from the others at one time only.
         let time = alg
             .dag
             .as_symbol(k.time)
             .filter(|_| k.unknowns.clock().is_some())
             .map(|t| (t, (0.0, model.run.seconds)));
+        let state = state.into_iter().map(|(symbol, coordinate)| (symbol, coordinate.range));
         let (mut symbols, ranges): (Vec<SymbolId>, Vec<(f64, f64)>) = state.chain(time).unzip();
         let errors = ranges.iter().map(|(low, high)| f64::EPSILON * low.abs().max(high.abs())).collect();
         let mut roots = k.residuals.clone();
@@ -135,7 +141,7 @@ impl Equations {
             }
         }
         let tape = Tape::new(&dag, &roots, &symbols);
-        let mut equations = Self { tape, arguments, sizes: Vec::new(), errors, size };
+        let mut equations = Self { tape, arguments, sizes: Vec::new(), errors, locked, size };
         equations.sizes = equations.run(&sample(k, 0))[..size.0].iter().map(|x| x.size()).collect();
         equations
     }
@@ -173,7 +179,8 @@ impl Equations {
     fn walk_by(&mut self, length: f64, q: &[f64], direction: &[f64], kept: &[usize]) -> Option<Vec<f64>> {
         let mut at: Vec<f64> = q.iter().zip(direction).map(|(q, d)| q + length * d).collect();
         for _ in 0..MAX_CORRECTIONS {
-            let (residuals, rows) = self.at(&at);
+            let (residuals, mut rows) = self.at(&at);
+            rows.iter_mut().for_each(|row| self.locked.iter().for_each(|&i| row[i] = 0.0));
             let kept_residuals: Vec<f64> = kept.iter().map(|&i| residuals[i]).collect();
             if largest(&kept_residuals) < SATISFIED {
                 return Some(at);
@@ -224,10 +231,14 @@ fn basis_of(rows: &[Vec<f64>]) -> (Vec<Vec<f64>>, Vec<usize>) {
     (basis, dependent)
 }
 
+/// The direction of coordinate `i` among `n`.
+fn axis(i: usize, n: usize) -> Vec<f64> {
+    (0..n).map(|j| f64::from(u8::from(i == j))).collect()
+}
+
 /// An orthonormal basis of the directions orthogonal to all rows.
 fn free_directions(rows: &[Vec<f64>], n: usize) -> Vec<Vec<f64>> {
-    let axis = |i: usize| (0..n).map(|j| f64::from(u8::from(i == j))).collect::<Vec<f64>>();
-    let all: Vec<Vec<f64>> = rows.iter().cloned().chain((0..n).map(axis)).collect();
+    let all: Vec<Vec<f64>> = rows.iter().cloned().chain((0..n).map(|i| axis(i, n))).collect();
     let (basis, _) = basis_of(&all);
     let rank = basis_of(rows).0.len();
     basis.into_iter().skip(rank).collect()
@@ -303,8 +314,9 @@ fn redundant(k: &Kinematics, kept: &[usize], suspect: usize, residual: f64) -> D
 /// there are such directions and no move succeeds.
 fn after_moves(equations: &mut Equations, q: &[f64], others: &[usize], suspect: usize) -> f64 {
     let (_, rows) = equations.at(q);
-    let others_rows: Vec<Vec<f64>> = others.iter().map(|&i| rows[i].clone()).collect();
-    let directions = free_directions(&others_rows, q.len());
+    let held = equations.locked.iter().map(|&i| axis(i, q.len()));
+    let held: Vec<Vec<f64>> = others.iter().map(|&i| rows[i].clone()).chain(held).collect();
+    let directions = free_directions(&held, q.len());
     let ends: Vec<Vec<f64>> = directions.iter().filter_map(|d| equations.walk(q, d, others)).collect();
     if ends.is_empty() && !directions.is_empty() {
         return f64::INFINITY;

@@ -27,7 +27,7 @@ mod position;
 pub mod projection;
 mod quantities;
 mod random;
-mod rank;
+pub(crate) mod rank;
 mod rate;
 pub mod redundant;
 mod regular;

@@ -43,6 +43,12 @@ pub(super) fn determine(alg: &Algebra, table: &mut SampleTable, rows: &[Row], un
     ranks(alg, table, rows, unknown).iter().all(|&rank| rank == unknown.len())
 }
 
+/// Degrees of freedom at the nominal configuration.
+pub(crate) fn freedom(alg: &Algebra, k: &Kinematics, table: &mut SampleTable) -> usize {
+    let all = k.unknowns.moving();
+    all.len() - ranks(alg, table, &k.rows, &all).first().copied().unwrap_or(0)
+}
+
 /// The reason why the dependent unknowns cannot be solved for, or why the row named `extra` is one too many.
 pub(super) fn explain(
     alg: &Algebra,
@@ -53,8 +59,7 @@ pub(super) fn explain(
 ) -> Diagnostics {
     let (all, dependent) = (k.unknowns.moving(), k.unknowns.dependent());
     let declared = all.len() - dependent.len();
-    let over_all = ranks(alg, table, &k.rows, &all);
-    let dof = all.len() - over_all.first().copied().unwrap_or(0);
+    let dof = freedom(alg, k, table);
     let error = if dof != declared {
         wrong_dof(model, dof, declared, all.len(), extra)
     } else {

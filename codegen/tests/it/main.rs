@@ -34,6 +34,7 @@ mod momentum;
 mod newcomer;
 mod parallel;
 mod reactions;
+mod reactions_in_plane;
 mod reactions_of_words;
 mod redundant;
 mod regular;

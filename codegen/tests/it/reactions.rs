@@ -18,7 +18,7 @@ pub(crate) fn scaled(a: Vector, s: f64) -> Vector {
     a.map(|x| s * x)
 }
 
-fn cross(a: Vector, b: Vector) -> Vector {
+pub(crate) fn cross(a: Vector, b: Vector) -> Vector {
     std::array::from_fn(|i| {
         let (j, k) = ((i + 1) % 3, (i + 2) % 3);
         a[j] * b[k] - a[k] * b[j]
@@ -44,7 +44,7 @@ impl Turn {
 
 /// Where a place is, how it is accelerated.
 pub(crate) struct Moving {
-    position: Vector,
+    pub position: Vector,
     pub turn: Turn,
     angular: Vector,
     pub acceleration: Vector,

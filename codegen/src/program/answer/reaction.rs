@@ -8,11 +8,12 @@
 
 use super::part::Part;
 use super::stages::{Stages, Target};
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, Diagnostics, Severity};
 use crate::dynamics;
 use crate::expr::cost::Optimise;
+use crate::expr::tape::SampleTable;
 use crate::expr::{ExprId, SymbolId};
-use crate::kinematics::{self, Algebra, Kinematics, diagnose, eliminate, sampling};
+use crate::kinematics::{self, Algebra, Kinematics, diagnose, eliminate, rank, sampling};
 use crate::model::{COMPONENTS, Coordinate, CoordinateId, Cut, Model};
 use rustc_hash::FxHashMap as HashMap;
 
@@ -22,26 +23,42 @@ pub(super) fn reaction(stages: &mut Stages, target: &Target) -> Result<Vec<Part>
     let cut = cut_of(stages.model, target)?;
     let asked: Vec<usize> = (0..if cut.frame.is_some() { COMPONENTS } else { 3 }).collect();
     stages.model.released(cut, &asked)?;
+    let underivable = |found: Diagnostics| underivable(target, &found);
     let mut determined = asked.clone();
-    let mut forces = forces(stages, cut, &asked);
-    if forces.is_none() {
-        determined.retain(|&component| self::forces(stages, cut, &[component]).is_some());
-        forces = self::forces(stages, cut, &determined);
+    let mut released = Released::new(stages, cut, &asked).map_err(underivable)?;
+    if !released.is_free() {
+        determined.clear();
+        for &component in &asked {
+            if Released::new(stages, cut, &[component]).map_err(underivable)?.is_free() {
+                determined.push(component);
+            }
+        }
+        released = Released::new(stages, cut, &determined).map_err(underivable)?;
     }
-    let name = |&component: &usize| NAMES[component].to_owned();
-    let left: Vec<String> = asked.iter().filter(|c| !determined.contains(c)).map(name).collect();
-    let Some(forces) = forces.filter(|forces| !forces.is_empty()) else {
+    if determined.is_empty() {
         return Err(Diagnostic::error(format!("`{}`: no component is determined", target.request)).help(
             "other joints transmit every component as well: give some of them their real freedom, or ask for the \
              reaction there",
         ));
-    };
+    }
+    let forces = released.forces(stages).map_err(underivable)?;
+    let name = |&component: &usize| NAMES[component].to_owned();
+    let left: Vec<String> = asked.iter().filter(|c| !determined.contains(c)).map(name).collect();
     let axes = cut.frame.map_or("N", |frame| &stages.model.frames[frame].name);
     let mut doc = format!("on the outer side, along the axes of {axes}, moments about the point (N, N m)");
     if !left.is_empty() {
         doc += &format!("; other joints hold {} as well, which no equation determines", left.join(", "));
     }
     Ok(vec![Part::list("reaction", &doc, determined.iter().map(name).collect(), forces)])
+}
+
+/// The error for a released model whose equations cannot be derived, though those of the model itself can.
+fn underivable(target: &Target, found: &Diagnostics) -> Diagnostic {
+    let first = found.items.iter().find(|item| item.severity == Severity::Error);
+    let why = first.map_or("", |item| &item.message);
+    Diagnostic::error(format!("`{}`: with this joint released, {why}", target.request)).help(
+        "the model itself can be derived: this is a limit of how reactions are; ask at a neighbouring joint",
+    )
 }
 
 /// The cut named in the request.
@@ -65,23 +82,46 @@ fn cut_of(model: &Model, target: &Target) -> Result<Cut, Diagnostic> {
     })
 }
 
-/// The forces missing on the released components while these do not move, in the program's own expressions; `None` if
-/// some of them add no degree of freedom.
-fn forces(stages: &mut Stages, cut: Cut, components: &[usize]) -> Option<Vec<ExprId>> {
-    let model = stages.model.released(cut, components).ok()?;
-    let (mut alg, k) = kinematics::derive(&model, stages.choice, Optimise::default()).ok()?;
-    let mut table = sampling::sample_table(&alg, &model, &k);
-    let (k, _) = diagnose::check(&mut alg, &model, k, &mut table).ok()?;
-    let solution = eliminate::solve(&mut alg, &model, &k, &mut table).ok()?;
-    let zero = alg.dag.zero();
-    let moving: Vec<ExprId> = stages.dynamics.u_dot.iter().map(|_| alg.dag.symbol("u_dot")).collect();
-    let u_dot: Vec<ExprId> = moving.iter().copied().chain(components.iter().map(|_| zero)).collect();
-    let missing = dynamics::missing_forces(&mut alg, &model, &k, &solution, &u_dot);
-    let forces = dynamics::on_independent(&mut alg, &k, &solution, missing);
-    let values = dynamics::unknown_values(&mut alg, &model, &k, &solution);
-    let lacking = alg.dag.substitute(forces.get(moving.len()..)?, &values);
-    let known = known(&alg, &k, stages, &moving);
-    stages.alg.dag.graft(&alg.dag, &lacking, &known)
+/// The model with components of a joint released, up to its constraints.
+struct Released {
+    model: Model,
+    alg: Algebra,
+    k: Kinematics,
+    table: SampleTable,
+    /// Number of released components.
+    components: usize,
+}
+
+impl Released {
+    fn new(stages: &Stages, cut: Cut, components: &[usize]) -> Result<Self, Diagnostics> {
+        let model = stages.model.released(cut, components);
+        let model = model.map_err(|error| Diagnostics::one(stages.model.source.clone(), error))?;
+        let (mut alg, k) = kinematics::derive(&model, stages.choice, Optimise::default())?;
+        let mut table = sampling::sample_table(&alg, &model, &k);
+        let (k, _) = diagnose::check(&mut alg, &model, k, &mut table)?;
+        Ok(Self { model, alg, k, table, components: components.len() })
+    }
+
+    /// Does every released component add a degree of freedom? If not, another joint holds it too.
+    fn is_free(&mut self) -> bool {
+        rank::freedom(&self.alg, &self.k, &mut self.table) == self.k.unknowns.independent().len()
+    }
+
+    /// The forces missing on the released components while these do not move, in the program's own expressions.
+    fn forces(self, stages: &mut Stages) -> Result<Vec<ExprId>, Diagnostics> {
+        let Self { model, mut alg, k, mut table, components } = self;
+        let solution = eliminate::solve(&mut alg, &model, &k, &mut table)?;
+        let zero = alg.dag.zero();
+        let moving: Vec<ExprId> = stages.dynamics.u_dot.iter().map(|_| alg.dag.symbol("u_dot")).collect();
+        let u_dot: Vec<ExprId> = moving.iter().copied().chain((0..components).map(|_| zero)).collect();
+        let missing = dynamics::missing_forces(&mut alg, &model, &k, &solution, &u_dot);
+        let forces = dynamics::on_independent(&mut alg, &k, &solution, missing);
+        let values = dynamics::unknown_values(&mut alg, &model, &k, &solution);
+        let lacking = alg.dag.substitute(&forces[moving.len()..], &values);
+        let known = known(&alg, &k, stages, &moving);
+        let forces = stages.alg.dag.graft(&alg.dag, &lacking, &known);
+        Ok(forces.expect("the released model has no symbols but the model's and the released ones"))
+    }
 }
 
 /// The program's expressions for the symbols of the released model; 0 for the released components.
