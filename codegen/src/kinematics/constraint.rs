@@ -7,7 +7,7 @@
 //! where the constraints hold.
 
 use super::linear_form::LinearForm;
-use super::quantities::{Kinematics, Motion, Place, Rate, Row, Value};
+use super::quantities::{Direction, Kinematics, Motion, Place, Rate, Row, Value};
 use super::{lifted, lower, orientation, rank, rate};
 use crate::expr::ExprId;
 use crate::model::{Axis, FrameId, Model, PointId, SpeedMeaning};
@@ -83,8 +83,10 @@ fn rows(alg: &mut Algebra, model: &Model, k: &Kinematics, found: &mut Configurat
                 let triads = triads_of(&motion);
                 // A vector that stays 0 has components that stay 0, so their rates vanish too, in any triad.
                 for &triad in &triads {
-                    for e in alg.express(&v, triad) {
-                        rows.extend(motion_row(alg, k, &constraint.name, e));
+                    for (axis, e) in AXES.into_iter().zip(alg.express(&v, triad)) {
+                        let along = Some(Direction { triad, axis, turning: false });
+                        let row = motion_row(alg, k, &constraint.name, e);
+                        rows.extend(row.map(|row| Row { along, ..row }));
                     }
                 }
                 let (name, residual) = (constraint.name.clone(), Vector::zero());
@@ -260,9 +262,10 @@ fn project(alg: &mut Algebra, equation: Equation) -> Vec<Row> {
     let mut fixed = equation.fixed.as_ref().map(Resolved::new);
     for &triad in &equation.triads {
         for axis in AXES {
+            let along = |turning| Direction { triad, axis, turning };
             let axis = Vector::axis(&mut alg.dag, triad, axis);
             let mut a = Resolved::new(&axis);
-            rows.extend(projection(alg, &equation, |alg, triad| a.within(alg, triad)));
+            rows.extend(projection(alg, (&equation, along(false)), |alg, triad| a.within(alg, triad)));
             if let Some(fixed) = &mut fixed {
                 let mut formed: BTreeMap<TriadId, Components> = BTreeMap::new();
                 let mut product = |alg: &mut Algebra, triad| {
@@ -271,7 +274,7 @@ fn project(alg: &mut Algebra, equation: Equation) -> Vec<Row> {
                 };
                 let direction =
                     |alg: &mut Algebra, triad| *formed.entry(triad).or_insert_with(|| product(alg, triad));
-                rows.extend(projection(alg, &equation, direction));
+                rows.extend(projection(alg, (&equation, along(true)), direction));
             }
         }
     }
@@ -298,7 +301,7 @@ impl<'v> Resolved<'v> {
 /// The projection of the equation on a direction, which `direction` gives in any triad.
 fn projection(
     alg: &mut Algebra,
-    equation: &Equation,
+    (equation, along): (&Equation, Direction),
     mut direction: impl FnMut(&mut Algebra, TriadId) -> Components,
 ) -> Option<Row> {
     let mut dot = |alg: &mut Algebra, vector: &Vector| {
@@ -323,7 +326,7 @@ fn projection(
     let bias = dot(alg, &equation.motion.bias);
     let residual = dot(alg, &equation.residual);
     let cost = cost(alg, &coefficients);
-    Some(Row { name: equation.name.clone(), coefficients, bias, residual, cost })
+    Some(Row { name: equation.name.clone(), along: Some(along), coefficients, bias, residual, cost })
 }
 
 fn cost(alg: &Algebra, coefficients: &LinearForm) -> usize {
@@ -336,7 +339,7 @@ fn cost(alg: &Algebra, coefficients: &LinearForm) -> usize {
 fn row(alg: &Algebra, name: &str, rate: Rate, residual: ExprId) -> Option<Row> {
     let coefficients: LinearForm = rate.partials.into_iter().filter(|(_, c)| !alg.dag.is_zero(*c)).collect();
     let cost = cost(alg, &coefficients);
-    let row = Row { name: name.to_owned(), coefficients, bias: rate.bias, residual, cost };
+    let row = Row { name: name.to_owned(), along: None, coefficients, bias: rate.bias, residual, cost };
     (!row.coefficients.is_empty()).then_some(row)
 }
 

@@ -6,7 +6,7 @@ use super::linear_form::LinearForm;
 use super::unknowns::{UnknownId, Unknowns};
 use crate::expr::{Dag, ExprId, SymbolId};
 use crate::id::IdVec;
-use crate::model::{CoordinateId, DefinitionId, FrameId, InputId, ParameterId, PointId};
+use crate::model::{Axis, CoordinateId, DefinitionId, FrameId, InputId, ParameterId, PointId};
 use crate::source::Span;
 use crate::vector::{Components, TriadId, Vector};
 use rustc_hash::FxHashMap as HashMap;
@@ -49,6 +49,17 @@ pub enum Value {
     Vector(Vector),
 }
 
+/// The direction on which a vector equation is projected.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Direction {
+    /// An axis of this triad.
+    pub triad: TriadId,
+    /// Which one.
+    pub axis: Axis,
+    /// Is it crossed with the vector that the equation is about? The row then says how that turns about the axis.
+    pub turning: bool,
+}
+
 /// One scalar equation: `sum_k coefficients[k] y_k = 0`, `sum_k coefficients[k] y_k' + bias = 0`, and for Newton's
 /// correction d of the configuration `sum_k coefficients[k] d_k = -residual`. The clock's coefficient is the part
 /// without speeds.
@@ -56,6 +67,8 @@ pub enum Value {
 pub struct Row {
     /// The name of the equation it comes from.
     pub name: String,
+    /// The direction on which a vector equation is projected.
+    pub along: Option<Direction>,
     /// Non-zero coefficients.
     pub coefficients: LinearForm,
     /// The part of the differentiated equation without y'.

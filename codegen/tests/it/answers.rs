@@ -412,6 +412,20 @@ fn multipliers_are_those_of_the_equations_before_the_elimination() {
 }
 
 #[test]
+fn every_multiplier_has_a_name_of_its_own() {
+    for name in ["fourbar", "tile", "tile_minimal", "slider_crank", "bicycle"] {
+        let asking = Asking::new(name, &["multipliers"]);
+        let labels = &asking.program.answers[0].parts[0].labels;
+        for (n, label) in labels.iter().enumerate() {
+            assert!(!labels[..n].contains(label), "{name}: {labels:?}");
+        }
+    }
+    let four_bar = Asking::new("fourbar", &["multipliers"]);
+    let labels = &four_bar.program.answers[0].parts[0].labels;
+    assert!(labels.iter().all(|label| label.starts_with("loop along ")), "{labels:?}");
+}
+
+#[test]
 fn powers_are_the_rate_of_the_kinetic_energy() {
     for name in ["arm6", "bicycle", "fourbar", "tile", "tile_drive", "shaking_table", "driven_pendulum"] {
         let mut asking = Asking::new(name, &["power", "energy", "drive"]);

@@ -5,6 +5,7 @@ use super::stages::{Stages, Target};
 use crate::diagnostic::Diagnostic;
 use crate::dynamics;
 use crate::expr::{ExprId, SymbolId};
+use crate::kinematics::Direction;
 use rustc_hash::FxHashMap as HashMap;
 
 type Parts = Result<Vec<Part>, Diagnostic>;
@@ -73,10 +74,38 @@ pub(super) fn multipliers(stages: &mut Stages, target: &Target) -> Parts {
             .help("the multipliers of such rows are not determined one by one; ask for `augmented` and solve in the least squares"));
     };
     let lambda = stages.solved(&lambda);
-    let names = stages.solution.rows.iter().map(|row| row.name.clone()).collect();
+    let names = names_of_rows(stages);
     let doc =
         "of J' lambda = M y' - f over all speeds and lifted twists, one a row of J as `augmented` has them";
     Ok(vec![Part::list("multipliers", doc, names, lambda)])
+}
+
+/// A name for each row: that of its equation and, of a vector equation, the axis on which it is projected; or a number,
+/// if the axis belongs to no frame of the model.
+fn names_of_rows(stages: &Stages) -> Vec<String> {
+    let mut names: Vec<String> = Vec::new();
+    for row in &stages.solution.rows {
+        let named = match row.along {
+            None => Some(row.name.clone()),
+            Some(direction) => frame_of(stages, direction).map(|frame| {
+                let (word, letter) = (
+                    if direction.turning { "about" } else { "along" },
+                    ["x", "y", "z"][direction.axis as usize],
+                );
+                format!("{} {word} {frame}.{letter}", row.name)
+            }),
+        };
+        let numbered = (1..).map(|n| format!("{}, row {n}", row.name));
+        names.extend(named.into_iter().chain(numbered).find(|name| !names.contains(name)));
+    }
+    names
+}
+
+/// The frame to whose triad the axis belongs.
+fn frame_of<'m>(stages: &Stages<'m>, direction: Direction) -> Option<&'m str> {
+    let (model, k) = (stages.model, stages.k);
+    let mut frames = model.frames.enumerate();
+    frames.find(|(id, _)| k.frame_triad[*id] == direction.triad).map(|(_, frame)| frame.name.as_str())
 }
 
 pub(super) fn inverse_dynamics(stages: &mut Stages, _: &Target) -> Parts {
