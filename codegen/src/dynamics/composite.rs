@@ -59,9 +59,15 @@ pub(super) fn contributions(
         let (Some(joint), Some(motion), Some(load)) = (&nodes[i].joint, &moves[i], loads[i].take()) else {
             continue;
         };
-        let (Some(inner), Some(hinge)) = (states[joint.parent].clone(), joint.hinge()) else { continue };
-        let load =
-            inwards(alg, &nodes[i], joint, motion, (load, turning[i].take()), (&inner, hinge), &mut found);
+        let Some(inner) = states[joint.parent].clone() else { continue };
+        let load = match joint.hinge() {
+            Some(hinge) => {
+                let turning = turning[i].take();
+                turned_inwards(alg, &nodes[i], motion, (load, turning), (&inner, hinge), &mut found)
+            }
+            None => load,
+        };
+        let load = slid_inwards(alg, joint, motion, load, &mut found);
         if let Some(parent) = &mut loads[joint.parent] {
             if let Some(turning) = &mut turning[joint.parent] {
                 turning.add(&mut alg.dag, i, &load.inertia, &joint.offset);
@@ -96,11 +102,10 @@ impl Load {
     }
 }
 
-/// Adds the columns and contributions of a joint; returns the load in the parent's triad, about its origin.
-fn inwards(
+/// Adds the columns and contributions of a hinge's rotation; returns the load in the parent's triad.
+fn turned_inwards(
     alg: &mut Algebra,
     node: &Node,
-    joint: &Joint,
     motion: &Moves,
     (mut load, turning): (Load, Option<Turning>),
     (inner, hinge): (&State, (Axis, ExprId)),
@@ -121,6 +126,14 @@ fn inwards(
     }
     let mut load = load.turned(dag, hinge);
     load.spin(dag, node.spin, hinge.0, motion, inner, found);
+    load
+}
+
+/// Adds the columns and contributions of a joint's translation to a load in the parent's triad; returns it about the
+/// parent's origin.
+fn slid_inwards(alg: &mut Algebra, joint: &Joint, motion: &Moves, mut load: Load, found: &mut Terms) -> Load {
+    let dag = &mut alg.dag;
+    let zero = [dag.zero(); 3];
     let sliding: Vec<UnknownId> = motion.slide.iter().flat_map(|r| r.partials.keys().copied()).collect();
     let mut own = BTreeMap::new();
     for unknown in sliding {

@@ -32,7 +32,9 @@ pub(super) fn accumulate(
     let (hanging, alone): (Vec<RigidInertia>, Vec<RigidInertia>) =
         bodies.into_iter().partition(|m| m.body.weight);
     let mut all = body_by_body(alg, model, k, given, &alone);
-    let forest = tree::build(alg, model, k, &hanging, tree::Joints::Hinges);
+    // In a long tree, what slides within a triad must not be the root of a tree of its own, moved by all speeds inside.
+    let joints = if n_products(k, &hanging) > LONG { tree::Joints::Slides } else { tree::Joints::Hinges };
+    let forest = tree::build(alg, model, k, &hanging, joints);
     for (root, bodies) in forest.roots() {
         let bodies: Vec<RigidInertia> = bodies.into_iter().map(|i| hanging[i].clone()).collect();
         // For a long tree the body-by-body form takes products of all pairs of joints below each body and is never

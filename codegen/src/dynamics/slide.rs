@@ -55,12 +55,13 @@ impl Slides {
     ) -> (Components, Vec<Components>) {
         let Split { constant, moving } = split(dag, components);
         let carried = |symbols: &[SymbolId]| {
-            symbols.iter().filter_map(|&s| self.carried.get(&(triad, s))).max_by_key(|c| c.bodies)
+            let known = symbols.iter().filter_map(|&s| self.carried.get(&(triad, s)));
+            known.max_by_key(|c| c.bodies).map_or((0, None), |c| (c.bodies, c.constant))
         };
         let mut by_bodies: BTreeMap<Reverse<usize>, (Components, Option<Components>)> = BTreeMap::new();
         for (symbols, displacement) in moving {
-            let Some(Carried { bodies, constant }) = carried(&symbols) else { continue };
-            let joint = by_bodies.entry(Reverse(*bodies)).or_insert(([dag.zero(); 3], *constant));
+            let (bodies, constant) = carried(&symbols);
+            let joint = by_bodies.entry(Reverse(bodies)).or_insert(([dag.zero(); 3], constant));
             joint.0 = sum(dag, joint.0, displacement);
         }
         let mut rest = constant;

@@ -70,9 +70,11 @@ impl Joint {
 /// Which joints connect nodes.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Joints {
-    /// Hinges. A node of any other rotation is the root of a tree of its own; an offset may move.
+    /// Hinges, whose offsets may move. A node of any other rotation is the root of a tree of its own.
     Hinges,
-    /// Hinges, ball joints and slides; the offsets of the first two do not move.
+    /// Hinges and slides; the offsets of hinges do not move.
+    Slides,
+    /// Ball joints as well.
     All,
 }
 
@@ -111,14 +113,9 @@ pub(super) fn build(
     bodies: &[RigidInertia],
     joints: Joints,
 ) -> Forest {
-    let slides = match joints {
-        Joints::All => {
-            let centres = bodies.iter().map(|m| &k.positions[m.body.centre]);
-            Some(Slides::new(&mut alg.dag, centres))
-        }
-        Joints::Hinges => None,
-    };
-    let mut tree = Builder { model, k, slides, nodes: Vec::new() };
+    let centres = bodies.iter().map(|m| &k.positions[m.body.centre]);
+    let slides = (joints != Joints::Hinges).then(|| Slides::new(&mut alg.dag, centres));
+    let mut tree = Builder { model, k, joints, slides, nodes: Vec::new() };
     let mut node_of_body = Vec::new();
     for RigidInertia { body, inertia } in bodies {
         let position = k.positions[body.centre].clone();
@@ -150,7 +147,8 @@ fn without(alg: &mut Algebra, vector: &Vector, triad: TriadId) -> (Vector, Compo
 struct Builder<'m> {
     model: &'m Model,
     k: &'m Kinematics,
-    /// What slides, if slides are joints.
+    joints: Joints,
+    /// What slides; `None` if only hinges are joints.
     slides: Option<Slides>,
     nodes: Vec<Node>,
 }
@@ -197,7 +195,7 @@ impl Builder<'_> {
         let (parent, turn) = match alg.triads.turn(triad).clone() {
             _ if is_lifted_triad(self.model, self.k, triad) => return None,
             Turn::Simple { parent, axis, angle } => (parent, JointTurn::Hinge(axis, angle)),
-            Turn::Directions { parent, rows, spin: Some(spin) } if self.slides.is_some() => {
+            Turn::Directions { parent, rows, spin: Some(spin) } if self.joints == Joints::All => {
                 (parent, JointTurn::Ball(Box::new((rows, spin))))
             }
             Turn::Directions { .. } | Turn::Inertial => return None,
