@@ -6,7 +6,8 @@
 //! r = (u', q' of every coordinate that the rates depend on),   J dz = -r,   dz the solution of least norm
 //! ```
 //! in units of each unknown's own range. If the solutions form a line, steps of least norm lead to one near the start.
-//! A step is halved as long as it does not reduce r or cannot be assembled.
+//! A step is halved as long as it does not reduce r or cannot be assembled. Where that ends without a solution, or
+//! outside a range, the search starts again elsewhere (`restart`).
 
 use crate::configuration::Configurations;
 use crate::engine::Engine;
@@ -22,9 +23,9 @@ const HALVINGS: usize = 40;
 /// The search ends if every rate is below this fraction of its change over the ranges of the state.
 const ROUNDING: f64 = f64::EPSILON;
 /// If a rate stays above this fraction, the end is no equilibrium.
-const BALANCED: f64 = 1e-9;
+pub(super) const BALANCED: f64 = 1e-9;
 /// Derivatives by a coordinate below this fraction of the largest are rounding: nothing depends on it.
-const NO_SLOPE: f64 = 1e-12;
+pub(super) const NO_SLOPE: f64 = 1e-12;
 /// Singular values below this fraction of the largest are zero: nothing changes along their directions.
 const FLAT: f64 = 1e-9;
 
@@ -38,28 +39,44 @@ pub(super) enum Unknown {
 }
 
 /// A coordinate or speed of the state.
-struct Entry {
+pub(super) struct Entry {
     name: String,
     /// Index in q or u.
-    place: usize,
+    pub place: usize,
     is_speed: bool,
     is_held: bool,
     /// Half of its range; 1 for a speed.
-    scale: f64,
+    pub scale: f64,
+    /// The range of a coordinate, and whether the model states it.
+    pub range: (f64, f64),
+    pub states_range: bool,
 }
+
+impl Entry {
+    /// Is it a coordinate that is searched for?
+    pub(super) fn is_free_coordinate(&self) -> bool {
+        !self.is_speed && !self.is_held
+    }
+}
+
+/// Coordinates, speeds and inputs.
+pub(super) type Place = (Vec<f64>, Vec<f64>, Vec<f64>);
+
+/// Rates at the end of a search, and the largest of them with its name, relative to its change over the ranges.
+pub(super) type End = (Rates, (String, f64));
 
 /// The search and its current state.
 pub(super) struct Search<'p> {
-    program: &'p Program,
+    pub(super) program: &'p Program,
     engine: Box<dyn Engine<f64>>,
-    configurations: Configurations,
-    state: Vec<Entry>,
-    q: Vec<f64>,
+    pub(super) configurations: Configurations,
+    pub(super) state: Vec<Entry>,
+    pub(super) q: Vec<f64>,
     u: Vec<f64>,
     inputs: Vec<f64>,
     free_inputs: Vec<usize>,
     has_laws: bool,
-    unknown: Unknown,
+    pub(super) unknown: Unknown,
 }
 
 /// The linearised equations: x' = A dx + B dinputs.
@@ -84,18 +101,19 @@ pub(super) struct Found {
 }
 
 /// Rates and their Jacobians at a state.
-struct Rates {
+pub(super) struct Rates {
     x_dot: DVector<f64>,
-    slopes: Slopes,
+    pub slopes: Slopes,
 }
 
 impl<'p> Search<'p> {
     pub fn new(model: &Model, program: &'p Program, engine: Box<dyn Engine<f64>>, start: &[f64]) -> Self {
         let configurations = Configurations::new(model, program);
         let n_q = program.q.len();
-        let range = |name: &str| {
-            let declared = model.coordinates.iter().find(|c| c.name == name);
-            let half = declared.map_or(1.0, |c| 0.5 * (c.range.1 - c.range.0));
+        let declared = |name: &str| model.coordinates.iter().find(|c| c.name == name);
+        let range = |name: &str| declared(name).map_or((0.0, 0.0), |c| c.range);
+        let half = |(low, high): (f64, f64)| {
+            let half = 0.5 * (high - low);
             if half > 0.0 && half.is_finite() { half } else { 1.0 }
         };
         let coordinates =
@@ -105,7 +123,9 @@ impl<'p> Search<'p> {
             place,
             is_speed: false,
             is_held: false,
-            scale: range(&q.name),
+            scale: half(range(&q.name)),
+            range: range(&q.name),
+            states_range: declared(&q.name).is_some_and(|c| c.states_range()),
         });
         let speeds = program.u.iter().enumerate().map(|(place, u)| Entry {
             name: u.name.clone(),
@@ -113,6 +133,8 @@ impl<'p> Search<'p> {
             is_speed: true,
             is_held: true,
             scale: 1.0,
+            range: (0.0, 0.0),
+            states_range: false,
         });
         let state = coordinates.chain(speeds).collect();
         let lawful: Vec<usize> = model.laws.iter().map(|(input, _)| input.index()).collect();
@@ -168,12 +190,16 @@ impl<'p> Search<'p> {
         self.state.iter().any(|entry| entry.is_speed && !entry.is_held) || self.u.iter().any(|u| *u != 0.0)
     }
 
-    /// Runs the search.
-    pub fn find(&mut self) -> Result<Found, String> {
-        self.assemble_held()?;
-        let mut here = self
-            .rates()
-            .map_err(|why| format!("where the search starts {why}; give another start by --set"))?;
+    pub(super) fn place(&self) -> Place {
+        (self.q.clone(), self.u.clone(), self.inputs.clone())
+    }
+
+    pub(super) fn return_to(&mut self, place: Place) {
+        (self.q, self.u, self.inputs) = place;
+    }
+
+    /// Newton's method from here.
+    pub(super) fn settle(&mut self, mut here: Rates) -> End {
         let mut rest = self.off_balance(&here);
         for _ in 0..STEPS {
             if rest.1 <= ROUNDING {
@@ -183,7 +209,11 @@ impl<'p> Search<'p> {
             let Some((next, less)) = self.shortened(&step, rest.1) else { break };
             (here, rest) = (next, less);
         }
-        let (name, share) = rest;
+        (here, rest)
+    }
+
+    /// The end of a search as the equilibrium here.
+    pub(super) fn result(&mut self, (here, (name, share)): End) -> Result<Found, String> {
         let value = self.rate_of(&here, &name);
         if share > BALANCED {
             return Err(self.not_found(&name, value));
@@ -203,7 +233,7 @@ impl<'p> Search<'p> {
     }
 
     /// Solves for the dependent coordinates if coordinates are held at values other than their start.
-    fn assemble_held(&mut self) -> Result<(), String> {
+    pub(super) fn assemble_held(&mut self) -> Result<(), String> {
         let held = self.state.iter().any(|entry| !entry.is_speed && entry.is_held);
         if !held {
             return Ok(());
@@ -229,7 +259,7 @@ impl<'p> Search<'p> {
     }
 
     /// Rates and slopes here, or why there are none.
-    fn rates(&mut self) -> Result<Rates, &'static str> {
+    pub(super) fn rates(&mut self) -> Result<Rates, &'static str> {
         let (n_q, n_u) = (self.q.len(), self.u.len());
         let (mut q_dot, mut u_dot) = (vec![0.0; n_q], vec![0.0; n_u]);
         self.engine.set_time(0.0);
@@ -335,7 +365,7 @@ impl<'p> Search<'p> {
 
     /// Takes the step, or the part of it that reduces the rates.
     fn shortened(&mut self, step: &DVector<f64>, before: f64) -> Option<(Rates, (String, f64))> {
-        let old = (self.q.clone(), self.u.clone(), self.inputs.clone());
+        let old = self.place();
         // At most half a range in one step.
         let mut part = 1.0 / step.amax().max(1.0);
         for _ in 0..HALVINGS {
@@ -349,12 +379,12 @@ impl<'p> Search<'p> {
             }
             part *= 0.5;
         }
-        (self.q, self.u, self.inputs) = old;
+        self.return_to(old);
         None
     }
 
     /// Takes a part of the step from the old state; false if it cannot be assembled.
-    fn go(&mut self, old: &(Vec<f64>, Vec<f64>, Vec<f64>), step: &DVector<f64>, part: f64) -> bool {
+    fn go(&mut self, old: &Place, step: &DVector<f64>, part: f64) -> bool {
         let (mut q, mut u, mut inputs) = old.clone();
         match self.unknown {
             Unknown::Inputs => {

@@ -138,6 +138,50 @@ fn thrusts_that_hold_the_tile_are_slopes_of_its_energy() {
     }
 }
 
+/// An arm on a hub that turns about the vertical.
+const WHIRLING: &str = r#"format = 1
+name = "whirling"
+gravity = "-g*N.y"
+[parameters]
+g = { value = 9.81, unit = "m/s^2" }
+[joints]
+yaw = { kind = "revolute", axis = "y", child = "hub" }
+sw = { kind = "revolute", axis = "z", parent = "hub", child = "arm", at = "0.1_m*hub.x", damping = 0.05 }
+[points]
+B = "arm - 0.4_m*arm.y"
+[bodies]
+b = { centre = "B", frame = "arm", mass = 1, ball = 0.05 }
+hub = { centre = "O", frame = "hub", mass = 1, disc = 0.2, axis = "y" }
+[outputs]
+angle = "sw"
+"#;
+
+#[test]
+fn a_search_that_ends_between_equilibria_starts_again() {
+    let model = written("whirling.toml", WHIRLING);
+    // Without the hold of the hub's speed the search ends where the rates are least, not 0.
+    let balance = |sw: f64| 36.0 * (0.1 + 0.4 * sw.sin()) * sw.cos() - 9.81 * sw.sin();
+    for (start, expected) in [("0", 1.016_38), ("1.2", 1.016_38), ("3", -2.993_016), ("-1.5", -2.0)] {
+        let answer = found(&[&model, "--hold", "u_yaw=6", "--set", &format!("sw={start}")]);
+        let sw = number(&answer["q"]["sw"]);
+        assert!(balance(sw).abs() < 1e-9, "from {start}: {sw}");
+        assert!(sw.abs() <= std::f64::consts::PI, "from {start}: {sw}");
+        assert!(start == "-1.5" || (sw - expected).abs() < 1e-4, "from {start}: {sw}");
+        // Nothing depends on where the hub points.
+        assert_eq!(number(&answer["q"]["yaw"]), 0.0, "from {start}");
+        assert_eq!(answer["outputs"]["angle"], answer["q"]["sw"]);
+    }
+}
+
+#[test]
+fn an_equilibrium_outside_a_stated_range_gives_way_to_one_inside() {
+    let ranged = WHIRLING.replace("damping = 0.05", "damping = 0.05, range = [-3.1, 0]");
+    let model = written("whirling_within.toml", &ranged);
+    let answer = found(&[&model, "--hold", "u_yaw=6", "--set", "sw=-0.1"]);
+    let sw = number(&answer["q"]["sw"]);
+    assert!((-3.1..=0.0).contains(&sw), "{sw}");
+}
+
 /// A mass on a spring, with what its law and the drag of the second power do.
 const HANGING: &str = r#"format = 1
 name = "hanging"

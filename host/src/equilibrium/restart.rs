@@ -1,0 +1,167 @@
+//! Starts the search for an equilibrium again where Newton's method ends without one, or outside the ranges.
+//!
+//! In: the search where it starts. Out: the equilibrium to which it leads from there; if it leads to none within the
+//! ranges that the model states, the nearest of those found from places spread evenly over the ranges; if there is none,
+//! the end from the start.
+
+use super::search::{BALANCED, End, Entry, Found, NO_SLOPE, Place, Rates, Search, Unknown};
+
+/// Number of places.
+const PLACES: usize = 64;
+
+impl Search<'_> {
+    /// Runs the search.
+    pub fn find(&mut self) -> Result<Found, String> {
+        self.assemble_held()?;
+        let here = self
+            .rates()
+            .map_err(|why| format!("where the search starts {why}; give another start by --set"))?;
+        let start = self.place();
+        let first = self.settle(here);
+        if self.unknown == Unknown::Inputs {
+            return self.result(first);
+        }
+        let (first, is_within) = self.within_ranges(first);
+        if is_within {
+            return self.result(first);
+        }
+        let mut nearest = (f64::INFINITY, self.place(), first);
+        for place in self.other_places(&start) {
+            if self.go_to(&start, &place)
+                && let Ok(here) = self.rates()
+            {
+                let found = self.settle(here);
+                let (found, is_within) = self.within_ranges(found);
+                let distance = self.distance(&start);
+                if is_within && distance < nearest.0 {
+                    nearest = (distance, self.place(), found);
+                }
+            }
+        }
+        self.return_to(nearest.1);
+        self.result(nearest.2)
+    }
+
+    /// How far the coordinates are from the start, in units of half their ranges.
+    fn distance(&self, start: &Place) -> f64 {
+        let free = self.state.iter().filter(|entry| entry.is_free_coordinate());
+        let ways = free.map(|entry| (self.q[entry.place] - start.0[entry.place]) / entry.scale);
+        ways.map(|way| way * way).sum::<f64>().sqrt()
+    }
+
+    /// The end of a search, if need be after whole turns of angles, and whether it is an equilibrium within the ranges.
+    fn within_ranges(&mut self, end: End) -> (End, bool) {
+        let is_balanced = |end: &End| end.1.1 <= BALANCED;
+        if !is_balanced(&end) {
+            return (end, false);
+        }
+        let before = self.place();
+        if self.turn_back()
+            && let Ok(here) = self.rates()
+        {
+            let turned = self.settle(here);
+            if is_balanced(&turned) && self.is_in_ranges() {
+                return (turned, true);
+            }
+        }
+        self.return_to(before);
+        (end, self.is_in_ranges())
+    }
+
+    /// Are all coordinates that were searched for within the ranges that the model states?
+    fn is_in_ranges(&self) -> bool {
+        let outside = |entry: &&Entry| {
+            let ((low, high), q) = (entry.range, self.q[entry.place]);
+            entry.is_free_coordinate() && entry.states_range && !(low..=high).contains(&q)
+        };
+        !self.state.iter().any(|entry| outside(&entry))
+    }
+
+    /// Turns angles that have left a range of a whole turn or more back into it; false if there are none.
+    fn turn_back(&mut self) -> bool {
+        const TURN: f64 = std::f64::consts::TAU;
+        let mut q = self.q.clone();
+        for entry in self.state.iter().filter(|entry| entry.is_free_coordinate()) {
+            let ((low, high), angle) = (entry.range, &mut q[entry.place]);
+            let is_angle = self.program.q[entry.place].unit == "rad";
+            if is_angle && high - low >= TURN * (1.0 - BALANCED) && !(low..=high).contains(angle) {
+                *angle -= TURN * ((*angle - 0.5 * (low + high)) / TURN).round();
+            }
+        }
+        if q == self.q {
+            return false;
+        }
+        let assembled = self.configurations.follow(0.0, &q, &q);
+        assembled.map(|q| self.q = q).is_ok()
+    }
+
+    /// Other values of the coordinates on which the rates depend.
+    fn other_places(&mut self, start: &Place) -> Vec<Vec<(usize, f64)>> {
+        let has_range = |entry: &Entry| {
+            let width = entry.range.1 - entry.range.0;
+            entry.is_free_coordinate() && width > 0.0 && width.is_finite()
+        };
+        let mut moved: Vec<usize> = (0..self.state.len()).filter(|&i| has_range(&self.state[i])).collect();
+        let places = |this: &Self, moved: &[usize]| -> Vec<Vec<(usize, f64)>> {
+            let ranges: Vec<(f64, f64)> = moved.iter().map(|&i| this.state[i].range).collect();
+            let named = |place: Vec<f64>| moved.iter().map(|&i| this.state[i].place).zip(place).collect();
+            around(&ranges).into_iter().map(named).collect()
+        };
+        // Where all of them are moved, no slope vanishes by a symmetry of the start.
+        let slopes = places(self, &moved)
+            .into_iter()
+            .find_map(|place| if self.go_to(start, &place) { self.rates().ok() } else { None });
+        if let Some(Rates { slopes, .. }) = slopes {
+            let largest = slopes.a.amax();
+            moved.retain(|&i| slopes.a.column(i).amax() > NO_SLOPE * largest);
+        }
+        if moved.is_empty() { Vec::new() } else { places(self, &moved) }
+    }
+
+    /// Goes to the start with these values of coordinates, given by their indices in q; false if that cannot be
+    /// assembled.
+    fn go_to(&mut self, start: &Place, values: &[(usize, f64)]) -> bool {
+        let mut q = start.0.clone();
+        values.iter().for_each(|&(place, value)| q[place] = value);
+        let Ok(q) = self.configurations.follow(0.0, &start.0, &q) else { return false };
+        self.return_to((q, start.1.clone(), start.2.clone()));
+        true
+    }
+}
+
+/// The places, each with a value for every coordinate.
+fn around(ranges: &[(f64, f64)]) -> Vec<Vec<f64>> {
+    let ratio = ratio(ranges.len());
+    let place = |n: usize| -> Vec<f64> {
+        let mut step = 1.0;
+        let mut along = |&(low, high): &(f64, f64)| {
+            step /= ratio;
+            low + (high - low) * (0.5 + n as f64 * step).fract()
+        };
+        ranges.iter().map(&mut along).collect()
+    };
+    (0..PLACES).map(place).collect()
+}
+
+/// The root above 1 of x^(n + 1) = x + 1, for one coordinate the golden section. Fractional parts of multiples of its
+/// negative powers fill a box of n dimensions evenly.
+fn ratio(n: usize) -> f64 {
+    (0..60).fold(1.5, |x: f64, _| (1.0 + x).powf(1.0 / (n + 1) as f64))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn places_lie_close_to_every_point_of_the_ranges() {
+        let places = around(&[(-1.0, 3.0), (0.0, 0.1)]);
+        assert!(places.iter().all(|p| (-1.0..3.0).contains(&p[0]) && (0.0..0.1).contains(&p[1])));
+        let apart = |p: &[f64], x: f64, y: f64| ((p[0] - x) / 2.0).hypot((p[1] - y) / 0.05);
+        for (x, y) in (0..=20).flat_map(|i| (0..=20).map(move |j| (i, j))) {
+            let (x, y) = (f64::from(x) * 0.2 - 1.0, f64::from(y) * 0.005);
+            let nearest = places.iter().map(|p| apart(p, x, y)).fold(f64::INFINITY, f64::min);
+            assert!(nearest < 0.35, "({x}, {y}): {nearest}");
+        }
+    }
+}
