@@ -1,9 +1,9 @@
-//! Articulated-body algorithm: u' of a tree, hinge by hinge, without a mass matrix (Featherstone 2008, chapter 7).
+//! Articulated-body algorithm: u' of a tree, joint by joint, without a mass matrix (Featherstone 2008, chapter 7).
 //!
 //! In: the bodies as a tree in which every joint has speeds of its own, and the active forces. Out: u' and its pivots,
 //! by a number of operations that grows linearly with the length of the tree.
 //!
-//! Accelerations are counted relative to those at u' = 0 (`tree_motion`). Inwards, from the leaves, every hinge is
+//! Accelerations are counted relative to those at u' = 0 (`tree_motion`). Inwards, from the leaves, every joint is
 //! released: with s its twist, U = I s and D = s . U, its u' = (F - s . wrench) / D - (U / D) . A, where A is the
 //! acceleration of the body inside relative to that at u' = 0; that body then carries the articulated inertia I - U U'
 //! / D. Outwards, A follows. The three speeds of a ball joint are released one after the other; what remains has

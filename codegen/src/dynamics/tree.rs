@@ -2,8 +2,9 @@
 //!
 //! A body centred at O + c, with c resolved in the body's own triad, belongs to the node (triad, O). The node of a
 //! simple rotation hangs on the node of the triad it is turned against, at the part of O that is resolved in that
-//! triad. A body that slides within a triad has a node of its own there (`slide`), if slides are joints. Inertia that a rotation does not change is moved inwards: mass and moments along a hinge's axis, and all of a
-//! wheel but its spin. The sums then depend on parameters alone.
+//! triad. A body that slides within a triad has a node of its own there (`slide`), if slides are joints. Inertia that a
+//! rotation does not change is moved inwards: mass and moments along a hinge's axis, and all of a wheel but its spin.
+//! The sums then depend on parameters alone.
 
 use super::rigid_inertia::RigidInertia;
 use super::slide::Slides;

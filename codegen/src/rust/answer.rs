@@ -22,6 +22,8 @@ pub(super) type Cost = BTreeMap<&'static str, usize>;
 pub(super) struct Emitted {
     /// Its name.
     pub name: String,
+    /// The name asked for; `name` differs from it where that is no identifier, or in use.
+    asked: String,
     /// For rates alone: the name of the function that writes them to memory. The function itself then calls that one.
     pub into: Option<String>,
     /// What it returns, for its documentation.
@@ -94,9 +96,15 @@ pub(super) fn functions(program: &Program, options: &EmitOptions) -> Vec<Emitted
             matches!(answers.as_slice(), [only] if only.answer.name == RATES) && together.is_none();
         let name = names.unique(&function.name);
         let into = is_rates.then(|| names.unique(&format!("{name}_into")));
-        emitted.push(Emitted { name, into, doc, answers, role, together });
+        emitted.push(Emitted { name, asked: function.name.clone(), into, doc, answers, role, together });
     }
     emitted
+}
+
+/// The names of the emitted functions, by the names asked for.
+#[must_use]
+pub fn function_names(program: &Program, options: &EmitOptions) -> BTreeMap<String, String> {
+    functions(program, options).into_iter().map(|function| (function.asked, function.name)).collect()
 }
 
 /// The functions of a step: the first evaluation together with the correction, and the later evaluations.

@@ -24,6 +24,7 @@ mod sections;
 mod sines;
 mod statement;
 
+pub use answer::function_names;
 pub use cost::{FunctionCost, cost};
 pub use file::emit;
 pub use glue::struct_name;

@@ -156,7 +156,7 @@ impl Scope {
 
     /// The functions of the emitted file.
     pub fn of_functions() -> Self {
-        Self::of(["prepare"].iter())
+        Self::of(["prepare"].iter().chain(&CONSTANTS).chain(&TYPES).chain(&PRELUDE))
     }
 
     /// The types of the emitted file.

@@ -10,12 +10,12 @@ use crate::firmware::functions::{self, ChipCost, Measured};
 use crate::firmware::image::straight::Instructions;
 use crate::output;
 use serde_json::{Value, json};
-use smartbed_codegen::rust::{FunctionCost, cost};
+use smartbed_codegen::rust::{FunctionCost, cost, function_names};
 use smartbed_codegen::{Answer, Core, EmitOptions, Function, Program, ScalarType};
 
 /// An answer, and its function with all answers up to this one.
 struct Row {
-    /// Name of the whole function.
+    /// Name of the whole function, as it is emitted.
     function: String,
     first: Function,
     cost: FunctionCost,
@@ -43,14 +43,16 @@ pub fn print(
 /// numbers, are left out.
 fn rows(program: &Program, asked: &[Function], options: &EmitOptions) -> Vec<Row> {
     let mut rows: Vec<Row> = Vec::new();
+    let emitted = function_names(program, &EmitOptions { functions: asked.to_vec(), ..options.clone() });
     for function in asked {
+        let name = emitted.get(&function.name).unwrap_or(&function.name);
         for n in 0..function.requests.len() {
             let has_numbers = |answer: Answer| !answer.roots().is_empty();
             if program.answer(&function.requests[n]).is_some_and(has_numbers) {
                 let requests = function.requests[..=n].to_vec();
                 let first = Function { name: format!("cost_{}", rows.len()), requests };
                 let cost = cost(program, &first, options);
-                rows.push(Row { function: function.name.clone(), first, cost, chip: None });
+                rows.push(Row { function: name.clone(), first, cost, chip: None });
             }
         }
     }

@@ -267,7 +267,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
             folder.clone()
         }
     };
-    report(arguments, &program, &options.functions, &written)
+    report(arguments, &program, &options, &written)
 }
 
 /// The functions asked for; if none are, those that every program has.
@@ -279,22 +279,24 @@ fn all(program: &Program, asked: &[Function]) -> Vec<Function> {
 fn report(
     arguments: &Arguments,
     program: &Program,
-    functions: &[Function],
+    options: &EmitOptions,
     written: &str,
 ) -> Result<(), Failure> {
     if written == "-" {
         return Ok(());
     }
-    let functions = all(program, functions);
+    let functions = all(program, &options.functions);
+    let emitted = rust::function_names(program, options);
+    let name = |function: &Function| emitted.get(&function.name).unwrap_or(&function.name).clone();
     let operations = |function: &Function| program.dag.state_cost(&program.function_roots(function));
     let text = if arguments.json {
-        let costs = functions.iter().map(|f| (f.name.clone(), serde_json::Value::from(operations(f))));
+        let costs = functions.iter().map(|f| (name(f), serde_json::Value::from(operations(f))));
         let costs = serde_json::Map::from_iter(costs);
         let done = serde_json::json!({"model": program.name, "output": written, "operations": costs});
         format!("{done}\n")
     } else {
         let first = &functions[0];
-        let what = if first.name == "rates" { String::new() } else { format!(" of {}", first.name) };
+        let what = if first.name == "rates" { String::new() } else { format!(" of {}", name(first)) };
         let operations = count(operations(first), "operation");
         format!("{}: {operations} per evaluation{what}, in {written}\n", program.name)
     };

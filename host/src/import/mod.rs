@@ -23,8 +23,8 @@ use crate::{input, output};
 
 Links become bodies and joints entries of [joints]; a joint with one coordinate has an input
 `tau_JOINT` as its drive. Links connected by fixed joints become one body; a mimic joint follows
-its joint. What is not converted (meshes, transmissions, limits of speed and effort, friction) is
-listed in notes.")]
+its joint, and one whose limits coincide is fixed there. Notes list what is not converted (meshes,
+transmissions, limits of speed and effort, friction), what is fixed and what is renamed.")]
 pub struct Arguments {
     /// The robot: the path of a URDF file, or - for standard input.
     pub robot: String,
@@ -61,6 +61,9 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let imported = import(robot, &text, *base)?;
     for line in &imported.left_out {
         output::say(&format!("note: not converted: {line}"));
+    }
+    for line in &imported.notes {
+        output::say(&format!("note: {line}"));
     }
     output::write(output.as_deref().unwrap_or("-"), imported.model.as_bytes())
 }

@@ -8,26 +8,36 @@ const LONGEST: usize = 48;
 
 /// The names in use.
 #[derive(Debug)]
-pub struct Names(BTreeSet<String>);
+pub struct Names {
+    taken: BTreeSet<String>,
+    /// Names that were changed, with what they name.
+    pub changed: Vec<String>,
+}
 
 impl Names {
     /// With the names that every model has.
     pub fn new() -> Self {
-        Self(["N", "O", "g"].into_iter().chain(RESERVED).map(str::to_owned).collect())
+        let taken = ["N", "O", "g"].into_iter().chain(RESERVED).map(str::to_owned).collect();
+        Self { taken, changed: Vec::new() }
     }
 
-    /// A name as near to `wanted` as possible; if it is in use, with `ending` or a number appended.
-    pub fn take(&mut self, wanted: &str, ending: &str) -> String {
+    /// A name for a joint, link or robot (`what`) as near to `wanted` as possible; if it is in use, with that word or a
+    /// number appended.
+    pub fn take(&mut self, wanted: &str, what: &str) -> String {
+        let ending = format!("_{what}");
         let letter = |c: char| if c.is_ascii_alphanumeric() { c } else { '_' };
         let mut word: String = wanted.chars().map(letter).take(LONGEST).collect();
         if !word.starts_with(|c: char| c.is_ascii_alphabetic()) {
-            word = format!("{}_{word}", ending.trim_start_matches('_'));
+            word = format!("{what}_{word}");
         }
-        let free = |name: &String| !self.0.contains(name) && !is_keyword(name);
+        let free = |name: &String| !self.taken.contains(name) && !is_keyword(name);
         let others =
             std::iter::once(format!("{word}{ending}")).chain((2..).map(|n| format!("{word}{ending}{n}")));
         let name = std::iter::once(word.clone()).chain(others).find(free).unwrap_or(word);
-        self.0.insert(name.clone());
+        self.taken.insert(name.clone());
+        if name != wanted {
+            self.changed.push(format!("{what} `{wanted}` is named `{name}`"));
+        }
         name
     }
 }

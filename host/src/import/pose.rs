@@ -40,6 +40,17 @@ pub fn rotation([roll, pitch, yaw]: Vector) -> Matrix {
     ]
 }
 
+/// Rotation by an angle about an axis of unit length.
+pub fn about([x, y, z]: Vector, angle: f64) -> Matrix {
+    let (s, c) = sin_cos(angle);
+    let v = 1.0 - c;
+    [
+        [c + v * x * x, v * x * y - s * z, v * x * z + s * y],
+        [v * x * y + s * z, c + v * y * y, v * y * z - s * x],
+        [v * x * z - s * y, v * y * z + s * x, c + v * z * z],
+    ]
+}
+
 /// Sine and cosine, exact for multiples of a quarter turn.
 fn sin_cos(angle: f64) -> (f64, f64) {
     match quarters(angle) {

@@ -70,7 +70,7 @@ pub struct Joint {
     pub origin: Origin,
     /// Axis in the child's frame, of any length.
     pub axis: Vector,
-    /// Lower and upper limit.
+    /// Lower and upper limit; `None` if there are none, or both are 0 without being stated.
     pub limit: Option<(f64, f64)>,
     /// Viscous friction coefficient.
     pub damping: f64,
@@ -89,6 +89,8 @@ pub struct Robot {
     pub joints: Vec<Joint>,
     /// Elements that are not read, and how often they occur.
     pub left_out: BTreeMap<&'static str, usize>,
+    /// What was read in another way than it is written, a line each.
+    pub notes: Vec<String>,
 }
 
 /// The place of an element, for messages.
@@ -121,6 +123,7 @@ pub fn read(text: &str) -> Result<Robot, String> {
         links: Vec::new(),
         joints: Vec::new(),
         left_out: BTreeMap::new(),
+        notes: Vec::new(),
     };
     for node in root.children().filter(Node::is_element) {
         match node.tag_name().name() {
@@ -143,9 +146,49 @@ pub fn read(text: &str) -> Result<Robot, String> {
             _ => {}
         }
     }
+    robot.lock();
     match robot.links.is_empty() {
         true => Err(format!("robot `{}` has no <link>; expected at least one", robot.name)),
         false => Ok(robot),
+    }
+}
+
+impl Robot {
+    /// Fixes joints whose limits coincide where these are, unless another joint follows them.
+    fn lock(&mut self) {
+        let followed: Vec<String> =
+            self.joints.iter().filter_map(|j| j.mimic.as_ref()).map(|(name, ..)| name.clone()).collect();
+        for joint in &mut self.joints {
+            let Some((at, _)) = joint.limit.filter(|(low, high)| low == high) else { continue };
+            if followed.contains(&joint.name) {
+                joint.limit = None;
+                self.notes.push(format!(
+                    "the limits of joint `{}` coincide, but a joint follows it: it moves without limits",
+                    joint.name
+                ));
+                continue;
+            }
+            let unit = if joint.kind == Kind::Prismatic { "m" } else { "rad" };
+            joint.fix(at);
+            self.notes
+                .push(format!("joint `{}` is fixed at {at} {unit}, where its limits coincide", joint.name));
+        }
+    }
+}
+
+impl Joint {
+    /// Replaces the joint by a fixed one in the pose that it has at this value.
+    fn fix(&mut self, at: f64) {
+        let turn = pose::rotation(self.origin.rpy);
+        let axis = self.axis.map(|x| x / pose::norm(self.axis));
+        if self.kind == Kind::Prismatic {
+            let way = pose::turned(&turn, axis.map(|x| x * at));
+            self.origin.xyz = std::array::from_fn(|i| self.origin.xyz[i] + way[i]);
+        } else if at != 0.0 {
+            self.origin.rpy = pose::angles(&pose::product(&turn, &pose::about(axis, at)));
+        }
+        self.kind = Kind::Fixed;
+        self.limit = None;
     }
 }
 
@@ -254,10 +297,9 @@ fn joint(node: Node<'_, '_>, left_out: &mut BTreeMap<&'static str, usize>) -> Re
             "the limits of joint `{name}` at {at} are {lower} and {upper}; expected the lower one first"
         ));
     }
-    let limited = has_limits && limit.0 < limit.1;
-    if has_limits && limit.0 == limit.1 && limit.0 != 0.0 {
-        *left_out.entry("limits that leave no motion").or_default() += 1;
-    }
+    // Both limits are 0 by default: many files that state neither mean none.
+    let stated = limits.is_some_and(|n| n.has_attribute("lower") && n.has_attribute("upper"));
+    let limited = has_limits && (limit.0 < limit.1 || stated);
     let dynamics = child(node, "dynamics");
     let damping = number_or(dynamics, "damping", 0.0)?;
     if number_or(dynamics, "friction", 0.0)? != 0.0 {
@@ -279,12 +321,13 @@ fn joint(node: Node<'_, '_>, left_out: &mut BTreeMap<&'static str, usize>) -> Re
     if mimic.is_some() && !matches!(kind, Kind::Revolute | Kind::Continuous | Kind::Prismatic) {
         return Err(format!("joint `{name}` at {at} mimics another; expected a revolute or prismatic joint"));
     }
-    if mimic.is_some() && limited {
+    let follows = mimic.is_some();
+    if follows && limited {
         *left_out.entry("limits of joints that follow others").or_default() += 1;
     }
-    if mimic.is_some() && damping != 0.0 {
+    if follows && damping != 0.0 {
         *left_out.entry("damping of joints that follow others").or_default() += 1;
     }
-    let limit = limited.then_some(limit);
+    let limit = (limited && !follows).then_some(limit);
     Ok(Joint { name, kind, parent, child: outer, origin: origin(node)?, axis, limit, damping, mimic })
 }

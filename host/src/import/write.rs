@@ -25,6 +25,8 @@ pub struct Imported {
     pub model: String,
     /// Parts of the robot that were not converted, a line each.
     pub left_out: Vec<String>,
+    /// What is named or held otherwise than in the robot, a line each.
+    pub notes: Vec<String>,
 }
 
 /// The robot's names in the model.
@@ -52,38 +54,42 @@ pub fn write(path: &str, robot: &Robot, tree: &Tree, base: Base) -> Imported {
     let file = std::path::Path::new(path).file_name().map(|name| name.to_string_lossy());
     let shown = |text: &str| text.chars().filter(|c| !c.is_control()).collect::<String>();
     let _ = writeln!(text, " from {}, robot {}.", shown(&file.unwrap_or_default()), shown(&robot.name));
+    let title = names.take(&robot.name, "robot");
+    let notes = [names.changed, robot.notes.clone()].concat();
     for line in &left_out {
         let _ = writeln!(text, "# Not converted: {}.", shown(line));
+    }
+    for line in &notes {
+        let _ = writeln!(text, "# Note: {}.", shown(line));
     }
     let _ = write!(
         text,
         "format = 1\nname = \"{}\"\ndof = {}\ngravity = \"-g*N.z\"\n\n[parameters]\ng = {{ value = 9.81, unit = \"m/s^2\" }}\n",
-        names.take(&robot.name, "_robot"),
-        sections.dof
+        title, sections.dof
     );
     for (section, entries) in sections.all {
         if !entries.is_empty() {
             let _ = write!(text, "\n[{section}]\n{entries}");
         }
     }
-    Imported { model: text, left_out }
+    Imported { model: text, left_out, notes }
 }
 
 fn name(names: &mut Names, robot: &Robot, tree: &Tree, base: Base) -> Words {
     let joint = |names: &mut Names, joint: &Joint| match joint.kind {
         Kind::Fixed => String::new(),
-        _ => names.take(&joint.name, "_joint"),
+        _ => names.take(&joint.name, "joint"),
     };
     let joints = robot.joints.iter().map(|j| joint(names, j)).collect();
     let carrier = |names: &mut Names, carrier: &Carrier| match (carrier.joint, base) {
         (None, Base::Fixed) => ("N".to_owned(), "O".to_owned()),
         _ => {
-            let name = names.take(&robot.links[carrier.link].name, "_link");
+            let name = names.take(&robot.links[carrier.link].name, "link");
             (name.clone(), name)
         }
     };
     let carriers = tree.carriers.iter().map(|c| carrier(names, c)).collect();
-    let ends = tree.ends.iter().map(|&l| names.take(&robot.links[l].name, "_link")).collect();
+    let ends = tree.ends.iter().map(|&l| names.take(&robot.links[l].name, "link")).collect();
     Words { carriers, joints, ends }
 }
 

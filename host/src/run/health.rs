@@ -57,6 +57,8 @@ struct Outside {
 pub struct Health {
     ranges: BTreeMap<String, Range>,
     outside: BTreeMap<String, Outside>,
+    /// By column: the first time at which it was not finite, and its value then.
+    infinite: BTreeMap<String, (f64, f64)>,
     /// Smallest pivot so far, relative to nominal.
     pivot: f64,
     imbalance: f64,
@@ -80,8 +82,8 @@ impl Health {
     /// Without observations; `epsilon` is the scalar's.
     #[must_use]
     pub fn new(ranges: BTreeMap<String, Range>, epsilon: f64) -> Self {
-        let outside = BTreeMap::new();
-        Self { ranges, outside, pivot: 1.0, imbalance: 0.0, moved: 0.0, size: 0.0, epsilon }
+        let (outside, infinite) = (BTreeMap::new(), BTreeMap::new());
+        Self { ranges, outside, infinite, pivot: 1.0, imbalance: 0.0, moved: 0.0, size: 0.0, epsilon }
     }
 
     /// Observes a coordinate at a time.
@@ -91,6 +93,13 @@ impl Health {
         let is_inside = excess <= 0.0;
         if !is_inside && self.outside.get(name).is_none_or(|known| excess > known.excess || excess.is_nan()) {
             self.outside.insert(name.to_owned(), Outside { t, value, excess });
+        }
+    }
+
+    /// Observes an output at a time.
+    pub fn output(&mut self, name: &str, value: f64, t: f64) {
+        if !value.is_finite() && !self.infinite.contains_key(name) {
+            self.infinite.insert(name.to_owned(), (t, value));
         }
     }
 
@@ -112,7 +121,22 @@ impl Health {
     /// The findings, as messages for the user.
     #[must_use]
     pub fn findings(&self) -> Vec<String> {
-        [self.unbalanced(), self.left_ranges(), self.singular()].into_iter().flatten().collect()
+        let findings = [self.unbalanced(), self.left_ranges(), self.singular(), self.not_finite()];
+        findings.into_iter().flatten().collect()
+    }
+
+    fn not_finite(&self) -> Option<String> {
+        let more = self.infinite.len().saturating_sub(NAMED);
+        let named = self.infinite.iter().take(NAMED);
+        let named = named.map(|(name, (t, value))| format!("`{name}` = {value} first at t = {t:.4} s"));
+        let named: Vec<String> = named.collect();
+        let more = if more > 0 { format!(" and {more} more") } else { String::new() };
+        (!named.is_empty()).then(|| {
+            format!(
+                "outputs are not finite: {}{more}; something they are divided by is 0, or a number is too large",
+                named.join(", ")
+            )
+        })
     }
 
     fn unbalanced(&self) -> Option<String> {
@@ -191,5 +215,15 @@ mod tests {
         assert!(found[0].contains("NaN J of the 2.0e0 J"), "{found:?}");
         assert!(found[1].ends_with("`h` = 1200.0000 mm at t = 2.0000 s (range -100 to 200)"), "{found:?}");
         assert!(found[2].contains("1.0e-6 of nominal"), "{found:?}");
+    }
+
+    #[test]
+    fn outputs_that_are_not_finite_are_told_once() {
+        let mut health = health();
+        [(1.0, 0.0), (f64::NEG_INFINITY, 0.5), (f64::NAN, 1.0)]
+            .iter()
+            .for_each(|(x, t)| health.output("p", *x, *t));
+        let found = health.findings();
+        assert!(found.len() == 1 && found[0].contains("`p` = -inf first at t = 0.5000 s"), "{found:?}");
     }
 }

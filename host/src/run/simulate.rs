@@ -127,6 +127,9 @@ impl<S: EngineScalar, F: FnMut(&Row) -> Result<(), Failure>> Recorder<'_, S, F> 
         values.extend(accounts.columns());
         let more = self.program.outputs.iter().map(|(name, _)| name).zip(&outputs);
         let inputs = self.program.inputs.iter().map(|i| &i.name).zip(&plant.inputs);
+        for (name, value) in more.clone() {
+            self.summary.health.output(name, value.to_f64(), t);
+        }
         for (name, value) in more.chain(inputs) {
             if self.columns.get(values.len()) == Some(name) {
                 values.push(value.to_f64());

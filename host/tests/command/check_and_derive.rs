@@ -177,6 +177,30 @@ fn forms_give_what_they_say_or_explain_why_not() {
 }
 
 #[test]
+fn functions_named_like_other_items_are_renamed_and_named_as_emitted() {
+    let file = written("renamed.rs", "");
+    for (asked, emitted) in
+        [("START_Q", "START_Q_2"), ("Q_NAMES", "Q_NAMES_2"), ("fn", "fn_"), ("Some", "Some_2")]
+    {
+        let done =
+            smartbed(&["derive", "pendulum", "--answers", &format!("{asked}=rates,bias"), "-o", &file]);
+        assert!(done.out.contains(&format!(" of {emitted}, in ")), "{done:?}");
+        let text = std::fs::read_to_string(&file).expect("written");
+        assert!(text.contains(&format!("pub fn {emitted}(")), "{asked}");
+        let done = smartbed(&[
+            "derive",
+            "pendulum",
+            "--answers",
+            &format!("{asked}=rates,bias"),
+            "-o",
+            &file,
+            "--json",
+        ]);
+        assert!(done.json()["operations"][emitted].is_number(), "{done:?}");
+    }
+}
+
+#[test]
 fn the_kinematic_form_needs_no_masses() {
     let model = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/../models/fourbar.toml"));
     let model = model.expect("a model");

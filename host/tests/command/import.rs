@@ -183,7 +183,11 @@ fn what_is_not_carried_over_is_said() {
         &format!("<robot name=\"r\">{links}{fixed}{}</robot>", hinge("k", "b", "c", follows)),
         Base::Fixed,
     );
-    assert_eq!(said.left_out, ["limits of joints that follow others: 1", "limits that leave no motion: 1"]);
+    assert_eq!(said.left_out, ["limits of joints that follow others: 1"]);
+    assert_eq!(
+        said.notes,
+        ["the limits of joint `j` coincide, but a joint follows it: it moves without limits"]
+    );
     // The word, its names and a limit beside 0, as they stand in the text.
     let line =
         "turret = { kind = \"prismatic\", axis = [0, 0.6, -0.8], parent = \"turret_link\", child = \"slide\"";
@@ -191,6 +195,37 @@ fn what_is_not_carried_over_is_said() {
     assert!(panda.model.contains("range = [0.1, 0.5], nominal = 0.3"), "{}", panda.model);
     let warnings = read(&panda).warnings();
     assert!(warnings.items.is_empty(), "{warnings}");
+}
+
+/// Two joints whose limits coincide, one of each kind, then one without limits; a name that is a word of Rust, one of models.
+#[test]
+fn joints_whose_limits_coincide_are_fixed_and_changed_names_are_said() {
+    let text = r#"<robot name="fn"><link name="world"/>
+  <joint name="shoulder" type="revolute"><parent link="world"/><child link="N"/><origin xyz="0 0 1" rpy="0 0 0.2"/>
+    <axis xyz="0 0 2"/><limit lower="0.3" upper="0.3" effort="1" velocity="1"/></joint>
+  <link name="N"/>
+  <joint name="lift" type="prismatic"><parent link="N"/><child link="arm"/><axis xyz="0 1 0"/><limit lower="0.5" upper="0.5"/></joint>
+  <link name="arm"/>
+  <joint name="type" type="revolute"><parent link="arm"/><child link="hand"/><axis xyz="1 0 0"/><limit effort="1" velocity="1"/></joint>
+  <link name="hand"><inertial><origin xyz="0 0 -0.2"/><mass value="1"/><inertia ixx="0.1" iyy="0.1" izz="0.1"/></inertial></link></robot>"#;
+    let fixed = made(text, Base::Fixed);
+    for note in [
+        "robot `fn` is named `fn_robot`",
+        "joint `type` is named `type_joint`",
+        "joint `shoulder` is fixed at 0.3 rad, where its limits coincide",
+        "joint `lift` is fixed at 0.5 m, where its limits coincide",
+    ] {
+        assert!(fixed.notes.iter().any(|line| line == note), "{note}: {:?}", fixed.notes);
+        assert!(fixed.model.contains(&format!("# Note: {note}.")), "{}", fixed.model);
+    }
+    let program = derived(&fixed);
+    assert_eq!(program.q.iter().map(|q| q.name.as_str()).collect::<Vec<_>>(), ["type_joint"]);
+    // Turned by 0.2 + 0.3 about z, 0.5 along y there; the joint without limits has a whole turn.
+    let place = "at = \"O - 0.23971276930210";
+    assert!(fixed.model.contains(place) && fixed.model.contains("0.4387912809451"), "{}", fixed.model);
+    assert!(fixed.model.contains("range = [-3.14159"), "{}", fixed.model);
+    let said = smartbed(&["import", &written("locked.urdf", text)]);
+    assert!(said.err.contains("note: joint `type` is named `type_joint`"), "{said:?}");
 }
 
 #[test]

@@ -340,3 +340,27 @@ fn a_run_goes_through_dead_points() {
     // The crank turns with some 4 J.
     assert!(imbalance.iter().all(|x| x.abs() < 1e-5), "{imbalance:?}");
 }
+
+#[test]
+fn outputs_that_are_not_finite_are_warned_of() {
+    let text = r#"format = 1
+name = "falling"
+gravity = "-9.81_m/1_s/1_s*N.z"
+[parameters]
+k = { value = 1, unit = "m" }
+[coordinates]
+z = { unit = "m" }
+[points]
+P = "z*N.z"
+[bodies]
+p = { centre = "P", mass = 1 }
+[outputs]
+share = "(z - 1_m)/k"
+"#;
+    let model = written("falling_share.toml", text);
+    let run = |k: &str| smartbed(&["run", &model, "--set", k, "--seconds", "0.01", "--step", "0.001"]);
+    let done = run("k=0");
+    assert!(done.err.contains("outputs are not finite: `share` = -inf first at t = 0.0000 s"), "{done:?}");
+    let done = run("k=2");
+    assert!(done.err.is_empty(), "{done:?}");
+}

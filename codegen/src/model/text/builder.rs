@@ -4,7 +4,7 @@ use super::document::wrong_kind;
 use super::document::{Key, Table, Value};
 use super::fields::Fields;
 use super::repeat::Sections;
-use super::scope::{Binding, Scope, check_name, check_word, duplicate};
+use super::scope::{Binding, Scope, check_name, check_word};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::id::Id;
 use crate::model::data::*;
@@ -31,6 +31,20 @@ pub(super) struct PlannedSpeed {
     /// The coordinate whose rate it is; `None` for an entry of `[speeds]`.
     pub coordinate: Option<CoordinateId>,
     pub independent: Option<bool>,
+}
+
+/// The error for two entries of a section with one name. What drives a joint's coordinate, or holds it as a spring, has
+/// the coordinate's name.
+fn twice_in(section: &str, key: &Key, first: &Key) -> Diagnostic {
+    let of_joint = match section {
+        "forces" | "torques" => "; the drive of a joint is one of them, under the name of its coordinate",
+        "springs" => "; stiffness and damping of a joint are one of them, under the name of its coordinate",
+        _ => "",
+    };
+    Diagnostic::error(format!("`{}` is declared twice in [{section}]", key.name))
+        .label(key.span, "declared here again")
+        .label(first.span, "declared here")
+        .help(format!("entries of [{section}] have different names{of_joint}: rename one of the two"))
 }
 
 /// The binding of the n-th entry of a section.
@@ -122,7 +136,7 @@ impl<'a> Builder<'a> {
                 }
                 if let Some((first, _)) = self.entries(section)[..i].iter().find(|(k, _)| k.name == key.name)
                 {
-                    self.found.push(duplicate(&key.name, key.span, first.span, "in this section"));
+                    self.found.push(twice_in(section, key, first));
                 }
             }
         }

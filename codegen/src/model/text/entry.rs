@@ -133,7 +133,7 @@ impl Builder<'_> {
                         "declare the {kind} in [{kind}s] under a name of its own, and write that name here"
                     )),
             );
-        } else if result.is_none() {
+        } else if result.is_none() && !self.scope.twice.contains(&text.text) {
             let known = known(self.scope);
             self.found.push(
                 Diagnostic::error(format!("unknown {kind} `{}`", text.text))

@@ -1,6 +1,6 @@
 //! Names of a model: what each refers to, and the nearest known name for a misspelt one.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::syntax::is_keyword;
 use crate::diagnostic::{Diagnostic, Diagnostics};
@@ -52,6 +52,8 @@ pub struct Scope {
     pub frames: BTreeMap<String, (FrameId, Span)>,
     /// Bodies.
     pub bodies: BTreeMap<String, (BodyId, Span)>,
+    /// Names of quantities that are declared twice: it is open which of the two an expression means.
+    pub twice: BTreeSet<String>,
 }
 
 impl Scope {
@@ -59,7 +61,10 @@ impl Scope {
     pub fn declare(&mut self, name: &str, span: Span, binding: Binding, found: &mut Diagnostics) {
         check_name(name, span, found);
         match self.values.get(name) {
-            Some((first, place)) => found.push(duplicate(name, span, *place, first.kind())),
+            Some((first, place)) => {
+                found.push(duplicate(name, span, *place, first.kind()));
+                self.twice.insert(name.to_owned());
+            }
             None => drop(self.values.insert(name.to_owned(), (binding, span))),
         }
     }
