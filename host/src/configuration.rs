@@ -52,14 +52,22 @@ impl Configurations {
         self.independent.get(index).copied().unwrap_or(false)
     }
 
+    /// Independent coordinates of unit length, such as Euler parameters: the places of each vector.
+    #[must_use]
+    pub fn unit_vectors(&self) -> &[Vec<usize>] {
+        self.assembly.unit_vectors()
+    }
+
     /// Continues from a configuration that satisfies the constraints at time `t` (s) to the independent coordinates of
-    /// another.
+    /// another, Euler parameters among them scaled to unit length.
     ///
     /// # Errors
     /// If it cannot be assembled there.
     pub fn follow(&mut self, t: f64, from: &[f64], target: &[f64]) -> Result<Vec<f64>, Unreachable> {
         self.assembly.set_time(t);
-        self.assembly.continue_to(from, target)
+        let mut target = target.to_vec();
+        self.assembly.to_unit_length(&mut target, |_| false);
+        self.assembly.continue_to(from, &target)
     }
 
     /// The nominal configuration at these parameters and time 0, continued from the one at the default parameters.
@@ -132,8 +140,8 @@ impl Configurations {
         locked.map_or(Ok(q), Err)
     }
 
-    /// Coordinates that satisfy the constraints: independent ones as given (left-out ones nominal), dependent ones
-    /// solved for, with given values as starting guesses.
+    /// Coordinates that satisfy the constraints: independent ones as given (left-out ones nominal, Euler parameters among
+    /// them scaled to unit length), dependent ones solved for, with given values as starting guesses.
     ///
     /// # Errors
     /// If no dependent coordinates were found, or the mechanism is locked there.
@@ -153,6 +161,7 @@ impl Configurations {
                 target[i] = *value;
             }
         }
+        self.assembly.to_unit_length(&mut target, |i| given[i].is_some());
         let reached = self.assembly.continue_to(&nominal, &target);
         let guessed = given.iter().enumerate().any(|(i, v)| v.is_some() && !self.is_independent(i));
         if !guessed {

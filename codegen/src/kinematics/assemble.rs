@@ -2,24 +2,20 @@
 //!
 //! In: independent coordinates and the time (given), dependent ones (guesses). Out: dependent coordinates with all
 //! residuals at round-off, those of implied constraints included. A distant target is approached from the nominal
-//! configuration along a straight line of the independent coordinates, so that the branch connected to nominal is
-//! found.
+//! configuration along a straight line of the independent coordinates (Euler parameters: a great circle), so that the
+//! branch connected to nominal is found.
 
+use super::linear;
 use super::quantities::Kinematics;
-use super::random::Random;
+use super::unit_vectors::UnitVectors;
 use super::unreachable::Unreachable;
-use super::{linear, speed_map};
-use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::expr::rounding::Rounded;
 use crate::expr::tape::Tape;
 use crate::expr::{ExprId, SymbolId};
 use crate::id::IdVec;
 use crate::model::{CoordinateId, Model, ParameterId};
-use crate::source::Span;
 use crate::vector::Algebra;
 
-/// Random configurations sampled besides the nominal and the stated ones.
-const RANDOM_SAMPLES: usize = 64;
 /// Most steps of a continuation.
 const MAX_STEPS: usize = 64;
 /// Most steps of a continuation in time, through which a driven mechanism may turn many times.
@@ -28,8 +24,6 @@ const MAX_TIME_STEPS: usize = 4096;
 const MAX_CORRECTIONS: usize = 25;
 /// Residual, of equations with terms of order 1, that counts as satisfied: some thousand rounding errors.
 const SATISFIED: f64 = 1e-12;
-/// A residual of closed forms larger than this is not rounding but a contradiction.
-const CONTRADICTION: f64 = 1e-9;
 /// Largest correction in one Newton step; a larger one leads to another branch or comes from a singularity.
 const LARGEST_CORRECTION: f64 = 0.5;
 /// Number of guesses from which the nominal configuration is searched for.
@@ -55,6 +49,8 @@ pub struct Assembly {
     implied: usize,
     dependent: Vec<usize>,
     independent: Vec<usize>,
+    /// Coordinates of unit length, such as Euler parameters, that are all held or all solved for.
+    unit_vectors: UnitVectors,
     /// By coordinate: whether it is an angle, and its range.
     kinds: Vec<(bool, (f64, f64))>,
     /// Values of the tape's inputs: coordinates, then parameters, then the time.
@@ -148,11 +144,17 @@ impl Assembly {
         };
         let scales = alg.dag.evaluate(&residuals, &argument).into_iter().map(|r| scale(r.size())).collect();
         let declared = coordinates.iter().map(|&c| &model.coordinates[c]);
+        let together = |places: &[usize]| {
+            let held = places.iter().filter(|place| independent.contains(place)).count();
+            held == places.len() || independent.is_empty()
+        };
+        let unit_vectors = UnitVectors::find(&alg.dag, &residuals, &symbols).of(together);
         Self {
             tape: Tape::new(&alg.dag, &roots, &inputs),
             scales,
             names: k.residual_names.iter().chain(&k.implied_names).map(|p| p.name.clone()).collect(),
             implied: k.implied.len(),
+            unit_vectors,
             kinds: declared.map(|c| (c.unit == "rad", c.range)).collect(),
             dependent,
             independent,
@@ -375,6 +377,18 @@ impl Assembly {
         (rank > n).then_some(Unreachable { residual: 0.0, constraint: name, locked: true })
     }
 
+    /// The held coordinates that a constraint ties to unit length, such as Euler parameters: the places of each vector.
+    #[must_use]
+    pub fn unit_vectors(&self) -> &[Vec<usize>] {
+        self.unit_vectors.places()
+    }
+
+    /// Scales those of the held coordinates that are not given and that a constraint ties to unit length with others,
+    /// such as Euler parameters, so that it is met; all of them if none is given.
+    pub fn to_unit_length(&self, q: &mut [f64], is_given: impl Fn(usize) -> bool) {
+        self.unit_vectors.complete(q, is_given);
+    }
+
     /// Continues from the configuration `from` (satisfied) to the independent coordinates of `target`.
     ///
     /// # Errors
@@ -416,6 +430,9 @@ impl Assembly {
             for &i in &self.independent {
                 q[i] = if step == steps { target[i] } else { from[i] + part * (target[i] - from[i]) };
             }
+            if step < steps {
+                self.to_unit_length(&mut q, |_| false);
+            }
             self.correct(&mut q)?;
             std::mem::swap(&mut before, &mut here);
         }
@@ -433,130 +450,6 @@ fn scale(size: f64) -> f64 {
     /// Exponents are multiples of this (binary places).
     const STEP: f64 = 10.0;
     (STEP * (size.log2() / STEP).round()).exp2()
-}
-
-/// Adds the sampled configurations: nominal, those that the model states, random ones.
-pub(super) fn derive(alg: &mut Algebra, model: &Model, k: Kinematics) -> Result<Kinematics, Diagnostics> {
-    let k = closed_forms(alg, model, k)?;
-    let mut assembly = Assembly::new(alg, model, &k);
-    let state: Vec<CoordinateId> =
-        model.coordinates.ids().filter(|&c| k.coordinate_symbol(&alg.dag, c).is_some()).collect();
-    let mut nominal: Vec<f64> = state.iter().map(|&c| model.coordinates[c].nominal).collect();
-    match assembly.search(&nominal) {
-        Ok(found) => nominal = found,
-        Err(unreachable) => return Err(nominal_unreachable(model, &unreachable)),
-    }
-    let mut samples = vec![nominal.clone()];
-    let mut times = vec![0.0];
-    for configuration in &model.configurations {
-        let mut target = nominal.clone();
-        for (coordinate, value) in &configuration.values {
-            if let Some(i) = state.iter().position(|c| c == coordinate) {
-                target[i] = *value;
-            }
-        }
-        samples.extend(assembly.continue_to(&nominal, &target));
-    }
-    times.resize(samples.len(), 0.0);
-    // A target outside the reachable range is rejected and drawn again, a bounded number of times.
-    let mut random = Random(0x5EED_0F5A_3B1E);
-    let wanted = samples.len() + RANDOM_SAMPLES;
-    for _ in 0..4 * RANDOM_SAMPLES {
-        if samples.len() == wanted {
-            break;
-        }
-        let t = if k.unknowns.clock().is_some() { random.between((0.0, model.run.seconds)) } else { 0.0 };
-        let Ok(nominal) = at_time(&mut assembly, &nominal, t) else { continue };
-        let mut target = nominal.clone();
-        for (i, &c) in state.iter().enumerate() {
-            let coordinate = &model.coordinates[c];
-            if coordinate.independent {
-                target[i] = random.between(coordinate.range);
-            }
-        }
-        if let Ok(q) = assembly.continue_to(&nominal, &target)
-            && in_range(model, &state, &q)
-        {
-            samples.push(q);
-            times.push(t);
-        }
-    }
-    Ok(Kinematics { samples, sample_times: times, ..k })
-}
-
-/// The nominal configuration continued to another time.
-fn at_time(assembly: &mut Assembly, nominal: &[f64], t: f64) -> Result<Vec<f64>, Unreachable> {
-    assembly.set_time(0.0);
-    if t == 0.0 { Ok(nominal.to_vec()) } else { assembly.continue_in_time(nominal, t) }
-}
-
-/// Substitutes closed forms into the residuals. Residuals that then hold no other dependent coordinate are dropped:
-/// they must hold by the closed forms alone, which is checked.
-///
-/// # Errors
-/// If the closed forms violate such a residual.
-fn closed_forms(alg: &mut Algebra, model: &Model, mut k: Kinematics) -> Result<Kinematics, Diagnostics> {
-    if k.closed_forms.is_empty() || k.residuals.is_empty() {
-        return Ok(k);
-    }
-    let forms = k.closed_form_values(&mut alg.dag);
-    let residuals = alg.dag.substitute(&k.residuals, &forms);
-    let mut table = speed_map::screening_table(alg, model, &k);
-    let free: Vec<SymbolId> = (model.coordinates.enumerate())
-        .filter(|(_, c)| !c.independent)
-        .filter_map(|(id, _)| k.coordinate_symbol(&alg.dag, id))
-        .collect();
-    let mut found = Diagnostics::new(model.source.clone());
-    let mut kept = Vec::new();
-    for (residual, place) in residuals.into_iter().zip(std::mem::take(&mut k.residual_names)) {
-        if alg.dag.symbols_of(residual).iter().any(|symbol| free.contains(symbol)) {
-            kept.push((residual, place));
-            continue;
-        }
-        // Outside the reachable range a closed form may be NaN.
-        let values = table.values(&alg.dag, residual).iter().filter(|r| r.is_finite());
-        let worst = values.fold(0.0_f64, |worst, r| worst.max(r.abs()));
-        if CONTRADICTION < worst {
-            found.push(
-                Diagnostic::error(format!("the closed forms contradict `{}`", place.name))
-                    .label(
-                        place.span,
-                        format!("off by up to {worst:.1e} within the ranges of the coordinates"),
-                    )
-                    .help("correct the closed forms of the coordinates that occur here, or the constraint"),
-            );
-        }
-    }
-    (k.residuals, k.residual_names) = kept.into_iter().unzip();
-    found.finish(k)
-}
-
-fn in_range(model: &Model, state: &[CoordinateId], q: &[f64]) -> bool {
-    state.iter().zip(q).all(|(&c, &value)| {
-        let (low, high) = model.coordinates[c].range;
-        model.coordinates[c].independent || (low <= value && value <= high)
-    })
-}
-
-fn nominal_unreachable(model: &Model, unreachable: &Unreachable) -> Diagnostics {
-    let worst = unreachable.constraint.as_deref();
-    let mut error = Diagnostic::error("the nominal configuration cannot be assembled").help(format!(
-        "give nominal values nearer to a configuration that satisfies every constraint (nearest found: {unreachable})"
-    ));
-    let mut places: Vec<(bool, Span, &str)> = Vec::new();
-    for constraint in &model.configuration_constraints {
-        let is_worst = worst == Some(constraint.name.as_str());
-        places.push((is_worst, constraint.span, "this constraint, among others, must hold there"));
-    }
-    for point in model.points.iter().filter(|p| !p.closures.is_empty()) {
-        let is_worst = worst.is_some_and(|name| name.split(" closure").next() == Some(point.name.as_str()));
-        places.push((is_worst, point.span, "this loop must close there"));
-    }
-    places.sort_by_key(|(is_worst, ..)| !is_worst);
-    for (_, span, text) in places {
-        error = error.label(span, text);
-    }
-    Diagnostics { source: model.source.clone(), items: vec![error] }
 }
 
 /// Values of the tunable parameters in the order of their declaration.

@@ -12,6 +12,7 @@ mod assemble;
 mod basis;
 mod choice;
 mod choose;
+mod configurations;
 mod constraint;
 pub(crate) mod diagnose;
 pub mod eliminate;
@@ -37,6 +38,7 @@ pub mod sizes;
 mod slopes;
 pub(crate) mod sparse;
 mod speed_map;
+mod unit_vectors;
 mod unknowns;
 mod unreachable;
 mod velocity;
@@ -79,7 +81,7 @@ pub fn derive(
     let k = speed_map::derive(&mut alg, model, k)?;
     let k = velocity::derive(&mut alg, model, k);
     let k = constraint::derive(&mut alg, model, k);
-    let k = assemble::derive(&mut alg, model, k)?;
+    let k = configurations::derive(&mut alg, model, k)?;
     let k = constraint::complete(&mut alg, model, k);
     Ok((alg, k))
 }

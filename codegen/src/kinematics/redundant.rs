@@ -157,6 +157,7 @@ fn walk(alg: &mut Algebra, model: &Model, k: &Kinematics) -> Vec<Sample> {
             let stride = (STRIDE.0 * (high - low)).min(STRIDE.1);
             *q += random.between((-stride, stride));
         }
+        assembly.to_unit_length(&mut next.q, |_| false);
         if assembly.correct(&mut next.q).is_ok() && is_inside(&ranges, &next.q) {
             found.push(next.clone());
             here = next;

@@ -179,7 +179,8 @@ fn zero_between(
         return None;
     }
     for _ in 0..HALVINGS {
-        let target: Vec<f64> = from.q.iter().zip(&to.q).map(|(a, b)| 0.5 * (a + b)).collect();
+        let mut target: Vec<f64> = from.q.iter().zip(&to.q).map(|(a, b)| 0.5 * (a + b)).collect();
+        assembly.to_unit_length(&mut target, |_| false);
         let t = 0.5 * (from.t + to.t);
         assembly.set_time(from.t);
         let later = if t == from.t { from.q.clone() } else { assembly.continue_in_time(&from.q, t).ok()? };

@@ -37,7 +37,8 @@ impl Program {
             return Err("all speeds are state and [start] states some of them".to_owned());
         }
         let wanted = self.q.iter().zip(&self.nominal);
-        let wanted: Vec<f64> = wanted.map(|(q, nominal)| stated(&q.name).unwrap_or(*nominal)).collect();
+        let mut wanted: Vec<f64> = wanted.map(|(q, nominal)| stated(&q.name).unwrap_or(*nominal)).collect();
+        self.assembly.to_unit_length(&mut wanted, |i| stated(&self.q[i].name).is_some());
         if wanted == self.nominal {
             return Ok(Start { q: wanted, u });
         }

@@ -2,6 +2,7 @@
 
 mod answers;
 mod assembly;
+mod attitudes;
 mod augmented;
 mod carried;
 mod chain;

@@ -1,7 +1,8 @@
 //! Modes: eigenvalues and shapes of small motions about an equilibrium, dx' = A dx.
 //!
-//! In: A. Out: one mode per real eigenvalue or complex pair, the fastest first. A shape is the vector v of (A - lambda)
-//! v = 0, found as the right singular vector of A - lambda for the smallest singular value.
+//! In: A, and directions Z in which the state can change (orthonormal columns: across Euler parameters, which keep their
+//! unit length). Out: one mode per real eigenvalue of Z'AZ or complex pair, the fastest first. A shape is Z v, with v the
+//! vector of (Z'AZ - lambda) v = 0, found as the right singular vector for the smallest singular value.
 
 use super::search::Slopes;
 use nalgebra::linalg::{Schur, balancing};
@@ -59,7 +60,9 @@ impl Mode {
 
 /// The modes of a system; `None` if the iteration does not converge.
 pub(super) fn of(slopes: &Slopes, names: &[String]) -> Option<Vec<Mode>> {
-    let mut balanced = slopes.a.clone();
+    let z = &slopes.directions;
+    let a = z.transpose() * &slopes.a * z;
+    let mut balanced = a.clone();
     if balanced.is_empty() {
         return Some(Vec::new());
     }
@@ -79,20 +82,25 @@ pub(super) fn of(slopes: &Slopes, names: &[String]) -> Option<Vec<Mode>> {
             re if re < 0.0 => Fate::Decays,
             _ => Fate::Grows,
         };
-        let shape = if is_zero { Vec::new() } else { shape(&slopes.a, eigenvalue, names) };
+        let shape = if is_zero { Vec::new() } else { shape(&a, z, eigenvalue, names) };
         modes.push(Mode { eigenvalue, fate, shape });
     }
     modes.sort_by(|a, b| b.eigenvalue.modulus().total_cmp(&a.eigenvalue.modulus()));
     Some(modes)
 }
 
-fn shape(a: &DMatrix<f64>, eigenvalue: Complex<f64>, names: &[String]) -> Vec<(String, f64, f64)> {
+fn shape(
+    a: &DMatrix<f64>,
+    z: &DMatrix<f64>,
+    eigenvalue: Complex<f64>,
+    names: &[String],
+) -> Vec<(String, f64, f64)> {
     let n = a.nrows();
     let shifted = a.map(|x| Complex::new(x, 0.0)) - DMatrix::identity(n, n) * eigenvalue;
     let svd = shifted.svd(false, true);
     let Some(rows) = svd.v_t else { return Vec::new() };
     let (least, _) = svd.singular_values.argmin();
-    let vector: Vec<Complex<f64>> = rows.row(least).iter().map(Complex::conj).collect();
+    let vector = z.map(|x| Complex::new(x, 0.0)) * rows.row(least).adjoint();
     let largest =
         vector.iter().copied().max_by(|x, y| x.modulus().total_cmp(&y.modulus())).unwrap_or_default();
     let relative = vector.iter().zip(names).map(|(x, name)| (name.clone(), x / largest));
@@ -107,7 +115,11 @@ mod tests {
     use super::*;
 
     fn system(rows: &[f64], n: usize) -> Slopes {
-        Slopes { a: DMatrix::from_row_slice(n, n, rows), b: DMatrix::zeros(n, 0) }
+        Slopes {
+            a: DMatrix::from_row_slice(n, n, rows),
+            b: DMatrix::zeros(n, 0),
+            directions: DMatrix::identity(n, n),
+        }
     }
 
     fn names(n: usize) -> Vec<String> {

@@ -84,6 +84,8 @@ pub(super) struct Search<'p> {
 pub(super) struct Slopes {
     pub a: DMatrix<f64>,
     pub b: DMatrix<f64>,
+    /// Directions in which the state can change, orthonormal columns: all of them but along Euler parameters.
+    pub directions: DMatrix<f64>,
 }
 
 /// The equilibrium found.
@@ -274,6 +276,7 @@ impl<'p> Search<'p> {
         let slopes = Slopes {
             a: DMatrix::from_row_slice(n, n, a),
             b: DMatrix::from_row_slice(n, self.inputs.len(), b),
+            directions: self.directions(),
         };
         if !x_dot.iter().all(|x| x.is_finite()) {
             return Err("the accelerations are not finite: the configuration is singular");
@@ -284,6 +287,36 @@ impl<'p> Search<'p> {
             );
         }
         Ok(Rates { x_dot, slopes })
+    }
+
+    /// The identity, without one column for each vector of unit length e: its columns are Householder's reflection of
+    /// the axis nearest to e, without the reflected axis, which is along e.
+    fn directions(&self) -> DMatrix<f64> {
+        let n = self.state.len();
+        let mut all = DMatrix::identity(n, n);
+        let mut along = Vec::new();
+        for vector in self.unit_vectors() {
+            let mut normal = self.along(&vector);
+            let nearest = normal.iamax();
+            normal[nearest] += normal[nearest].signum();
+            all -= &normal * normal.transpose() * (2.0 / normal.norm_squared());
+            along.push(nearest);
+        }
+        along.sort_unstable();
+        all.remove_columns_at(&along)
+    }
+
+    /// The vectors of unit length among the coordinates, as places in the state.
+    fn unit_vectors(&self) -> Vec<Vec<usize>> {
+        let entry = |place: &usize| self.state.iter().position(|e| !e.is_speed && e.place == *place);
+        let vectors = self.configurations.unit_vectors().iter();
+        vectors.filter_map(|places| places.iter().map(entry).collect()).collect()
+    }
+
+    /// The state in which these entries are as they are and all others 0.
+    fn along(&self, entries: &[usize]) -> DVector<f64> {
+        let value = |i: usize, _| if entries.contains(&i) { self.q[self.state[i].place] } else { 0.0 };
+        DVector::from_fn(self.state.len(), value)
     }
 
     /// What the derived function gives here: the linearisation, and the inputs as the laws command them.
@@ -315,7 +348,15 @@ impl<'p> Search<'p> {
             Unknown::State => {
                 let free: Vec<usize> = (0..self.state.len()).filter(|&j| !self.state[j].is_held).collect();
                 let scales = free.iter().map(|&j| self.state[j].scale).collect::<Vec<_>>();
-                DMatrix::from_fn(rows.len(), free.len(), |i, j| here.slopes.a[(rows[i], free[j])] * scales[j])
+                let mut a = here.slopes.a.clone();
+                // Across vectors of unit length only: along them nothing can change.
+                for vector in
+                    self.unit_vectors().iter().filter(|vector| vector.iter().all(|j| free.contains(j)))
+                {
+                    let e = self.along(vector);
+                    a -= &a * &e * e.transpose();
+                }
+                DMatrix::from_fn(rows.len(), free.len(), |i, j| a[(rows[i], free[j])] * scales[j])
             }
             Unknown::Inputs => {
                 let free = &self.free_inputs;

@@ -206,11 +206,13 @@ impl<'a> Parts<'a> {
             self.combine(word, "rad/s", independent, &value);
         }
         for (e, nominal) in [(a, Some(1.0)), (b, None), (c, None), (d, None)] {
-            let mut fields = vec![("unit", self.text("1")), ("speed", Value::Boolean(false, self.key.span))];
-            match nominal {
-                Some(one) => fields.push(("nominal", Value::Number(one, self.key.span))),
-                None => fields.push(("independent", Value::Boolean(self.independent, self.key.span))),
-            }
+            // All four alike: the unit constraint gives none of them where it passes through 0.
+            let mut fields = vec![
+                ("unit", self.text("1")),
+                ("speed", Value::Boolean(false, self.key.span)),
+                ("independent", Value::Boolean(self.independent, self.key.span)),
+            ];
+            fields.extend(nominal.map(|one| ("nominal", Value::Number(one, self.key.span))));
             let entry = self.table(fields);
             self.put("coordinates", e, entry);
         }
