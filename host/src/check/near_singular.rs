@@ -95,8 +95,14 @@ impl Search {
         }
         self.looks += 1;
         let q = self.configurations.follow(*t, from, &target).ok()?;
-        let inside =
-            self.ranges.iter().zip(&q).all(|((free, (low, high)), x)| *free || (low..=high).contains(&x));
+        // Euler parameters change together.
+        let tied = |i: usize| self.configurations.unit_vectors().iter().any(|places| places.contains(&i));
+        let inside = self
+            .ranges
+            .iter()
+            .zip(&q)
+            .enumerate()
+            .all(|(i, ((free, (low, high)), x))| (*free && !tied(i)) || (low..=high).contains(&x));
         if inside { self.look(*t, q) } else { None }
     }
 
