@@ -56,7 +56,7 @@ pub(crate) use lower::{scalar as lower_scalar, vector as lower_vector};
 pub use marker::Marker;
 pub use quantities::{Direction, Kinematics, Motion, Place, Rate, Row, Value};
 pub(crate) use rate::{derivative as derivative_of, scalar_rate as scalar_rate_of, sum_of_rates};
-pub(crate) use slopes::{dependent_slopes, slopes_by_speeds, speeds_of};
+pub(crate) use slopes::{dependent_slopes, slopes_by_speeds, speeds_by_rates};
 pub use unknowns::{Unknown, UnknownId, UnknownKind, Unknowns};
 pub use unreachable::Unreachable;
 pub(crate) use velocity::is_lifted_triad;

@@ -1,18 +1,18 @@
 //! Derivatives of the dependent coordinates by the independent ones: P of dq = P dq_i with f_q P = 0.
 //!
 //! In: configuration constraints f(q, t) = 0. Out: one row per dependent coordinate. Motion constraints play no part.
-//! If there are none, and the independent speeds are the rates of the independent coordinates, P follows from the
+//! If there are none, and the independent speeds are sums of rates of the independent coordinates, P follows from the
 //! elimination of the velocities: q_dependent' = P q_independent'.
 
 use super::eliminate::Solution;
 use super::linear;
 use super::quantities::Kinematics;
 use super::sparse::{self, Equation};
-use super::unknowns::UnknownId;
+use super::unknowns::{UnknownId, UnknownKind};
 use crate::expr::tape::SampleTable;
 use crate::expr::{ExprId, SymbolId};
 use crate::id::Id;
-use crate::model::{CoordinateId, Model};
+use crate::model::{CoordinateId, Model, SpeedMeaning};
 use crate::vector::Algebra;
 
 /// Derivatives of the dependent coordinates; `None` if the constraints do not determine them.
@@ -60,49 +60,62 @@ pub(crate) fn dependent_slopes(
     (0..n).map(|j| values.get(&UnknownId::from_index(j)).cloned()).collect()
 }
 
-/// The index of the independent speed that is the rate of each of these coordinates. `None` if one of them has another
-/// kind of rate or if there are motion constraints: P does not follow from the velocities then.
-pub(crate) fn speeds_of(
-    alg: &Algebra,
+/// The independent speeds in the rates of the independent coordinates: for each coordinate the indices of the speeds that
+/// contain its rate, with the coefficients. `None` if one of them contains another rate or if there are motion
+/// constraints: P does not follow from the velocities then.
+pub(crate) fn speeds_by_rates(
+    alg: &mut Algebra,
     model: &Model,
     k: &Kinematics,
     solution: &Solution,
     independent: &[CoordinateId],
-) -> Option<Vec<usize>> {
+) -> Option<Vec<Vec<(usize, ExprId)>>> {
     let is_holonomic =
         model.motion_constraints.is_empty() && model.points.iter().all(|point| point.velocity.is_none());
     if !is_holonomic || !solution.ties.is_empty() {
         return None;
     }
-    let speeds = k.unknowns.independent();
-    let mut places = Vec::new();
-    for &c in independent {
-        let mut partials = k.rates[c].partials.iter();
-        let (Some((unknown, &factor)), None) = (partials.next(), partials.next()) else { return None };
-        let place = speeds.iter().position(|speed| speed == unknown)?;
-        if !alg.dag.is_one(factor) || places.contains(&place) {
-            return None;
+    let mut speeds = vec![Vec::new(); independent.len()];
+    for (place, unknown) in k.unknowns.independent().into_iter().enumerate() {
+        let UnknownKind::Independent(speed) = k.unknowns[unknown].kind else { return None };
+        let rates: Vec<(usize, ExprId)> = match model.speeds[speed].meaning {
+            SpeedMeaning::RateOf(coordinate) => vec![(coordinate.index(), alg.dag.one())],
+            SpeedMeaning::Combination(_) => {
+                let (_, form) = k.combinations.iter().find(|(of, _)| *of == unknown)?;
+                form.iter().map(|(rate, &coefficient)| (rate.index(), coefficient)).collect()
+            }
+        };
+        for (rate, coefficient) in rates {
+            let column = independent.iter().position(|c| c.index() == rate)?;
+            speeds[column].push((place, coefficient));
         }
-        places.push(place);
     }
-    Some(places)
+    Some(speeds)
 }
 
-/// P from the partial velocities: q_dependent' = P q_independent'.
+/// P from the partial velocities: q_dependent' = P q_independent'. No pivot but those of the velocities is divided by.
 pub(crate) fn slopes_by_speeds(
     alg: &mut Algebra,
     k: &Kinematics,
     solution: &Solution,
     dependent: &[CoordinateId],
-    speeds: &[usize],
+    speeds: &[Vec<(usize, ExprId)>],
 ) -> Vec<Vec<ExprId>> {
     let mut rows = Vec::new();
     for &c in dependent {
         let partials = &k.rates[c].partials;
-        let mut row = Vec::new();
-        for &speed in speeds {
-            let each = partials.iter().map(|(unknown, &n)| alg.dag.mul(n, solution.partials[unknown][speed]));
+        let by_speed = |alg: &mut Algebra, place: usize| {
+            let each = partials.iter().map(|(unknown, &n)| alg.dag.mul(n, solution.partials[unknown][place]));
             let terms: Vec<ExprId> = each.collect();
+            alg.dag.sum(&terms)
+        };
+        let mut row = Vec::new();
+        for column in speeds {
+            let mut terms = Vec::new();
+            for &(place, coefficient) in column {
+                let slope = by_speed(alg, place);
+                terms.push(alg.dag.mul(coefficient, slope));
+            }
             row.push(alg.dag.sum(&terms));
         }
         rows.push(row);

@@ -109,6 +109,34 @@ height = "dot(D, N.z)"
 command = "sl - 0.1_m*dot(ball.x, N.y)"
 "#;
 
+/// Two ball joints, of which constraints make the second dependent.
+const LEVEL: &str = r#"
+format = 1
+name = "level"
+dof = 3
+gravity = "-g*N.z"
+
+[parameters]
+g = { value = 9.81, unit = "m/s^2" }
+
+[joints]
+s1 = { kind = "spherical", child = "A", independent = true }
+s2 = { kind = "spherical", parent = "A", child = "B", at = "A + 0.5_m*A.x" }
+
+[points]
+E = "B + 0.4_m*B.x"
+CA = "A + 0.2_m*A.x"
+
+[constraints.configuration]
+level = "dot(B.x, N.z)"
+straight = "dot(B.y, N.z)"
+head = "dot(B.x, N.y)"
+
+[bodies]
+A = { centre = "CA", frame = "A", mass = 1, inertia = { Ixx = 0.02, Iyy = 0.03, Izz = 0.04, Ixy = 0.005 } }
+B = { centre = "E", frame = "B", mass = 2, inertia = { Ixx = 0.02, Iyy = 0.04, Izz = 0.03, Iyz = -0.003 } }
+"#;
+
 fn derived(text: &str) -> Program {
     let model = model::parse("test.toml", text).unwrap_or_else(|e| panic!("{e}"));
     program::derive(&model, &ParameterChoice::default()).unwrap_or_else(|e| panic!("{e}"))
@@ -437,31 +465,31 @@ fn two_ball_joints_and_a_slider_move_through_half_turns() {
     assert!((end[e0] - 0.755_75).abs() < 1e-4, "{}", end[e0]);
 }
 
-#[test]
-fn linearisation_is_regular_at_half_turns_beside_a_constraint() {
-    let model = model::parse("test.toml", CARRIED).unwrap_or_else(|e| panic!("{e}"));
+/// The linearisation against differences at attitudes of the independent ball joint whose first Euler parameter is
+/// named, half turns among them. `follow` sets guesses of the dependent coordinates.
+fn linearisation_is_regular(text: &str, first: &str, follow: impl Fn(&mut [f64])) {
+    let model = model::parse("test.toml", text).unwrap_or_else(|e| panic!("{e}"));
     let mut asking = Asking::of(&model, &["linearisation", "outputs"]);
-    let place = |asking: &Asking, name: &str| {
-        asking.program.q.iter().position(|q| q.name == name).unwrap_or_else(|| panic!("{name}"))
-    };
-    let first = place(&asking, "bj_e0");
-    let (slide, hinge) = (place(&asking, "sl"), place(&asking, "hi"));
-    let n_u = asking.program.u.len();
+    let first = asking.program.q.iter().position(|q| q.name == first).expect("a ball joint");
+    let is_independent = |name: &str| model.coordinates.iter().any(|c| c.name == name && c.independent);
+    let independent: Vec<usize> =
+        (0..asking.program.q.len()).filter(|&i| is_independent(&asking.program.q[i].name)).collect();
+    let n_q = independent.len();
+    let n = n_q + asking.program.u.len();
     let mut assembly = asking.program.assembly.clone();
     assembly.set_time(asking.state.t);
     for e in [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.6, 0.8, 0.0], [1e-4, 0.6, 0.0, -0.8]] {
-        let mut state = asking.state.clone();
         let turn = |q: &mut [f64], e: [f64; 4]| {
             let length = e.iter().map(|x| x * x).sum::<f64>().sqrt();
             (0..4).for_each(|i| q[first + i] = e[i] / length);
         };
+        let mut state = asking.state.clone();
         turn(&mut state.q, e);
-        assembly.correct(&mut state.q).expect("the slider follows");
+        follow(&mut state.q);
+        assembly.correct(&mut state.q).expect("the dependent coordinates follow");
         let unit: [f64; 4] = std::array::from_fn(|i| state.q[first + i]);
-        // x = (e, hinge, u): the slider alone is dependent.
-        let n = 4 + 1 + n_u;
         let [a, c] = ["a", "c"].map(|part| asking.part(&state, "linearisation", part));
-        assert_eq!([a.len(), c.len()], [n * n, n]);
+        assert_eq!([a.len(), c.len()], [n * n, n * asking.program.outputs.len()]);
         let matrix = [a, c].concat();
         let size = matrix.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
         assert!(size < 1e3, "{size:e} at {e:?}");
@@ -469,26 +497,44 @@ fn linearisation_is_regular_at_half_turns_beside_a_constraint() {
             // Of the Euler parameters a direction across them: they stay of unit length.
             let mut direction = vec![0.0; n];
             direction[column] = 1.0;
-            if column < 4 {
-                (0..4).for_each(|i| direction[i] -= unit[column] * unit[i]);
+            let of = independent.get(column).and_then(|i| i.checked_sub(first)).filter(|i| *i < 4);
+            for (i, &place) in independent.iter().enumerate() {
+                if let (Some(own), Some(other @ 0..4)) = (of, place.checked_sub(first)) {
+                    direction[i] -= unit[own] * unit[other];
+                }
             }
             let mut rates = |change: f64| {
                 let mut at: At = state.clone();
-                turn(&mut at.q, std::array::from_fn(|i| unit[i] + change * direction[i]));
-                at.q[hinge] += change * direction[4];
-                at.u.iter_mut().zip(&direction[5..]).for_each(|(u, d)| *u += change * d);
-                at.q[slide] = state.q[slide];
-                assembly.correct(&mut at.q).expect("the slider follows");
+                independent.iter().zip(&direction).for_each(|(&i, d)| at.q[i] += change * d);
+                at.u.iter_mut().zip(&direction[n_q..]).for_each(|(u, d)| *u += change * d);
+                let moved = std::array::from_fn(|i| at.q[first + i]);
+                turn(&mut at.q, moved);
+                follow(&mut at.q);
+                assembly.correct(&mut at.q).expect("the dependent coordinates follow");
                 let (q_dot, u_dot) = asking.rates(&at);
                 let outputs = asking.engine.outputs(at.t, &at.q, &at.u, &at.inputs).expect("lengths fit");
-                [&q_dot[first..first + 4], &[q_dot[hinge]], &u_dot, &outputs].concat()
+                independent.iter().map(|&i| q_dot[i]).chain(u_dot).chain(outputs).collect()
             };
             let slopes = difference(&mut rates, 1e-3);
-            let found: Vec<f64> =
-                matrix.chunks(n).map(|row| row.iter().zip(&direction).map(|(x, d)| x * d).sum()).collect();
-            for (row, (a, b)) in found.iter().zip(&slopes).enumerate() {
-                assert!((a - b).abs() <= 1e-8 * size, "({row}, {column}) at {e:?}: {a:e} against {b:e}");
+            for (row, (entries, slope)) in matrix.chunks(n).zip(&slopes).enumerate() {
+                let found: f64 = entries.iter().zip(&direction).map(|(x, d)| x * d).sum();
+                let off = (found - slope).abs();
+                assert!(off <= 1e-8 * size, "({row}, {column}) at {e:?}: {found:e} against {slope:e}");
             }
         }
     }
+}
+
+#[test]
+fn linearisation_is_regular_at_half_turns_beside_a_constraint() {
+    linearisation_is_regular(CARRIED, "bj_e0", |_| {});
+}
+
+#[test]
+fn linearisation_is_regular_where_a_dependent_ball_joint_turns_by_half() {
+    // The second body keeps its attitude: its joint turns back what the first one turns.
+    linearisation_is_regular(LEVEL, "s1_e0", |q| {
+        q[4] = q[0];
+        (1..4).for_each(|i| q[4 + i] = -q[i]);
+    });
 }

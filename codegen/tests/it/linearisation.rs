@@ -5,6 +5,7 @@ use crate::models::shipped;
 use crate::twofold::Twofold;
 use smartbed_codegen::{Interpreted, Program, model, program};
 use smartbed_runtime::mechanism::Mechanism;
+use smartbed_runtime::real::Real;
 
 /// Central differences of fourth order.
 pub(crate) fn difference(mut of: impl FnMut(f64) -> Vec<f64>, step: f64) -> Vec<f64> {
@@ -16,6 +17,8 @@ pub(crate) fn difference(mut of: impl FnMut(f64) -> Vec<f64>, step: f64) -> Vec<
 struct Exact {
     engine: Interpreted<Twofold>,
     independent: Vec<usize>,
+    /// Places among the independent ones of Euler parameters, all four of which are independent.
+    attitude: Vec<usize>,
     t: Twofold,
 }
 
@@ -23,18 +26,21 @@ struct Exact {
 const CORRECTIONS: (usize, f64) = (80, 1e-27);
 
 impl Exact {
-    /// At the numbers (q, u, inputs) one after the other, entry `column` moved by `change`; a column of a coordinate counts among
-    /// the independent ones.
-    fn rates(&mut self, state: &State, column: usize, change: f64) -> Vec<Twofold> {
+    /// At the numbers (independent q, u, inputs) one after the other, moved by `change` along a direction; Euler
+    /// parameters are scaled to unit length.
+    fn rates(&mut self, state: &State, direction: &[f64], change: f64) -> Vec<Twofold> {
         let exact = |list: &[f64]| list.iter().map(|&x| Twofold::new(x)).collect::<Vec<_>>();
         let (mut q, mut u, mut inputs) = (exact(&state.q), exact(&state.u), exact(&state.inputs));
-        let (n_q, n_u) = (self.independent.len(), u.len());
-        let moved = match column {
-            c if c < n_q => &mut q[self.independent[c]],
-            c if c < n_q + n_u => &mut u[c - n_q],
-            c => &mut inputs[c - n_q - n_u],
-        };
-        *moved = *moved + Twofold::new(change);
+        let n_u = u.len();
+        let places = self.independent.iter().map(|&i| (0, i));
+        let places = places.chain((0..n_u).map(|i| (1, i))).chain((0..inputs.len()).map(|i| (2, i)));
+        for ((list, i), part) in places.collect::<Vec<_>>().into_iter().zip(direction) {
+            let moved = [&mut q, &mut u, &mut inputs][list].get_mut(i).expect("as many as in the direction");
+            *moved = *moved + Twofold::new(change) * Twofold::new(*part);
+        }
+        let own = self.attitude.iter().map(|&place| self.independent[place]);
+        let squares = own.clone().map(|i| q[i] * q[i]).reduce(|sum, x| sum + x);
+        own.for_each(|i| q[i] = q[i] / squares.expect("four").sqrt());
         self.engine.set_time(self.t);
         self.assemble(&mut q);
         let (mut q_dot, mut u_dot) = (vec![Twofold::new(0.0); q.len()], vec![Twofold::new(0.0); n_u]);
@@ -61,10 +67,10 @@ impl Exact {
         panic!("the dependent coordinates do not follow: {change:e}");
     }
 
-    /// A column of slopes, by central differences of fourth order, whose error is some 1e-20.
-    fn slopes(&mut self, state: &State, column: usize) -> Vec<f64> {
+    /// Slopes along a direction, by central differences of fourth order, whose error is some 1e-20.
+    fn slopes(&mut self, state: &State, direction: &[f64]) -> Vec<f64> {
         const STEP: f64 = 1e-5;
-        let [a, b, c, d] = [-2.0, -1.0, 1.0, 2.0].map(|n| self.rates(state, column, n * STEP));
+        let [a, b, c, d] = [-2.0, -1.0, 1.0, 2.0].map(|n| self.rates(state, direction, n * STEP));
         let eight = Twofold::new(8.0);
         let slope = |i: usize| (a[i] - d[i] + eight * (c[i] - b[i])) / Twofold::new(12.0 * STEP);
         (0..a.len()).map(|i| slope(i).high).collect()
@@ -97,14 +103,31 @@ fn linearisation_is_the_slope_of_rates_and_outputs() {
         let n = independent.len() + state.u.len();
         let [a, b, c, d] = ["a", "b", "c", "d"].map(|part| asking.part(&state, "linearisation", part));
         let engine = Interpreted::new(&asking.program);
-        let mut exact = Exact { engine, independent, t: Twofold::new(state.t) };
         let n_inputs = state.inputs.len();
+        let is_euler = |place: &usize| {
+            let name = &asking.program.q[independent[*place]].name;
+            ["_e0", "_e1", "_e2", "_e3"].iter().any(|end| name.ends_with(end))
+        };
+        let attitude: Vec<usize> = (0..independent.len()).filter(is_euler).collect();
+        let unit: Vec<f64> = attitude.iter().map(|&place| state.q[independent[place]]).collect();
+        let mut exact = Exact { engine, independent, attitude: attitude.clone(), t: Twofold::new(state.t) };
         for column in 0..n + n_inputs {
-            let slopes = exact.slopes(&state, column);
-            let (matrix, width, at) = if column < n { (&a, n, column) } else { (&b, n_inputs, column - n) };
-            let below = if column < n { &c } else { &d };
-            let found: Vec<f64> =
-                matrix.chunks(width).chain(below.chunks(width)).map(|row| row[at]).collect();
+            // Of Euler parameters a direction across them: they stay of unit length.
+            let mut direction = vec![0.0; n + n_inputs];
+            direction[column] = 1.0;
+            if let Some(own) = attitude.iter().position(|&place| place == column) {
+                attitude.iter().zip(&unit).for_each(|(&place, e)| direction[place] -= unit[own] * e);
+            }
+            let slopes = exact.slopes(&state, &direction);
+            let along = |row: &[f64], part: &[f64]| row.iter().zip(part).map(|(x, d)| x * d).sum::<f64>();
+            let (by_state, by_input) = direction.split_at(n);
+            let whole = [[&a[..], &c].concat(), [&b[..], &d].concat()];
+            let found: Vec<f64> = (0..slopes.len())
+                .map(|i| {
+                    along(&whole[0][i * n..(i + 1) * n], by_state)
+                        + along(&whole[1][i * n_inputs..(i + 1) * n_inputs], by_input)
+                })
+                .collect();
             // Relative to what the row is made of.
             for (i, (found, slope)) in found.iter().zip(&slopes).enumerate() {
                 let row = a.chunks(n).chain(c.chunks(n)).nth(i).expect("a row");

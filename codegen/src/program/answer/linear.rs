@@ -131,13 +131,13 @@ fn independent_directions(stages: &mut Stages, independent: &[CoordinateId]) -> 
         return Some(directions);
     }
     let follow = symbols(stages, &dependent);
-    let slopes = match kinematics::speeds_of(stages.alg, stages.model, stages.k, stages.solution, independent)
-    {
-        Some(speeds) => {
-            kinematics::slopes_by_speeds(stages.alg, stages.k, stages.solution, &dependent, &speeds)
-        }
-        None => kinematics::dependent_slopes(stages.alg, stages.k, stages.table, &follow, &own)?,
-    };
+    let slopes =
+        match kinematics::speeds_by_rates(stages.alg, stages.model, stages.k, stages.solution, independent) {
+            Some(speeds) => {
+                kinematics::slopes_by_speeds(stages.alg, stages.k, stages.solution, &dependent, &speeds)
+            }
+            None => kinematics::dependent_slopes(stages.alg, stages.k, stages.table, &follow, &own)?,
+        };
     for (&symbol, row) in follow.iter().zip(&slopes) {
         for (direction, &slope) in directions.iter_mut().zip(row) {
             direction.insert(symbol, slope);
