@@ -61,8 +61,8 @@ pub(crate) fn dependent_slopes(
 }
 
 /// The independent speeds in the rates of the independent coordinates: for each coordinate the indices of the speeds that
-/// contain its rate, with the coefficients. `None` if one of them contains another rate or if there are motion
-/// constraints: P does not follow from the velocities then.
+/// contain its rate, with the coefficients. `None` if a speed contains another rate, if none contains that of a coordinate,
+/// or if there are motion constraints: P does not follow from the velocities then.
 pub(crate) fn speeds_by_rates(
     alg: &mut Algebra,
     model: &Model,
@@ -90,7 +90,7 @@ pub(crate) fn speeds_by_rates(
             speeds[column].push((place, coefficient));
         }
     }
-    Some(speeds)
+    speeds.iter().all(|column| !column.is_empty()).then_some(speeds)
 }
 
 /// P from the partial velocities: q_dependent' = P q_independent'. No pivot but those of the velocities is divided by.
