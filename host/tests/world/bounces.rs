@@ -33,6 +33,22 @@ fn a_ball_beside_a_flexible_part_comes_to_rest() {
     }
 }
 
+/// Bounces that last a fifth of a step, however low, go on with e = 1: compensation gives all the energy back by default.
+#[test]
+fn a_ball_that_loses_nothing_bounces_on_within_a_step() {
+    let text = ball(1.0).replace("height = 0.1 }", "height = 2e-5 }").replace("every = 100", "step = 0.02");
+    for law in ["stronge", "newton", "compensation"] {
+        let text = text.replace("\"stronge\"", &format!("\"{law}\""));
+        let text = if law == "compensation" { text.replace("restitution = 1", "share = 1") } else { text };
+        let done = json(&[&scene(&format!("bounces_on_{law}"), &text), "--seconds", "1"]);
+        // The first after t1, the others every 2 t1.
+        let first = (4e-5 / G).sqrt();
+        let expected = ((1.0 - first) / (2.0 * first)) as usize + 1;
+        assert_eq!(done["events"].as_array().map(Vec::len), Some(expected), "{law}");
+        assert!(number(&done["last"]["impact"]).abs() < 1e-12, "{law}: {}", done["last"]["impact"]);
+    }
+}
+
 /// Two damped cubes that bounce on one another: 69,000 events and no end of them before bounces died out.
 #[test]
 fn cubes_that_bounce_on_one_another_come_to_an_end() {

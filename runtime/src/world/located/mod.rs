@@ -62,7 +62,8 @@ pub struct LocatedReport<S> {
     pub pieces: usize,
     /// Contacts that push at the end.
     pub pressing: usize,
-    /// Whether splits were used up, or an implicit method did not converge: the rest of the step then went without location, with e = 0.
+    /// Whether splits were used up, or an implicit method did not converge: the rest of the step then went without
+    /// location, with e = 0.
     pub forced: bool,
     /// Whether every impact converged to rounding; the rest of one that did not ended as with e = 0.
     pub settled: bool,

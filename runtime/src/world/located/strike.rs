@@ -14,9 +14,40 @@ use crate::world::observer::Ends;
 use crate::world::pressed::Pressed;
 use crate::world::whole::{StepMemory, World};
 
-/// Height of a bounce times 1 - e, in gaps that count as zero, below which a contact comes to rest. A contact is found
-/// again one such gap deeper than it was left, which alone keeps a bounce of half this height alive for ever.
-const LAST_BOUNCE: f64 = 1.0;
+/// Highest bounce that may count as none, in gaps that count as zero, however little it loses.
+const HIGHEST: f64 = 1e4;
+
+impl<S: Scalar> PartialStep<'_, '_, S> {
+    /// Does any touching contact close?
+    fn closes(&self) -> bool {
+        self.touches().iter().any(|touch| touch.start[0] < -self.rounding.rate)
+    }
+
+    /// Ends bounces that have died out: if each contact that closes bounced so low in the last piece, of this `length`,
+    /// that it was always found, all have e = 0. `earlier` contacts were known at the start of that piece.
+    ///
+    /// A contact is found again one gap that counts as zero deeper than it was left, which alone keeps bounces as high
+    /// as half that gap / (1 - e) alive for ever. With e = 1 no bounce dies out.
+    fn end_bounces(&mut self, earlier: usize, length: S) {
+        let earlier = self.memory.touches[1].get(..earlier).unwrap_or_default();
+        let (gap, rate) = (self.rounding.gap, self.rounding.rate);
+        let bounces = |touch: &Touch<S>| {
+            // With this speed at both ends a bounce is as high as a quarter of speed times duration.
+            let height = -(S::from_f64(0.25) * length * touch.start[0]);
+            let (lost, highest) = (S::ONE - touch.contact.restitution, S::from_f64(HIGHEST) * gap);
+            let again = earlier.iter().any(|own| own.pair == touch.pair && own.id == touch.id);
+            !again || lost <= S::ZERO || height > highest || lost * height > gap
+        };
+        if self.touches().iter().any(|touch| touch.start[0] < -rate && bounces(touch)) {
+            return;
+        }
+        // One contact that comes to rest lifts others that were at rest by less than it fell: they rest too.
+        let fastest = |most: S, touch: &Touch<S>| most.max(-touch.start[0]);
+        self.rounding.still = self.touches().iter().fold(S::ZERO, fastest);
+        let touches = self.memory.touches[0].iter_mut().take(self.known);
+        touches.for_each(|touch| touch.contact.restitution = S::ZERO);
+    }
+}
 
 impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
     /// Resolves the impact of all contacts, if any of them closes; returns whether one did. `length`: of the piece of
@@ -29,29 +60,13 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         report: &mut LocatedReport<S>,
         show: impl FnOnce(&[Touch<S>], &[Struck<S>], Ends<'_, S>),
     ) -> Result<bool, Fault> {
-        let before = way.known;
+        let earlier = way.known;
         way.memory.touches.swap(0, 1);
         self.find_touches(t, way)?;
-        let closes = |touch: &Touch<S>| touch.start[0] < -way.rounding.rate;
-        if !way.touches().iter().any(closes) {
+        if !way.closes() {
             return Ok(false);
         }
-        let [touches, before] = [(0, way.known), (1, before)].map(|(list, known)| {
-            let list = &way.memory.touches[list];
-            list.get(..known).unwrap_or_default()
-        });
-        let bounces = |touch: &Touch<S>| {
-            // A bounce of this speed at both ends is as high as a quarter of speed times duration.
-            let height = -(S::from_f64(0.25) * length * touch.start[0]);
-            let limit = S::from_f64(LAST_BOUNCE) * way.rounding.gap;
-            let again = before.iter().any(|own| own.pair == touch.pair && own.id == touch.id);
-            !again || (S::ONE - touch.contact.restitution) * height > limit
-        };
-        if !touches.iter().any(|touch| closes(touch) && bounces(touch)) {
-            // One contact that comes to rest lifts others that were at rest by less than it fell: they rest too.
-            way.rounding.still = touches.iter().fold(S::ZERO, |most, touch| most.max(-touch.start[0]));
-            way.memory.touches[0].iter_mut().for_each(|touch| touch.contact.restitution = S::ZERO);
-        }
+        way.end_bounces(earlier, length);
         let before = self.island.energy(t, way.now[0])?.total();
         let StepMemory { twists: [one, twists, other], inertias, touches: [touches, _], .. } =
             &mut *way.memory;
