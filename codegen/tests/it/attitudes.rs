@@ -5,8 +5,10 @@
 //! place of the ball joint; differences along the sphere of unit parameters.
 
 use crate::answers::{Asking, State as At, close};
+use crate::draw::Draw;
 use crate::linearisation::difference;
-use crate::models::shipped;
+use crate::models::{derived_from, shipped};
+use crate::reactions::cross;
 use smartbed_codegen::kinematics::linear;
 use smartbed_codegen::{Interpreted, ParameterChoice, Program, model, program};
 use smartbed_runtime::mechanism::Mechanism;
@@ -137,37 +139,15 @@ A = { centre = "CA", frame = "A", mass = 1, inertia = { Ixx = 0.02, Iyy = 0.03, 
 B = { centre = "E", frame = "B", mass = 2, inertia = { Ixx = 0.02, Iyy = 0.04, Izz = 0.03, Iyz = -0.003 } }
 "#;
 
-fn derived(text: &str) -> Program {
-    let model = model::parse("test.toml", text).unwrap_or_else(|e| panic!("{e}"));
-    program::derive(&model, &ParameterChoice::default()).unwrap_or_else(|e| panic!("{e}"))
-}
-
-/// Numbers between -1 and 1, the same every time (a linear congruence).
-struct Draw(u64);
-
-impl Draw {
-    fn next(&mut self) -> f64 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
-    }
-
-    fn list<const N: usize>(&mut self) -> [f64; N] {
-        std::array::from_fn(|_| self.next())
-    }
-
-    fn attitude(&mut self) -> [f64; 4] {
-        loop {
-            let e: [f64; 4] = self.list();
-            let length = e.iter().map(|x| x * x).sum::<f64>().sqrt();
-            if (0.1..1.0).contains(&length) {
-                return e.map(|x| x / length);
-            }
+/// Euler parameters, uniform in attitude.
+fn attitude(draw: &mut Draw) -> [f64; 4] {
+    loop {
+        let e: [f64; 4] = draw.list(1.0);
+        let length = e.iter().map(|x| x * x).sum::<f64>().sqrt();
+        if (0.1..1.0).contains(&length) {
+            return e.map(|x| x / length);
         }
     }
-}
-
-fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
 fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
@@ -242,7 +222,7 @@ impl Tied {
     /// On the rod's constraint, velocities included. The end of the body is `across` away from where the rod is across
     /// the slide, a dead point; anywhere if `across` is 1.
     fn random(draw: &mut Draw, across: f64) -> Self {
-        let mut e = draw.attitude();
+        let mut e = attitude(draw);
         let mut end = turned(e, ARM, false);
         let away =
             if across < 1.0 { across } else { (ROD * ROD - (end[0] - 0.3).powi(2) - end[2] * end[2]).sqrt() };
@@ -263,7 +243,7 @@ impl Tied {
             return Self::random(draw, across);
         }
         let mut found = Self { e, w: [0.0; 3], place: end[1] - away, speed: 0.0 };
-        let (row, motion) = (found.row(), draw.list::<4>());
+        let (row, motion) = (found.row(), draw.list::<4>(1.0));
         let along: f64 = row.iter().zip(&motion).map(|(a, b)| a * b).sum();
         let square: f64 = row.iter().map(|a| a * a).sum();
         let [x, y, z, speed]: [f64; 4] = std::array::from_fn(|i| motion[i] - row[i] * along / square);
@@ -326,7 +306,7 @@ fn attitudes_are_sampled_all_round() {
         assert!(samples >= least, "{name}: {samples}");
     }
     for (text, least) in [(TIED, 65), (TWO, 60), (CARRIED, 65)] {
-        let program = derived(text);
+        let program = derived_from(text);
         println!("{}: {} samples", program.name, program.n_samples);
         assert!(program.n_samples >= least, "{}: {}", program.name, program.n_samples);
     }
@@ -334,7 +314,7 @@ fn attitudes_are_sampled_all_round() {
 
 #[test]
 fn a_tied_body_on_a_ball_joint_moves_at_dead_points() {
-    let program = derived(TIED);
+    let program = derived_from(TIED);
     assert!(program.is_redundant());
     let mut mechanism = Interpreted::<f64>::new(&program);
     let mut draw = Draw(3);
@@ -377,7 +357,7 @@ fn moved(program: &Program, start: &[f64], h: f64, torque: impl Fn(f64) -> f64) 
 
 #[test]
 fn a_run_of_a_tied_body_passes_dead_points() {
-    let program = derived(TIED);
+    let program = derived_from(TIED);
     let place = (ROD * ROD - 0.04_f64).sqrt();
     let mut exact = Tied { e: [1.0, 0.0, 0.0, 0.0], w: [1.0, 0.0, 3.0], place, speed: 0.0 };
     // The rod's constraint gives the slider's speed.
@@ -405,7 +385,7 @@ fn a_tied_body_moves_on_hinges_as_on_a_ball_joint() {
     let hinges = "bz = { kind = \"universal\", axes = [\"z\", \"y\"], child = \"W\", independent = true }\n\
                   bx = { kind = \"revolute\", axis = \"x\", parent = \"W\", child = \"A\", at = \"W\", independent = true }";
     let ball = "ball = { kind = \"spherical\", child = \"A\", independent = true }";
-    let programs = [derived(TIED), derived(&TIED.replace(ball, hinges))];
+    let programs = [derived_from(TIED), derived_from(&TIED.replace(ball, hinges))];
     let ends = programs.map(|program| {
         let place = |name: &str| match name {
             "pr" => (ROD * ROD - 0.04_f64).sqrt(),
@@ -431,7 +411,7 @@ fn a_tied_body_moves_on_hinges_as_on_a_ball_joint() {
 /// programs (CasADi, DOP853 at 1e-9).
 #[test]
 fn two_ball_joints_and_a_slider_move_through_half_turns() {
-    let program = derived(TWO);
+    let program = derived_from(TWO);
     let start = |h: f64| {
         let mut q = program.nominal.clone();
         program.assembly.clone().correct(&mut q).expect("nominal");

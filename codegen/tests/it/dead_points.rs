@@ -2,7 +2,8 @@
 //!
 //! Oracles: the same mechanisms in the coordinate without dead points, in closed form, written here.
 
-use smartbed_codegen::{Interpreted, ParameterChoice, Program, model, program};
+use crate::models::derived_from;
+use smartbed_codegen::{Interpreted, Program};
 use smartbed_runtime::mechanism::Mechanism;
 use smartbed_runtime::ode::{Driven, State, rk4};
 use smartbed_runtime::real::Scalar;
@@ -21,11 +22,6 @@ pub fn slider_crank() -> String {
         .replace("x = { unit = \"m\", nominal", "x = { unit = \"m\", independent = true, nominal");
     assert_eq!(changed.matches("independent = true").count(), 1);
     changed
-}
-
-fn derived(text: &str) -> Program {
-    let model = model::parse("test.toml", text).unwrap_or_else(|e| panic!("{e}"));
-    program::derive(&model, &ParameterChoice::default()).unwrap_or_else(|e| panic!("{e}"))
 }
 
 /// Crank q, rod b, piston x with their rates at a crank angle, speed and acceleration.
@@ -109,7 +105,7 @@ fn a_slider_crank_closed_in_its_pin_moves_through_dead_points() {
 /// Off the loop by 1 mm and 0.01 rad, at dead points and elsewhere; no coordinate is held.
 #[test]
 fn a_correction_of_all_coordinates_is_the_shortest_and_quadratic() {
-    let program = derived(&slider_crank());
+    let program = derived_from(&slider_crank());
     let mut mechanism = Interpreted::<f64>::new(&program);
     for state in 0..STATES {
         let [place, ..] = follow(angle(state), 0.0, 0.0);
@@ -143,7 +139,7 @@ fn a_dead_point_at_the_end_of_a_range_is_found() {
 
 /// At and near the dead points, and all round.
 fn moves_as_its_crank_says(text: &str) {
-    let program = derived(text);
+    let program = derived_from(text);
     let names: Vec<&str> = program.u.iter().map(|u| u.name.as_str()).collect();
     assert_eq!(names, ["u_q", "u_b", "u_x"]);
     let mut mechanism = Interpreted::<f64>::new(&program);
@@ -198,7 +194,7 @@ fn moved<S: Scalar>(program: &Program, start: &[f64], h: f64, steps: usize) -> (
 
 #[test]
 fn runs_through_dead_points_keep_their_energy() {
-    let program = derived(&slider_crank());
+    let program = derived_from(&slider_crank());
     let [places, rates, _] = follow(1.0, 20.0, 0.0);
     let start = [places, rates].concat();
     // Ten seconds are thirty turns, two dead points each.
@@ -237,7 +233,7 @@ fn carried_slider_crank() -> String {
 
 #[test]
 fn dead_points_that_time_brings_about_are_found() {
-    let program = derived(&carried_slider_crank());
+    let program = derived_from(&carried_slider_crank());
     let names: Vec<&str> = program.u.iter().map(|u| u.name.as_str()).collect();
     assert_eq!(names, ["u_e", "u_q", "u_b", "u_x"]);
     let mut mechanism = Interpreted::<f64>::new(&program);

@@ -3,7 +3,9 @@
 //! Oracles: accelerations and powers written out by hand; d/dt (kinetic + potential) against the power of the drive.
 
 use crate::augmented;
+use crate::draw::Draw;
 use crate::models::shipped;
+use crate::reactions::cross;
 use smartbed_codegen::{Interpreted, Program, Settings, model};
 use smartbed_runtime::mechanism::Mechanism;
 use smartbed_runtime::ode::Driven;
@@ -16,16 +18,6 @@ const EXACT: f64 = 1e-12;
 /// In single precision after ten seconds.
 const SINGLE: f64 = 1e-5;
 const STATES: usize = 1000;
-
-/// Values of a reproducible sequence in (-1, 1).
-struct Random(u64);
-
-impl Random {
-    fn next(&mut self) -> f64 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
-    }
-}
 
 /// The program of a shipped model by its name, or of a text.
 fn derived(text: &str) -> Program {
@@ -90,7 +82,7 @@ fn a_motion_constraint_has_a_part_without_speeds() {
     let text = ARM.replace("CRANK", "crank = { unit = \"rad\", speed = { independent = false } }")
         + "[constraints.motion]\ndrive = \"u_crank - w*(1 + sin(3_rad/1_s*t))\"\n";
     let mut engine = Interpreted::<f64>::new(&derived(&text));
-    let mut random = Random(1);
+    let mut random = Draw(1);
     for _ in 0..STATES {
         let (t, q, u) =
             (2.0 + 2.0 * random.next(), [4.0 * random.next(), 3.0 * random.next()], [9.0 * random.next()]);
@@ -106,7 +98,7 @@ fn a_motion_constraint_has_a_part_without_speeds() {
 fn a_coordinate_is_a_function_of_time() {
     let text = ARM.replace("CRANK", "crank = { unit = \"rad\", closed_form = \"w*t + sin(3_rad/1_s*t)\" }");
     let mut engine = Interpreted::<f64>::new(&derived(&text));
-    let mut random = Random(2);
+    let mut random = Draw(2);
     for _ in 0..STATES {
         let (t, q, u) = (2.0 + 2.0 * random.next(), [3.0 * random.next()], [9.0 * random.next()]);
         let (crank, w, w_dot) =
@@ -181,10 +173,6 @@ fn a_driven_pendulum_in_f32() {
     check_single(&derived("driven_pendulum"), &[0.0, 0.1, 0.0]);
 }
 
-fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    std::array::from_fn(|i| a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3])
-}
-
 fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
@@ -214,7 +202,7 @@ fn rolling(place: [f64; 2], e: [f64; 4], w: [f64; 3]) -> [f64; 3] {
 fn a_ball_rolls_on_a_turntable() {
     let program = derived("turntable");
     let mut engine = Interpreted::<f64>::new(&program);
-    let mut random = Random(3);
+    let mut random = Draw(3);
     let (mass, radius, table) = BALL;
     for _ in 0..STATES {
         let place = [random.next(), random.next()];
@@ -266,7 +254,7 @@ fn a_ball_on_a_turntable_goes_round_in_circles() {
 fn a_cam_lifts_a_valve() {
     let program = derived("cam");
     let mut engine = Interpreted::<f64>::new(&program);
-    let mut random = Random(4);
+    let mut random = Draw(4);
     let (w, e, length, stiff, damping, weak, preload): (f64, f64, f64, f64, f64, f64, f64) =
         (60.0, 5e-3, 0.03, 5e4, 20.0, 2e3, 50.0);
     for _ in 0..STATES {
@@ -306,7 +294,7 @@ fn shaken(t: f64) -> ([f64; 2], [f64; 2], f64) {
 fn a_shaking_table_follows_its_crank() {
     let program = derived("shaking_table");
     let mut engine = Interpreted::<f64>::new(&program);
-    let mut random = Random(5);
+    let mut random = Draw(5);
     let (m, k, d) = (4.0, 900.0, 6.0);
     for n in 0..STATES {
         let (t, sway, v) = (5.0 + 5.0 * random.next(), 0.06 * random.next(), random.next());

@@ -5,6 +5,7 @@
 //! coordinate's acceleration; its multiplier is the drive's force. Solved by dense elimination.
 
 use crate::augmented;
+use crate::draw::Draw;
 use crate::models::shipped;
 use smartbed_codegen::expr::SymbolId;
 use smartbed_codegen::id::Id;
@@ -146,19 +147,15 @@ fn check(name: &str, way: Way, index: usize) -> usize {
     let at = free.q.iter().position(|q| q.name == coordinate.name).expect("state");
     let u_at = free.u.iter().position(|u| u.name == *speed).expect("an independent speed");
     let mut engine = Interpreted::<f64>::new(&program);
-    let mut state = 7_u64;
-    let mut random = || {
-        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (state >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
-    };
+    let mut random = Draw(7);
     let (mut assembly, mut compared) = (free.assembly.clone(), 0);
     for _ in 0..STATES {
-        let t = 1.0 + random();
+        let t = 1.0 + random.next();
         let [place, rate, acceleration] = prescribed(coordinate.nominal, t);
-        let mut target: Vec<f64> = free.nominal.iter().map(|q| q + SWING * random()).collect();
+        let mut target: Vec<f64> = free.nominal.iter().map(|q| q + SWING * random.next()).collect();
         target[at] = place;
         let Ok(q) = assembly.continue_to(&free.nominal, &target) else { continue };
-        let mut u: Vec<f64> = free.u.iter().map(|_| random()).collect();
+        let mut u: Vec<f64> = free.u.iter().map(|_| random.next()).collect();
         u[u_at] = rate;
         let (expected, force) = oracle(&free, &q, &u, speed, acceleration);
         let scale = expected.values().fold(1.0_f64, |m, x| m.max(x.abs()));

@@ -2,6 +2,7 @@
 //!
 //! The evaluator here uses f64 vectors and does not depend on the generator's expression graph.
 
+use crate::reactions::cross;
 use smartbed_codegen::id::{Id, IdVec};
 use smartbed_codegen::model::expression::{ExprKind, Function};
 use smartbed_codegen::model::{
@@ -39,10 +40,6 @@ fn plus(a: Vector, b: Vector) -> Vector {
 fn dot(a: Vector, b: Vector) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
-fn cross(a: Vector, b: Vector) -> Vector {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-}
-
 /// Everything that has a value at one configuration.
 struct Place<'a> {
     model: &'a Model,

@@ -1,8 +1,9 @@
 //! Trees in space, solved joint by joint: operations a link, and the accelerations against the equations before the elimination.
 
 use crate::augmented::{agree, with_augmented};
+use crate::models::derived_from;
 use crate::twofold::Twofold;
-use smartbed_codegen::{Interpreted, ParameterChoice, Program, Settings, model, program};
+use smartbed_codegen::{Interpreted, Program, Settings, model};
 use smartbed_runtime::mechanism::Mechanism;
 use std::fmt::Write;
 use std::time::{Duration, Instant};
@@ -33,11 +34,6 @@ fn chain(n: usize) -> String {
         .expect("a string grows");
     }
     text
-}
-
-fn derived(text: &str) -> Program {
-    let model = model::parse("tree.toml", text).unwrap_or_else(|e| panic!("{e}"));
-    program::derive(&model, &ParameterChoice::default()).unwrap_or_else(|e| panic!("{e}"))
 }
 
 /// The accelerations against the equations before the elimination, solved numerically, at several states; `most` is less than
@@ -81,7 +77,7 @@ fn rounding(program: &Program, q: &[f64], u: &[f64], inputs: &[f64]) -> f64 {
 /// The best published count of articulated bodies is 429 a link.
 #[test]
 fn operations_of_a_spatial_chain_grow_linearly() {
-    let operations = [20, 40, 80].map(|n| derived(&chain(n)).operations());
+    let operations = [20, 40, 80].map(|n| derived_from(&chain(n)).operations());
     println!("20, 40, 80 links in space: {operations:?} operations");
     assert!(operations[0] <= 5_500 && operations[1] <= 12_000, "{operations:?}");
     assert!(10 * operations[2] <= 21 * operations[1], "{operations:?}");
@@ -92,7 +88,7 @@ fn forty_links_in_space_are_derived_within_a_second() {
     let text = chain(40);
     let least = (0..5).map(|_| {
         let begin = Instant::now();
-        let program = derived(&text);
+        let program = derived_from(&text);
         assert!(program.operations() > 0);
         begin.elapsed()
     });
@@ -279,8 +275,8 @@ const KINDS: [&str; 6] = ["revolute", "prismatic", "cylindrical", "spherical", "
 
 #[test]
 fn operations_of_chains_with_all_joints_grow_linearly() {
-    let hinges = |n| derived(&jointed(n, |_| "revolute")).operations();
-    let mixed = |n| derived(&jointed(n, |i| KINDS[i % 6])).operations();
+    let hinges = |n| derived_from(&jointed(n, |_| "revolute")).operations();
+    let mixed = |n| derived_from(&jointed(n, |i| KINDS[i % 6])).operations();
     let [short, long, longer] = [12, 24, 48].map(mixed);
     println!("12, 24, 48 links on joints of all kinds: {short}, {long}, {longer} operations");
     assert!(10 * (longer - long) <= 21 * (long - short), "{short}, {long}, {longer}");
@@ -289,7 +285,7 @@ fn operations_of_chains_with_all_joints_grow_linearly() {
     for slides in [&[0][..], &[15], &[29], &[15, 16], &[3, 9, 20]] {
         let kind = |i| if slides.contains(&i) { "prismatic" } else { "revolute" };
         let begin = Instant::now();
-        let some = derived(&jointed(30, kind)).operations();
+        let some = derived_from(&jointed(30, kind)).operations();
         let took = begin.elapsed();
         println!("30 hinges, {slides:?} of them slides: {some} operations in {took:?}, {all} without");
         assert!(took < Duration::from_secs(3), "{slides:?}: {took:?}");

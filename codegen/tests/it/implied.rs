@@ -1,6 +1,7 @@
 //! Implied constraints remain in the residual; configurations are assembled from far guesses, at any size,
 //! and failures name the constraint that is not met.
 
+use crate::draw::Draw;
 use crate::models::shipped;
 use smartbed_codegen::kinematics::Unreachable;
 use smartbed_codegen::{Interpreted, ParameterChoice, Program, model, program};
@@ -166,14 +167,10 @@ fn a_rod_on_three_cranks_never_folds_the_other_way() {
     let mut assembly = program.assembly.clone();
     let names: Vec<&str> = program.q.iter().map(|q| q.name.as_str()).collect();
     assert_eq!(names, ["base", "q1", "rod", "q3", "q4"]);
-    let (mut state, mut reached) = (1_u64, 0);
-    let mut draw = || {
-        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (state >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
-    };
+    let (mut draw, mut reached) = (Draw(1), 0);
     for _ in 0..1000 {
         let mut target = program.nominal.clone();
-        (target[0], target[1]) = (3.0 * draw(), 3.1 * draw());
+        (target[0], target[1]) = (3.0 * draw.next(), 3.1 * draw.next());
         let Ok(q) = assembly.continue_to(&program.nominal, &target) else { continue };
         reached += 1;
         let parallel = [q[2], q[3] - q[1], q[4] - q[1]];

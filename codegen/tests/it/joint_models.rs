@@ -1,6 +1,7 @@
 //! Models that are made of joints, against closed forms of the textbooks.
 
 use crate::models::shipped;
+use crate::reactions::cross;
 use smartbed_codegen::{Interpreted, ParameterChoice, Program, program};
 use smartbed_runtime::mechanism::Mechanism;
 use smartbed_runtime::ode::{Driven, State, rk4};
@@ -11,10 +12,6 @@ fn derived(name: &str) -> Program {
 }
 
 type V = [f64; 3];
-
-fn cross(a: V, b: V) -> V {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-}
 
 fn norm(v: V) -> f64 {
     v.iter().map(|x| x * x).sum::<f64>().sqrt()

@@ -1,19 +1,10 @@
 //! Joint keywords: each gives the motion of the same mechanism written by hand, or of a closed form.
 
+use crate::draw::Draw;
 use crate::models::shipped;
 use smartbed_codegen::model::Model;
 use smartbed_codegen::{Interpreted, ParameterChoice, Program, model, program};
 use smartbed_runtime::mechanism::Mechanism;
-
-/// Numbers between -1 and 1, the same every time (a linear congruence).
-struct Draw(u64);
-
-impl Draw {
-    fn next(&mut self) -> f64 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
-    }
-}
 
 fn read(text: &str) -> Model {
     let text = format!("format = 1\nname = \"test\"\n{text}");

@@ -7,6 +7,7 @@ mod augmented;
 mod carried;
 mod chain;
 mod dead_points;
+mod draw;
 mod driven;
 mod driven_models;
 mod emitted_bytes;

@@ -1,12 +1,19 @@
 //! The models of this repository are read without errors or warnings.
 
 use smartbed_codegen::model::{self, Model};
+use smartbed_codegen::{ParameterChoice, Program, program};
 
 /// A model of this repository.
 pub fn shipped(name: &str) -> Model {
     let path =
         std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../models").join(format!("{name}.toml"));
     model::read(&path).unwrap_or_else(|found| panic!("{found}"))
+}
+
+/// The program of a model's text.
+pub fn derived_from(text: &str) -> Program {
+    let model = model::parse("test.toml", text).unwrap_or_else(|e| panic!("{e}"));
+    program::derive(&model, &ParameterChoice::default()).unwrap_or_else(|e| panic!("{e}"))
 }
 
 fn names<'a>(items: impl Iterator<Item = &'a String>) -> Vec<&'a str> {

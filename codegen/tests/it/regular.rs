@@ -2,8 +2,9 @@
 //!
 //! Oracles: textbook closed forms, integrated here by Kutta's method; none of them uses eliminations.
 
-use crate::models::shipped;
-use smartbed_codegen::{Interpreted, ParameterChoice, Program, model, program};
+use crate::draw::Draw;
+use crate::models::{derived_from, shipped};
+use smartbed_codegen::{Interpreted, ParameterChoice, Program, program};
 use smartbed_runtime::mechanism::Mechanism;
 use smartbed_runtime::ode::Driven;
 use smartbed_runtime::ode::State;
@@ -19,25 +20,6 @@ const STATES: usize = 1000;
 
 fn derived(name: &str) -> Program {
     program::derive(&shipped(name), &ParameterChoice::default()).unwrap_or_else(|e| panic!("{e}"))
-}
-
-fn derived_from(text: &str) -> Program {
-    let model = model::parse("test.toml", text).unwrap_or_else(|e| panic!("{e}"));
-    program::derive(&model, &ParameterChoice::default()).unwrap_or_else(|e| panic!("{e}"))
-}
-
-/// Numbers between -1 and 1, the same every time (a linear congruence).
-struct Draw(u64);
-
-impl Draw {
-    fn next(&mut self) -> f64 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
-    }
-
-    fn list<const N: usize>(&mut self, size: f64) -> [f64; N] {
-        std::array::from_fn(|_| size * self.next())
-    }
 }
 
 /// q', u' and the worst pivot.

@@ -1,9 +1,9 @@
 //! Speeds as combinations of rates against the same mechanism with plain speeds.
 
-use smartbed_codegen::{Interpreted, ParameterChoice, Program, model, program};
+use smartbed_codegen::{Interpreted, ParameterChoice, Program, program};
 use smartbed_runtime::mechanism::Mechanism;
 
-use crate::models::shipped;
+use crate::models::{derived_from, shipped};
 
 /// Accelerations of order 10, a few hundred rounded operations.
 const ROUNDING: f64 = 1e-10;
@@ -11,11 +11,6 @@ const ROUNDING: f64 = 1e-10;
 fn text_of(name: &str) -> String {
     let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../models");
     std::fs::read_to_string(folder.join(format!("{name}.toml"))).expect("readable")
-}
-
-fn derived(text: &str) -> Program {
-    let model = model::parse("test.toml", text).unwrap_or_else(|e| panic!("{e}"));
-    program::derive(&model, &ParameterChoice::default()).unwrap_or_else(|e| panic!("{e}"))
 }
 
 fn rates(program: &Program, q: &[f64], u: &[f64], inputs: &[f64]) -> (Vec<f64>, Vec<f64>) {
@@ -33,7 +28,7 @@ fn gyroscope_with_plain_rates_moves_alike() {
     let (head, rest) = text.split_once("[speeds]").expect("speeds");
     let rest = rest.split_once("[frames]").expect("frames").1;
     let rest = rest.split_once("[start]").expect("start").0;
-    let plain = derived(&format!("{}[frames]{rest}", head.replace("speed = false, ", "")));
+    let plain = derived_from(&format!("{}[frames]{rest}", head.replace("speed = false, ", "")));
     for (q, w) in [([0.3, 1.1_f64, -0.4], [0.7, -1.2, 8.0]), ([-1.0, 2.3, 2.0], [-2.0, 3.0, -4.0])] {
         let (q_dot, w_dot) = rates(&combined, &q, &w, &[]);
         let second = rates(&plain, &q, &q_dot, &[]).1;
@@ -53,8 +48,8 @@ fn gyroscope_with_plain_rates_moves_alike() {
 #[test]
 fn combinations_of_dependent_rates() {
     let text = text_of("slider_crank");
-    let plain = derived(&text);
-    let combined = derived(
+    let plain = derived_from(&text);
+    let combined = derived_from(
         &text
             .replace("b = { unit = \"rad\",", "b = { unit = \"rad\", speed = false,")
             .replace("x = { unit = \"m\",", "x = { unit = \"m\", speed = false,")
@@ -86,10 +81,10 @@ fn combinations_of_dependent_rates() {
 fn redundant_constraint_is_dropped_with_a_warning() {
     let text = text_of("slider_crank")
         .replace("[bodies]", "again = \"2*dot(B - S, N.x) - dot(B - S, N.y)\"\n[bodies]");
-    let program = derived(&text);
+    let program = derived_from(&text);
     let warnings = program.warnings.to_string();
     assert!(warnings.starts_with("warning: `again` follows from the other constraints"), "{warnings}");
-    let plain = derived(&text_of("slider_crank"));
+    let plain = derived_from(&text_of("slider_crank"));
     assert!(plain.warnings.items.is_empty());
     assert_eq!(program.operations(), plain.operations());
 }

@@ -405,7 +405,7 @@ impl<'p> Search<'p> {
     }
 
     /// Takes the step, or the part of it that reduces the rates.
-    fn shortened(&mut self, step: &DVector<f64>, before: f64) -> Option<(Rates, (String, f64))> {
+    fn shortened(&mut self, step: &DVector<f64>, before: f64) -> Option<End> {
         let old = self.place();
         // At most half a range in one step.
         let mut part = 1.0 / step.amax().max(1.0);
