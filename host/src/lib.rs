@@ -12,6 +12,7 @@
 pub mod csv;
 pub mod diagnostics;
 pub mod failure;
+pub mod file_kind;
 pub mod grouped;
 
 #[cfg(feature = "whole")]

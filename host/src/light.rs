@@ -5,7 +5,8 @@
 //! first needed.
 
 use crate::engine::EngineKind;
-use crate::{input, model_argument, run, view};
+use crate::file_kind::FileKind;
+use crate::{model_argument, run, view};
 
 /// Can the light program run this? Yes also for a file that cannot be read, which both programs refuse alike.
 #[must_use]
@@ -23,17 +24,10 @@ pub fn shows(arguments: &view::Arguments) -> bool {
     arguments.still.is_none() && is_mechanism(&arguments.model)
 }
 
-/// Is it certainly a mechanism, judging by the beginnings of its lines? Anything that might be a scene goes to the
-/// whole program.
+/// Is it no scene?
 fn is_mechanism(argument: &str) -> bool {
     let Ok(path) = model_argument::find(argument) else { return true };
-    let text = input::text(&path.display().to_string()).unwrap_or_default();
-    let gives = |line: &str, key: &str| {
-        line.trim_start().strip_prefix(key).is_some_and(|rest| rest.trim_start().starts_with('='))
-    };
-    let is_body = text.lines().any(|line| gives(line, "shape") || gives(line, "points"));
-    let is_json = path.extension().is_some_and(|ending| ending == "json");
-    !is_json && !is_body && !model_argument::is_world_text(&text)
+    !matches!(FileKind::of(&path), FileKind::Body | FileKind::World)
 }
 
 #[cfg(test)]

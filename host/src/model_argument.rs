@@ -5,11 +5,14 @@
 //! of the folders above it, up to the root of the workspace (the first folder with a Cargo.lock).
 
 use crate::failure::Failure;
+use crate::file_kind::FileKind;
 use crate::grouped;
+#[cfg(feature = "whole")]
+use crate::input;
 use crate::output::{self, Stream};
+use crate::suggest;
 #[cfg(feature = "whole")]
 use crate::world::{self, Assembly};
-use crate::{input, suggest};
 use smartbed_codegen::model::{self, Model};
 use smartbed_codegen::{Diagnostics, Program};
 use std::path::{Path, PathBuf};
@@ -68,19 +71,6 @@ fn find_in(argument: &str, what: &str, under: &[&str]) -> Result<PathBuf, Failur
     )))
 }
 
-/// Is the file a scene of format 2, a world?
-#[must_use]
-pub fn is_world(path: &Path) -> bool {
-    input::text(&path.display().to_string()).is_ok_and(|text| is_world_text(&text))
-}
-
-/// Is this the text of a scene of format 2? Recognised by its sections, without parsing.
-#[must_use]
-pub fn is_world_text(text: &str) -> bool {
-    let begins = |line: &str| ["[parts.", "[parts]", "parts."].iter().any(|word| line.starts_with(word));
-    text.lines().any(|line| begins(line.trim_start()))
-}
-
 /// Names of all models and scenes of format 1, models first.
 #[must_use]
 pub fn all() -> Vec<String> {
@@ -88,7 +78,9 @@ pub fn all() -> Vec<String> {
     for folder in folders(&MODELS) {
         let mut found = names_in(&folder);
         found.sort();
-        found.retain(|name| !names.contains(name) && !is_world(&folder.join(format!("{name}.toml"))));
+        found.retain(|name| {
+            !names.contains(name) && FileKind::of(&folder.join(format!("{name}.toml"))) != FileKind::World
+        });
         names.extend(found);
     }
     names
@@ -97,10 +89,10 @@ pub fn all() -> Vec<String> {
 /// Finds and reads a model.
 ///
 /// # Errors
-/// [`Failure::Wrong`] if there is no such model, or with all errors in it.
+/// [`Failure::Wrong`] if there is no such model, or it is a file of another kind; or all errors in it.
 pub fn read(argument: &str) -> Result<Model, Failure> {
     let path = find(argument)?;
-    refuse_world(&path)?;
+    FileKind::expect(&path, &[FileKind::Model])?;
     model::read(&path).map_err(|errors| wrong(&errors))
 }
 
@@ -114,20 +106,6 @@ pub fn open_world(path: &Path, settings: &[String]) -> Result<Assembly, Failure>
     let find = |model: &str| find(model).map_err(|failure| failure.to_string());
     let text = input::text(&name)?;
     world::read::parse(&name, &text, settings, &find).map_err(|found| wrong(&found))
-}
-
-/// Refuses a scene of format 2 in a command that takes only models or scenes of format 1.
-///
-/// # Errors
-/// [`Failure::Wrong`] that names the commands that take it.
-pub fn refuse_world(path: &Path) -> Result<(), Failure> {
-    match is_world(path) {
-        true => Err(Failure::Wrong(format!(
-            "{}: a scene of format 2; expected a model or a scene of format 1: `run`, `settle`, `view` and `firmware` take worlds",
-            path.display()
-        ))),
-        false => Ok(()),
-    }
 }
 
 /// Findings as a failure.

@@ -3,6 +3,7 @@
 //! In: a path, or a name under `models/plans`, and settings. Out: the plan, checked against its limits, or the errors.
 
 use crate::failure::Failure;
+use crate::file_kind::FileKind;
 use crate::plan::{Read, checked, parse};
 use crate::{hash, input, model_argument};
 
@@ -22,7 +23,9 @@ impl PlanFile {
     /// # Errors
     /// There is none, or it cannot be read.
     pub fn open(argument: &str) -> Result<Self, Failure> {
-        let path = model_argument::find_plan(argument)?.display().to_string();
+        let path = model_argument::find_plan(argument)?;
+        FileKind::expect(&path, &[FileKind::Plan])?;
+        let path = path.display().to_string();
         let text = input::text(&path).map_err(|e| format!("{path}: {e}"))?;
         let hash = hash::hash(text.as_bytes());
         Ok(Self { path, text, hash })

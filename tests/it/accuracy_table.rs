@@ -5,7 +5,7 @@
 //! `UPDATE_GOLDEN=1 cargo test -p smartbed-tests --test it accuracy_table` writes the file.
 
 use smartbed::engine::{EngineKind, ScalarKind};
-use smartbed::model_argument;
+use smartbed::file_kind::FileKind;
 use smartbed::report::point::Control;
 use smartbed::report::subject::{Method, SAMPLES, Subject, Time};
 use smartbed::report::{measure, open, plan, reference};
@@ -31,7 +31,7 @@ fn files(folder: &Path) -> Vec<PathBuf> {
     let entries = std::fs::read_dir(folder).expect("a folder of models");
     let mut files: Vec<PathBuf> = entries.map(|e| e.expect("an entry").path()).collect();
     // Worlds (format 2) have no points of work and precision yet.
-    files.retain(|f| f.extension().is_some_and(|e| e == "toml") && !model_argument::is_world(f));
+    files.retain(|f| f.extension().is_some_and(|e| e == "toml") && FileKind::of(f) != FileKind::World);
     files.sort();
     files
 }

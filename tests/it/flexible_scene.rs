@@ -1,5 +1,6 @@
 //! Reading scenes: every scene of the repository, the reference files, and messages that say where and what.
 
+use smartbed::file_kind::FileKind;
 use smartbed::scene::{parse, shape};
 
 fn refused(text: &str) -> String {
@@ -14,7 +15,7 @@ fn every_scene_reads_damped_and_undamped() {
         let path = entry.expect("entry").path();
         let text = std::fs::read_to_string(&path).expect("text");
         // Worlds have a format, and tests, of their own.
-        if smartbed::model_argument::is_world_text(&text) {
+        if FileKind::of_text(&text) == FileKind::World {
             continue;
         }
         let name = path.display().to_string();

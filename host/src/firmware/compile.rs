@@ -11,8 +11,8 @@ use super::image::checksum;
 use super::process::{clean, run_limited};
 use super::toolchain::Toolchain;
 use crate::failure::Failure;
+use crate::file_kind::FileKind;
 use crate::limits::check_numbers;
-use crate::model_argument;
 use crate::scene::read::Scene;
 use crate::scene::rest::Found;
 use crate::scene::{self, Simulation, tables, walk};
@@ -85,17 +85,17 @@ impl Settings {
     /// [`Failure::Wrong`] if there is no such model or a change is not `name=number`.
     pub fn new(workspace: &Path, arguments: &Arguments) -> Result<Self, Failure> {
         let model = find_model(workspace, arguments.model.as_deref().unwrap_or("tile"))?;
-        let (is_world, is_scene) = (model_argument::is_world(&model), scene::read::is_scene(&model));
-        if (arguments.by_rows || arguments.at_rest) && (is_world || !is_scene) {
+        let kind = FileKind::of(&model);
+        if (arguments.by_rows || arguments.at_rest) && kind != FileKind::Body {
             let why = "--by-rows, --at-rest: they are for a sheet of a scene of format 1; leave them out";
             return Err(Failure::Wrong(why.to_owned()));
         }
         let mut has_few_nodes = false;
-        let (subject, steps, step) = if is_world {
+        let (subject, steps, step) = if kind == FileKind::World {
             let world = Fitted::new(&model, &arguments.set)?;
             let (steps, step) = (world.steps, world.step);
             (Subject::World(Box::new(world)), steps, step)
-        } else if is_scene {
+        } else if kind == FileKind::Body {
             let scene = open_scene(&model, &arguments.set)?;
             has_few_nodes = scene.lists.points.len() < FEW_NODES;
             print_scene(&model, &scene, arguments)?
@@ -287,6 +287,7 @@ fn print_scene(path: &Path, scene: &Scene, arguments: &Arguments) -> Result<(Sub
 
 /// Reads the model first, so that its errors are reported first, and looks up the names of the changes.
 fn check_names(path: &Path, set: &[String]) -> Result<(), Failure> {
+    FileKind::expect(path, &[FileKind::Model])?;
     let model =
         smartbed_codegen::model::read(path).map_err(|errors| crate::model_argument::wrong(&errors))?;
     let names: Vec<&str> = model.parameters.iter().map(|p| p.name.as_str()).collect();

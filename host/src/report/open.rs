@@ -6,8 +6,8 @@ use super::subject::Subject;
 use super::world::World;
 use crate::engine::EngineKind;
 use crate::failure::Failure;
+use crate::file_kind::FileKind;
 use crate::model_argument;
-use crate::scene::read::is_scene;
 
 /// The subject of this name or path.
 ///
@@ -15,11 +15,9 @@ use crate::scene::read::is_scene;
 /// [`Failure::Wrong`] if there is none, or with what is wrong in it.
 pub fn open(name: &str, engine: EngineKind) -> Result<Box<dyn Subject>, Failure> {
     let path = model_argument::find(name)?;
-    Ok(if model_argument::is_world(&path) {
-        Box::new(World::open(name, &path, &[])?)
-    } else if is_scene(&path) {
-        Box::new(Body::open(name, &path.display().to_string(), &[])?)
-    } else {
-        Box::new(Mechanism::open(name, engine)?)
+    Ok(match FileKind::of(&path) {
+        FileKind::World => Box::new(World::open(name, &path, &[])?),
+        FileKind::Body => Box::new(Body::open(name, &path.display().to_string(), &[])?),
+        _ => Box::new(Mechanism::open(name, engine)?),
     })
 }

@@ -23,8 +23,6 @@ use smartbed_runtime::scene::{MAX_EVENTS, MAX_SUBSTEPS};
 use std::collections::BTreeMap;
 use std::path::Path;
 
-pub(super) use read::is_scene;
-
 /// Points whose heights the page plots.
 const HEIGHTS: usize = 7;
 

@@ -1,10 +1,9 @@
 //! `--error` and `--budget`: picks method and step by calibration; the run then goes on as if they had been given.
 
 use super::arguments::Arguments;
-use super::body::is_scene;
 use crate::engine::{EngineKind, ScalarKind};
 use crate::failure::Failure;
-use crate::model_argument;
+use crate::file_kind::FileKind;
 use crate::output;
 use crate::progress::Progress;
 use crate::report::body::Body;
@@ -39,7 +38,8 @@ pub(super) fn resolve(arguments: &Arguments, path: &Path) -> Result<Arguments, F
     let clock = Progress::new("calibrating");
     let mut plain = Arguments { error: None, budget: None, method: None, ..arguments.clone() };
     let mut takes_method = true;
-    let (subject, interval): (Box<dyn Subject>, f64) = if model_argument::is_world(path) {
+    let kind = FileKind::of(path);
+    let (subject, interval): (Box<dyn Subject>, f64) = if kind == FileKind::World {
         if arguments.scalar == ScalarKind::F32 {
             return Err(Failure::Wrong(
                 "--scalar f32: --error and --budget choose the step of a world in f64; give --step instead"
@@ -51,7 +51,7 @@ pub(super) fn resolve(arguments: &Arguments, path: &Path) -> Result<Arguments, F
         let interval = run.step * run.every as f64;
         takes_method = world.takes_method();
         (Box::new(world), interval)
-    } else if is_scene(path) {
+    } else if kind == FileKind::Body {
         let body = Body::open(&arguments.model, &path.display().to_string(), &super::body::settings(&plain))?;
         let interval = body.scene().step * body.scene().every as f64;
         (Box::new(body), interval)

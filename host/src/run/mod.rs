@@ -26,6 +26,8 @@ mod world;
 pub use arguments::Arguments;
 
 use crate::failure::Failure;
+#[cfg(feature = "whole")]
+use crate::file_kind::FileKind;
 use crate::view::page::page;
 #[cfg(feature = "whole")]
 use crate::{model_argument, world::Assembly};
@@ -52,13 +54,8 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
 #[cfg(feature = "whole")]
 pub fn world(arguments: &Arguments) -> Result<Assembly, Failure> {
     let path = model_argument::find(&arguments.model)?;
-    match model_argument::is_world(&path) {
-        true => world::open(arguments, &path),
-        false => Err(Failure::Wrong(format!(
-            "{}: expected a scene of format 2, with [parts.NAME]",
-            path.display()
-        ))),
-    }
+    FileKind::expect(&path, &[FileKind::World])?;
+    world::open(arguments, &path)
 }
 
 /// Runs, and returns the data of the motion's page; does not write `--view`.
@@ -85,7 +82,9 @@ fn carry_out(arguments: &Arguments) -> Result<Outcome, Failure> {
 #[cfg(feature = "whole")]
 fn any(arguments: &Arguments) -> Result<Outcome, Failure> {
     let path = model_argument::find(&arguments.model)?;
-    let is_world = model_argument::is_world(&path);
+    FileKind::expect(&path, &[FileKind::Model, FileKind::Body, FileKind::World])?;
+    let kind = FileKind::of(&path);
+    let is_world = kind == FileKind::World;
     if !is_world && (arguments.save.is_some() || arguments.resume.is_some()) {
         return Err(Failure::Wrong("--save and --resume: expected a scene of format 2".to_owned()));
     }
@@ -97,12 +96,10 @@ fn any(arguments: &Arguments) -> Result<Outcome, Failure> {
         ));
     }
     let arguments = &choose::resolve(arguments, &path)?;
-    if is_world {
-        return world::simulate(arguments, &path);
-    }
-    match body::is_scene(&path) {
-        true => body::simulate(arguments, &path),
-        false => mechanism::run(arguments),
+    match kind {
+        FileKind::World => world::simulate(arguments, &path),
+        FileKind::Body => body::simulate(arguments, &path),
+        _ => mechanism::run(arguments),
     }
 }
 

@@ -2,13 +2,11 @@
 //! error names its file and line, or its setting.
 
 use super::keys::ALIASES;
+use crate::input::MOST_MARKS;
 use crate::json::Unique;
 use serde_json::{Map, Value};
 use smartbed_codegen::model::marks;
 use std::collections::{BTreeMap, BTreeSet};
-
-/// Most values, keys and lines in a text: the largest bodies have this many, and each takes some 180 bytes.
-const MOST_MARKS: usize = 900_000;
 
 /// Does a text have more values than its parser has memory for?
 #[must_use]

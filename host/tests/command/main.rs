@@ -17,6 +17,7 @@ mod guide;
 mod health;
 mod hostile_text;
 mod import;
+mod kinds;
 mod new_user;
 mod nonsense;
 mod reference;

@@ -10,7 +10,7 @@ use smartbed_runtime::flexible::BodyError;
 use smartbed_runtime::ode::nodes::{Method, Step};
 
 use super::describe::describe;
-use super::fields::{self, Fields};
+use super::fields::Fields;
 use super::keys::{self, Choice};
 use super::lists::Lists;
 use super::method::{self, Chosen, Situation};
@@ -77,25 +77,6 @@ const ROUNDING: f64 = 1e-3;
 
 /// Most steps of a run.
 const MOST_STEPS: f64 = 1e9;
-
-/// Is the text at this path a scene and not a mechanism?
-#[must_use]
-pub fn is_scene(path: &std::path::Path) -> bool {
-    if path.extension().is_some_and(|e| e == "json") {
-        return true;
-    }
-    let text = input::text(&path.display().to_string()).unwrap_or_default();
-    if fields::is_too_much(&text) {
-        // Too large to be parsed: decided by how its lines begin.
-        let begins = |line: &str, key: &str| {
-            line.trim_start().strip_prefix(key).is_some_and(|rest| rest.trim_start().starts_with('='))
-        };
-        return text.lines().any(|line| begins(line, "shape") || begins(line, "points"));
-    }
-    // A text that cannot be parsed counts as a mechanism: that reader has the best messages.
-    let table = text.parse::<toml::Table>().unwrap_or_default();
-    table.contains_key("shape") || table.get("points").is_some_and(toml::Value::is_array)
-}
 
 /// Reads the scene at a path, or the one of that name under models/scenes.
 ///

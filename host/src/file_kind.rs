@@ -1,0 +1,174 @@
+//! What a file is: a model, a scene of format 1 or 2, or a plan of the bed; refusals that name the commands that take it.
+//!
+//! In: the path of a file. Out: its kind, by its keys alone. What is wrong in the file is found by the reader of its
+//! kind.
+
+use crate::failure::Failure;
+use crate::input::{self, MOST_MARKS};
+use smartbed_codegen::model::marks;
+use std::path::Path;
+
+/// Keys that only a model has, at its top.
+const OF_MODELS: [&str; 8] =
+    ["name", "extends", "coordinates", "speeds", "frames", "joints", "bodies", "parameters"];
+/// Keys that only a plan of the bed has, at its top.
+const OF_PLANS: [&str; 6] = ["bed", "patient", "load", "move", "alternating", "policy"];
+
+/// The kind of a file.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum FileKind {
+    /// A model of a mechanism.
+    Model,
+    /// A scene of format 1: one flexible body.
+    Body,
+    /// A scene of format 2: a world of parts.
+    World,
+    /// A plan of the bed.
+    Plan,
+    /// No key tells, or the text cannot be parsed: whoever expects a kind may read it as that.
+    Unknown,
+}
+
+impl FileKind {
+    /// The kind of the file at a path; [`FileKind::Unknown`] also if it cannot be read.
+    #[must_use]
+    pub fn of(path: &Path) -> Self {
+        // References are the only JSON that is run.
+        if path.extension().is_some_and(|ending| ending == "json") {
+            return FileKind::Body;
+        }
+        Self::of_text(&input::text(&path.display().to_string()).unwrap_or_default())
+    }
+
+    /// The kind of a text in TOML.
+    #[must_use]
+    pub fn of_text(text: &str) -> Self {
+        let mut lines = text.lines().map(str::trim_start);
+        // Also where the text has a slip that no parser takes: that of worlds has the best messages.
+        if lines.clone().any(|line| ["[parts.", "[parts]", "parts."].iter().any(|w| line.starts_with(w))) {
+            return FileKind::World;
+        }
+        // Too large to be parsed: decided by how its lines begin.
+        if marks(text) > MOST_MARKS {
+            let gives = |line: &str, key: &str| {
+                line.strip_prefix(key).is_some_and(|rest| rest.trim_start().starts_with('='))
+            };
+            let is_body = lines.any(|line| gives(line, "shape") || gives(line, "points"));
+            return if is_body { FileKind::Body } else { FileKind::Unknown };
+        }
+        Self::of_table(&text.parse::<toml::Table>().unwrap_or_default())
+    }
+
+    fn of_table(table: &toml::Table) -> Self {
+        let has = |keys: &[&str]| keys.iter().any(|key| table.contains_key(*key));
+        if has(&["shape"]) || table.get("points").is_some_and(toml::Value::is_array) {
+            FileKind::Body
+        } else if has(&OF_MODELS) {
+            FileKind::Model
+        } else if has(&["parts", "contacts"])
+            || table.get("format").and_then(toml::Value::as_integer) == Some(2)
+        {
+            FileKind::World
+        } else if has(&OF_PLANS) {
+            FileKind::Plan
+        } else {
+            FileKind::Unknown
+        }
+    }
+
+    /// Refuses a file of another kind than a command takes; one whose kind no key tells passes.
+    ///
+    /// # Errors
+    /// [`Failure::Wrong`] says what the file is, what was expected, and which commands take it.
+    pub fn expect(path: &Path, taken: &[FileKind]) -> Result<(), Failure> {
+        let kind = Self::of(path);
+        if kind == FileKind::Unknown || taken.contains(&kind) {
+            return Ok(());
+        }
+        let expected: Vec<&str> = taken.iter().map(|kind| kind.words()).collect();
+        Err(Failure::Wrong(format!(
+            "{}: this is {}; expected {}. {}",
+            path.display(),
+            kind.words(),
+            expected.join(" or "),
+            kind.commands()
+        )))
+    }
+
+    fn words(self) -> &'static str {
+        match self {
+            FileKind::Model => "a model of a mechanism",
+            FileKind::Body => "a scene of format 1, a flexible body",
+            FileKind::World => "a scene of format 2, a world of parts",
+            FileKind::Plan => "a plan of the bed",
+            FileKind::Unknown => "a file of no known kind",
+        }
+    }
+
+    /// What to do with it instead.
+    fn commands(self) -> &'static str {
+        match self {
+            FileKind::Model => {
+                "Models are taken by `run`, `view`, `check`, `equilibrium` (their static equilibrium), `eval`, `derive`, `report` and `firmware`"
+            }
+            FileKind::Body => {
+                "Scenes of format 1 are taken by `run`, which also checks them, `view`, `report` and `firmware`"
+            }
+            FileKind::World => {
+                "Worlds are taken by `run`, which also checks them, `settle` (their static equilibrium), `view`, `report` and `firmware`"
+            }
+            FileKind::Plan => "Plans are taken by `bed run`, `bed report` and `sweep`",
+            FileKind::Unknown => "",
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::FileKind;
+    use std::path::Path;
+
+    fn all_of(folder: &str) -> Vec<(String, FileKind)> {
+        let files = std::fs::read_dir(folder).expect("a folder").map(|f| f.expect("a file").path());
+        let texts = files.filter(|f| f.extension().is_some_and(|e| e == "toml"));
+        texts.map(|f| (f.display().to_string(), FileKind::of(&f))).collect()
+    }
+
+    #[test]
+    fn shipped_files_are_what_their_folders_say() {
+        let [models, scenes, plans] = ["../models", "../models/scenes", "../models/plans"].map(all_of);
+        assert!(models.len() > 15 && scenes.len() > 15 && plans.len() > 5);
+        assert_eq!(models.iter().find(|(_, kind)| *kind != FileKind::Model), None);
+        assert_eq!(plans.iter().find(|(_, kind)| *kind != FileKind::Plan), None);
+        let is_scene = |kind: FileKind| matches!(kind, FileKind::Body | FileKind::World);
+        assert_eq!(scenes.iter().find(|(_, kind)| !is_scene(*kind)), None);
+    }
+
+    #[test]
+    fn texts_without_a_part_or_with_a_slip_are_told_by_what_is_left() {
+        for (text, kind) in [
+            ("format = 2\ntitle = \"empty\"\n", FileKind::World),
+            ("format = 2\nname = \"m\"\n", FileKind::Model),
+            ("format = 1\n[parts.ball\nrigid = 3", FileKind::World),
+            ("shape = \"cube\"\n", FileKind::Body),
+            ("points = [[0, 0, 0]]\n", FileKind::Body),
+            ("[points]\nA = \"N.x\"\n[bodies]\n", FileKind::Model),
+            ("format = 1\n[run]\nseconds = 1\n", FileKind::Unknown),
+            ("format = ", FileKind::Unknown),
+        ] {
+            assert_eq!(FileKind::of_text(text), kind, "{text}");
+        }
+    }
+
+    #[test]
+    fn refusals_say_what_it_is_and_which_command_takes_it() {
+        let said = |file: &str, taken: FileKind| {
+            FileKind::expect(Path::new(file), &[taken]).map_err(|failure| failure.to_string())
+        };
+        assert_eq!(said("../models/tile.toml", FileKind::Model), Ok(()));
+        let world = said("../models/scenes/bed.toml", FileKind::Model).expect_err("a world");
+        assert!(world.contains("this is a scene of format 2") && world.contains("`run`"), "{world}");
+        let model = said("../models/tile.toml", FileKind::World).expect_err("a model");
+        assert!(model.contains("this is a model") && model.contains("`equilibrium`"), "{model}");
+    }
+}
