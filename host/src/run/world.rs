@@ -102,6 +102,7 @@ fn record(arguments: &Arguments, assembly: &Assembly) -> Result<Done, Failure> {
             steps: assembly.run.steps(),
             step: assembly.run.step,
             scalar: engine.scalar(),
+            method: name(&method).to_owned(),
             scene: assembly.fingerprint(),
             start: records.start(),
             state: engine.save(),
@@ -111,16 +112,35 @@ fn record(arguments: &Arguments, assembly: &Assembly) -> Result<Done, Failure> {
     }
     let note = noted(format!("{method}, step {} s", six_digits(assembly.run.step)), arguments);
     let mut warnings = engine.warnings();
-    if from.is_some_and(|from| !from.scene.is_empty() && from.scene != assembly.fingerprint()) {
+    warnings.extend(from.iter().flat_map(|from| changed(from, assembly, &method)));
+    let method = if arguments.scalar == ScalarKind::F32 { method + ", in f32" } else { method };
+    let (kept, film) = records.finish(arguments, &note, &events)?;
+    Ok(Done { method, events, film, warnings, kept })
+}
+
+/// Warnings of what is not as it was when a checkpoint was saved.
+fn changed(from: &Checkpoint, assembly: &Assembly, method: &str) -> Vec<String> {
+    let mut warnings = Vec::new();
+    if !from.scene.is_empty() && from.scene != assembly.fingerprint() {
         warnings.push(
             "the checkpoint was saved from another text of the scene or with other settings: the motion before it is not \
              that of this scene"
                 .to_owned(),
         );
     }
-    let method = if arguments.scalar == ScalarKind::F32 { method + ", in f32" } else { method };
-    let (kept, film) = records.finish(arguments, &note, &events)?;
-    Ok(Done { method, events, film, warnings, kept })
+    if !from.method.is_empty() && from.method != name(method) {
+        warnings.push(format!(
+            "the checkpoint was reached by the method {}, the run goes on with {}: it is no run of either alone",
+            from.method,
+            name(method)
+        ));
+    }
+    warnings
+}
+
+/// The name of a method, without what `Engine::method` says of it.
+fn name(method: &str) -> &str {
+    method.split([',', ':']).next().unwrap_or_default()
 }
 
 /// Refuses `--save` for a run that ends within a step: a resumed run would go on from elsewhere.

@@ -70,6 +70,8 @@ pub struct Checkpoint {
     pub step: f64,
     /// Scalar of the run.
     pub scalar: ScalarKind,
+    /// The name of its method; empty if the file has none.
+    pub method: String,
     /// Fingerprint of the scene ([`Assembly::fingerprint`]); empty if the file has none.
     pub scene: String,
     /// Energy at the very start (J).
@@ -93,9 +95,10 @@ impl Checkpoint {
     /// Text that preserves every bit of the numbers.
     #[must_use]
     pub fn text(&self) -> String {
-        let Self { steps, step, scalar, scene, start, state, seen } = self;
+        let Self { steps, step, scalar, method, scene, start, state, seen } = self;
         let text = serde_json::json!({
-            "steps": steps, "step": step, "scalar": scalar.name(), "scene": scene, "start": start, "state": state, "seen": seen,
+            "steps": steps, "step": step, "scalar": scalar.name(), "method": method, "scene": scene, "start": start,
+            "state": state, "seen": seen,
         });
         text.to_string() + "\n"
     }
@@ -116,6 +119,7 @@ impl Checkpoint {
                 "f64" => ScalarKind::F64,
                 _ => return None,
             },
+            method: value["method"].as_str().unwrap_or_default().to_owned(),
             scene: value["scene"].as_str().unwrap_or_default().to_owned(),
             start: value["start"].as_f64()?,
             state: numbers(&value["state"])?,
@@ -150,7 +154,7 @@ pub fn run<E: From<String>>(
             engine.load(&checkpoint.state)?;
             if checkpoint.step != assembly.run.step {
                 return Err(E::from(format!(
-                    "the checkpoint was reached by steps of {} s, the run takes {} s; give --step {}",
+                    "the checkpoint was reached by steps of {} s, the run takes {} s, but counts steps from its start; give --step {}",
                     checkpoint.step, assembly.run.step, checkpoint.step
                 )));
             }

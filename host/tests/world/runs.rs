@@ -96,6 +96,22 @@ fn a_run_that_is_resumed_goes_on_bit_for_bit() {
 }
 
 #[test]
+fn a_run_that_is_resumed_by_another_method_says_so() {
+    let file = Path::new(env!("CARGO_TARGET_TMPDIR")).join("other_method.state").display().to_string();
+    let run = |more: &[&str]| json(&[&["tile_bladder_coupled"], more].concat());
+    let whole = run(&["--seconds", "0.04"]);
+    run(&["--seconds", "0.02", "--save", &file]);
+    let same = run(&["--seconds", "0.04", "--resume", &file, "--method", "rk4"]);
+    assert!(!same["warnings"].to_string().contains("by the method"), "{}", same["warnings"]);
+    let other = run(&["--seconds", "0.04", "--resume", &file, "--method", "blanes_moan4"]);
+    let told = "reached by the method rk4, the run goes on with blanes_moan4";
+    assert!(other["warnings"].to_string().contains(told), "{}", other["warnings"]);
+    let height = |json: &serde_json::Value| json["last"]["bladder.z24"].as_f64().expect("a height");
+    let apart = (height(&whole) - height(&other)).abs();
+    assert!(apart < 1e-6, "{apart:e} m");
+}
+
+#[test]
 fn what_no_sensor_reads_is_said() {
     for name in ["kinetic", "total", "t"] {
         let sensor = format!("sensors={{ seen = {{ of = \"{name}\" }} }}");
