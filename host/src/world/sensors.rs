@@ -6,7 +6,7 @@
 use super::assembly::{Assembly, Sensing, Transducer};
 use super::engine::{ACCOUNTS, Column};
 use smartbed_runtime::sensor::kinds::{Lvdt, Membrane, Switch};
-use smartbed_runtime::sensor::{Channel, Remembered, Sensor};
+use smartbed_runtime::sensor::{Channel, ChannelFault, Remembered, Sensor};
 
 /// Most samples in transit.
 const DEPTH: usize = 16;
@@ -56,6 +56,24 @@ pub(super) fn unread(name: &str) -> Option<String> {
     })
 }
 
+/// The message for a channel that is refused.
+fn refused(fault: ChannelFault, channel: &Channel<f64>) -> String {
+    match fault {
+        ChannelFault::NoPeriod => "`period` is shorter than a step; expected a step or more".to_owned(),
+        ChannelFault::TooLate => format!(
+            "`delay` is {} steps, `period` {}; expected a delay of at most {} periods: samples wait in so many places",
+            channel.delay,
+            channel.period,
+            DEPTH - 1
+        ),
+        ChannelFault::OutOfRange => {
+            "expected `noise`, `bias` and `resolution` >= 0, and a `range` whose first number is not \
+                                     above its second"
+                .to_owned()
+        }
+    }
+}
+
 impl Probes {
     /// For an assembly whose rows have these columns.
     ///
@@ -87,10 +105,8 @@ impl Probes {
                     Kind::Switch(Switch::new(closes, hysteresis, ticks("chatter", chatter)?, own.seed))
                 }
             };
-            let sensor = Sensor::new(channel, own.seed, 0.0).map_err(|fault| {
-                let help = "period >= one step, delay <= 15 periods, noise, bias and resolution >= 0, range not empty";
-                format!("sensors.{}: {fault:?}; expected {help}", own.name)
-            })?;
+            let sensor = Sensor::new(channel, own.seed, 0.0)
+                .map_err(|fault| format!("{name}: {}", refused(fault, &channel)))?;
             Ok(Probe { column, kind, sensor })
         };
         Ok(Probes { list: assembly.sensors.iter().map(probe).collect::<Result<_, String>>()? })
@@ -112,7 +128,7 @@ impl Probes {
                 Kind::Pressure(membrane) => membrane.observe(tick, quantity),
                 Kind::Switch(switch) => f64::from(u8::from(switch.observe(tick, quantity))),
             };
-            probe.sensor.observe(tick, seen);
+            probe.observe(tick, seen);
         }
     }
 
@@ -143,6 +159,17 @@ fn tick(number: f64) -> Option<u64> {
 }
 
 impl Probe {
+    /// Samples a quantity. The first sample is shown at once, whatever the delay: before the start the world stood as at
+    /// the start, and a controller would else act on a number that nobody measured.
+    fn observe(&mut self, tick: u64, quantity: f64) {
+        let is_first = self.sensor.memory().last.is_none();
+        self.sensor.observe(tick, quantity);
+        let memory = *self.sensor.memory();
+        if let (true, Some((_, shown))) = (is_first, memory.pending[0]) {
+            self.sensor.resume(Remembered { shown, ..memory });
+        }
+    }
+
     fn save(&self) -> Vec<f64> {
         let memory = self.sensor.memory();
         let felt = match self.kind {

@@ -193,6 +193,7 @@ fn every_error_of_a_model_has_its_cause_and_cure() {
     assert!(found.len() >= 80, "{}", found.len());
     found.push(asked_of_redundant_speeds());
     found.push(error_of(&["derive", "pendulum", "--set", "masss=1"]));
+    found.push(error_of(&["check", "bed"]));
     found.push(error_of(&["derive", "pendulum", "--integrator", "--crate", "steps", "--form", "kinematic"]));
     same(&found, &messages("## Notation", Some("## While it runs")));
 }

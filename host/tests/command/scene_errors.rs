@@ -141,6 +141,7 @@ fn every_refusal_of_a_scene_has_its_cause_and_cure() {
             .to_owned(),
         format!("{BALL}[sensors.s]\nof = \"ball.w\""),
         format!("{BALL}[sensors.s]\nof = \"ball.z\"\nperiod = \"1.5_ms\""),
+        format!("{BALL}[sensors.s]\nof = \"ball.z\"\ndelay = \"0.1_s\""),
         format!(
             "[parts.tile]\nmechanism = \"tile_minimal\"\ncommand = {{ {} }}\n{SHEET}attach = [{{ nodes = \"rim\", to = \"tile.platform\" }}]\n[run]\nstart = \"settled\"",
             ["hA", "hB", "hC"].map(|height| format!("{height} = \"0.01_m*t/1_s\"")).join(", ")

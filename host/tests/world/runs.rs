@@ -112,6 +112,13 @@ fn a_run_that_is_resumed_by_another_method_says_so() {
 }
 
 #[test]
+fn a_delay_of_too_many_periods_is_refused_in_words() {
+    let sensors = "sensors={ seen = { of = \"ball.z\", period = 0.01, delay = 0.2 } }";
+    let said = fails(&["run", "rigid_ball_rests", "--set", sensors]);
+    assert!(said.contains("sensors.seen: `delay` is") && said.contains("at most 15 periods"), "{said}");
+}
+
+#[test]
 fn what_no_sensor_reads_is_said() {
     for name in ["kinetic", "total", "t"] {
         let sensor = format!("sensors={{ seen = {{ of = \"{name}\" }} }}");
@@ -134,10 +141,9 @@ fn sensors_read_late_and_coarse_and_change_nothing() {
     for (n, row) in seen.iter().enumerate() {
         assert_eq!(row[..blind[n].len()], blind[n][..], "row {n}");
         assert_eq!(row[low], f64::from(u8::from(row[z] >= 0.3)), "row {n}");
-        // Behind a sample and its way there: what stood there one or two periods ago, to half a step of the reading.
-        if n >= 20 {
-            let sample = seen[10 * (n / 10) - 10][z];
-            assert!((row[reading] - sample).abs() <= 0.5e-3 + 1e-12, "row {n}: {} {sample}", row[reading]);
-        }
+        // Behind a sample and its way there: what stood there one or two periods ago, to half a step of the reading;
+        // before that the first sample.
+        let sample = seen[(10 * (n / 10)).saturating_sub(10)][z];
+        assert!((row[reading] - sample).abs() <= 0.5e-3 + 1e-12, "row {n}: {} {sample}", row[reading]);
     }
 }
