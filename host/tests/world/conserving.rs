@@ -44,6 +44,30 @@ fn a_commanded_tile_pays_for_its_bladder_to_rounding() {
     assert!(imbalance < 1e-9 * drive.abs(), "{imbalance:e} of {drive:e}");
 }
 
+/// A disc that turns to and fro.
+const DISC: &str = "format = 1\nname = \"disc\"\ndof = 1\n[parameters]\nI = { value = 0.05, unit = \"kg m^2\" }\n\
+                    [coordinates]\nq = { unit = \"rad\", independent = true }\n[frames]\ndisc = { rotations = [[\"z\", \"q\"]] }\n\
+                    [points]\ntop = \"0.1_m*N.z\"\n[bodies]\ndisc = { centre = \"top\", frame = \"disc\", inertia = { Izz = \"I\" } }\n\
+                    [ports]\ntop = { point = \"top\", frame = \"disc\" }\n";
+/// A bladder beside its axis.
+const ON_DISC: &str = "format = 2\ntitle = \"a bladder on a disc\"\n[parts.turn]\nmechanism = \"conserving_disc\"\ncommand = { q = \"1_rad*sin(2*pi*t/0.5_s)\" }\n\
+                       [parts.bladder]\nshape = \"sheet\"\nrows = 5\ncolumns = 5\nwidth = \"0.28_m\"\ndepth = \"0.28_m\"\n\
+                       base = \"40_mm\"\nmass = \"50_g\"\nK = \"2 kN/m\"\nC = \"2 N s/m\"\n\
+                       start = { position = [\"0.1_m\", \"-0.14_m\", \"40_mm\"] }\ngas = { gauge = \"1_kPa\" }\n\
+                       attach = [{ nodes = \"rim\", to = \"turn.top\" }, { facets = \"base\", to = \"turn.top\" }]\n\
+                       [run]\nseconds = 0.5\n";
+
+#[test]
+fn a_turntable_pays_for_its_bladder_to_rounding_and_for_itself_to_order_4() {
+    support::scene("conserving_disc", DISC);
+    let scene = support::scene("conserving_on_disc", ON_DISC);
+    let run = |more: &[&str]| books(&[&[&scene as &str], more].concat()).0;
+    let [coarse, fine] = ["2e-3", "1e-3"].map(|step| run(&["--step", step]));
+    assert!((12.0..20.0).contains(&(coarse / fine)) && coarse < 2e-8, "{coarse:e} {fine:e}");
+    let light = run(&["--step", "2e-3", "--set", "parts.turn.set={ I = 1e-9 }"]);
+    assert!(light < 1e-12, "{light:e}");
+}
+
 #[test]
 fn a_mechanism_under_a_bladder_keeps_the_order_of_the_middle() {
     let run = |step: &str| books(&["tile_bladder_coupled", "--seconds", "0.2", "--step", step]).0;
