@@ -87,9 +87,14 @@ fn worst(gate: &[Row]) -> [f64; 2] {
     [value(0), 0.01 * value(1)]
 }
 
-/// The word for the moments of a run.
-fn moments(history: &History) -> &'static str {
-    if history.watched.is_some() { "moments" } else { "equilibria" }
+/// The moments of a run, counted.
+fn moments(history: &History) -> String {
+    match (history.moments.len(), history.watched.is_some()) {
+        (1, true) => "1 moment".to_owned(),
+        (1, false) => "1 equilibrium".to_owned(),
+        (count, true) => format!("{count} moments"),
+        (count, false) => format!("{count} equilibria"),
+    }
 }
 
 /// The JSON object's additional part for a run with motion.
@@ -113,6 +118,10 @@ fn motion_json(watched: &Watched) -> String {
 
 /// The text's additional part for a run with motion.
 fn motion_text(watched: &Watched) -> String {
+    if watched.steps == 0 {
+        return "motion: no step, since run.seconds is 0: forces and maps are those of the start\n"
+            .to_owned();
+    }
     let rest = watched.still.map_or_else(
         || "it is not at rest at the end".to_owned(),
         |time| format!("slower than 1 mm/s from {time:.2} s on"),
@@ -137,10 +146,9 @@ pub(super) fn text(read: &Read, history: &History, report: &RunReport) -> String
     let RunReport { sensed, gate, .. } = report;
     let [imbalance, felt] = worst(gate);
     let mut text = format!(
-        "{}: {} {} over {} s; contact forces balance the weight within {imbalance:.0e}, sensels measure it within \
+        "{}: {} over {} s; contact forces balance the weight within {imbalance:.0e}, sensels measure it within \
          {:.2} %\n",
         read.plan.title,
-        history.moments.len(),
         moments(history),
         read.plan.seconds,
         100.0 * felt

@@ -187,6 +187,23 @@ fn a_move_after_the_end_of_the_run_is_named_with_its_place() {
 }
 
 #[test]
+fn a_motion_of_0_s_says_that_it_took_no_step() {
+    let of = |clock: &str| {
+        let clock = format!("run.clock=\"{clock}\"");
+        let done = smartbed(&["bed", "run", "ball_on_four", "--set", "run.seconds=0", "--set", &clock]);
+        assert_eq!(done.status, 0, "{done:?}");
+        done.out
+    };
+    let motion = of("dynamics");
+    assert!(motion.contains("motion: no step, since run.seconds is 0"), "{motion}");
+    assert!(
+        motion.contains(": 1 moment over 0 s") && !motion.contains("largest force over 0 ms"),
+        "{motion}"
+    );
+    assert!(of("quasi_static").contains(": 1 equilibrium over 0 s"));
+}
+
+#[test]
 fn plans_beyond_their_limits_are_refused_with_the_tile() {
     let say =
         |setting: &str| smartbed(&["bed", "run", "ball_on_four", "--set", setting]).message().to_owned();
