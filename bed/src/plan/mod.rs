@@ -335,8 +335,12 @@ impl Plan {
         (0..=count).map(|k| k as f64 * self.every).collect()
     }
 
+    /// Most cycles of [`Plan::alternating`].
+    pub const MOST_CYCLES: usize = 10_000;
+
     /// Alternating pressure: two groups of tiles, like the squares of a chess board, are low in turn for five twelfths
-    /// of a cycle; between these times both are high for a twelfth (of 600 s: 250 s, 50 s, 250 s, 50 s).
+    /// of a cycle; between these times both are high for a twelfth (of 600 s: 250 s, 50 s, 250 s, 50 s). After
+    /// [`Plan::MOST_CYCLES`] cycles both stay high.
     #[must_use]
     pub fn alternating(layout: &Layout, low: f64, high: f64, cycle: f64, seconds: f64) -> Vec<Move> {
         let group = |k: usize| -> Vec<usize> {
@@ -352,7 +356,7 @@ impl Plan {
             heave: None,
             slope: None,
         };
-        let cycles = (seconds / cycle).ceil() as usize;
+        let cycles = ((seconds / cycle).ceil() as usize).min(Self::MOST_CYCLES);
         let one = |n: usize| {
             let start = n as f64 * cycle;
             [(0.0, 0, low), (5.0, 0, high), (6.0, 1, low), (11.0, 1, high)]

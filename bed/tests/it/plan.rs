@@ -102,6 +102,16 @@ fn moves_taken_back_between_moments_are_found() {
 }
 
 #[test]
+fn an_alternation_has_a_largest_number_of_cycles() {
+    let layout = plan(1, 1, Vec::new()).layout;
+    let moves = |cycle: f64| Plan::alternating(&layout, 1600.0, 4000.0, cycle, 40.0);
+    assert_eq!(moves(10.0).len(), 4 * 4);
+    for cycle in [1e-9, 1e-300, 0.0] {
+        assert_eq!(moves(cycle).len(), 4 * Plan::MOST_CYCLES, "{cycle}");
+    }
+}
+
+#[test]
 fn limits_are_refused_with_the_tile() {
     let refuse = |moves: Vec<Move>| check(&plan(2, 2, moves)).expect_err("refused").to_string();
     assert_eq!(

@@ -12,6 +12,8 @@ pub type Axes = Vec<(String, Vec<String>)>;
 
 /// Most moves times equilibria: each equilibrium evaluates each move.
 const MOST_ORDERS: f64 = 1e7;
+/// Moves of a cycle of alternating pressure: two groups go down and up.
+const MOVES_PER_CYCLE: f64 = 4.0;
 
 /// All moves of a plan, sorted by their beginning, each with its place; `pressure` (Pa) is the initial one, `seconds` the length of the run,
 /// `every` the interval between its moments.
@@ -34,19 +36,41 @@ pub(super) fn read(
     let mut span = plan.span;
     if let Some(table) = plan.table("alternating", found) {
         span = table.span;
-        let all = alternating(table, layout, pressure, seconds, found)?;
+        let all = alternating(table, layout, pressure, [seconds, every], found)?;
         moves.extend(all.into_iter().map(|own| (own, span)));
     }
-    let asked = moves.len() as f64 * (seconds / every + 2.0 * moves.len() as f64);
-    if asked > MOST_ORDERS {
-        let error = Diagnostic::error(format!(
-            "the number of moves times the number of equilibria is {asked:.1e}, expected at most {MOST_ORDERS:.0e}"
-        ));
-        found.push(error.label(span, "of these").help("fewer cycles, or a longer `every`"));
-        return None;
-    }
+    are_few(moves.len() as f64, seconds / every, span, found)?;
     moves.sort_by(|(a, _), (b, _)| a.at.total_cmp(&b.at));
     Some(moves)
+}
+
+/// Refuses more moves than can be evaluated at all equilibria of a run.
+fn are_few(moves: f64, equilibria: f64, span: Span, found: &mut Diagnostics) -> Option<()> {
+    let asked = moves * (equilibria + 2.0 * moves);
+    if asked <= MOST_ORDERS {
+        return Some(());
+    }
+    let error = Diagnostic::error(format!(
+        "the number of moves times the number of equilibria is {asked:.1e}, expected at most {MOST_ORDERS:.0e}"
+    ));
+    found.push(error.label(span, "of these").help("fewer cycles, or a longer `every`"));
+    None
+}
+
+/// Refuses more cycles of an alternation than a run of `seconds` with a moment `every` can take.
+pub(super) fn cycles_are_few(
+    cycle: f64,
+    [seconds, every]: [f64; 2],
+    span: Span,
+    found: &mut Diagnostics,
+) -> Option<()> {
+    let cycles = (seconds / cycle).ceil();
+    if cycles > Plan::MOST_CYCLES as f64 {
+        let error = Diagnostic::error(format!("more than {} cycles", Plan::MOST_CYCLES));
+        found.push(error.label(span, "of this alternation").help("a longer `cycle`"));
+        return None;
+    }
+    are_few(MOVES_PER_CYCLE * cycles, seconds / every, span, found)
 }
 
 /// One `[[move]]`; a warning if it begins after the end of the run.
@@ -122,7 +146,7 @@ fn alternating(
     table: &Table,
     layout: &Layout,
     pressure: f64,
-    seconds: f64,
+    [seconds, every]: [f64; 2],
     found: &mut Diagnostics,
 ) -> Option<Vec<Move>> {
     let fields = Fields::of("alternating", table.span, table);
@@ -130,11 +154,7 @@ fn alternating(
     let high = number(&fields, "high", "Pa", Bound::NotNegative, found).unwrap_or(pressure);
     let cycle = number(&fields, "cycle", "s", Bound::Positive, found).unwrap_or(600.0);
     fields.finish(found);
-    if seconds / cycle > 10_000.0 {
-        let error = Diagnostic::error("more than 10000 cycles").label(table.span, "of this alternation");
-        found.push(error.help("a longer `cycle`"));
-        return None;
-    }
+    cycles_are_few(cycle, [seconds, every], table.span, found)?;
     Some(Plan::alternating(layout, low, high, cycle, seconds))
 }
 

@@ -1,5 +1,6 @@
 //! Reads `[policy]`: the policy that gives orders while a plan runs, and its bounds.
 
+use super::moves;
 use crate::world::read::value::{Bound, count, number, one_of};
 use smartbed_bed::plan::{Move, Plan};
 use smartbed_bed::policy::Policy;
@@ -24,8 +25,8 @@ pub struct Chosen {
     pub bounds: Bounds,
 }
 
-/// Reads `[policy]`.
-pub(super) fn read(table: &Table, found: &mut Diagnostics) -> Option<Chosen> {
+/// Reads `[policy]` of a run of `seconds` with a moment `every`.
+pub(super) fn read(table: &Table, run: [f64; 2], found: &mut Diagnostics) -> Option<Chosen> {
     let fields = Fields::of("policy", table.span, table);
     let (usual, bounds) = (Goal::default(), Bounds::default());
     let kind = fields.need("kind", "\"planner\"", found)?;
@@ -66,6 +67,9 @@ pub(super) fn read(table: &Table, found: &mut Diagnostics) -> Option<Chosen> {
         Bounds { most_low: count(&fields, "most_low", 0, found).unwrap_or(bounds.most_low), ..bounds };
     fields.finish(found);
     let chosen = Chosen { name, goal, bounds };
+    if chosen.relief().is_none() {
+        moves::cycles_are_few(goal.cycle, run, table.span, found)?;
+    }
     let slot = goal.cycle / goal.slots as f64;
     // Only the planner has slots; an alternation divides its cycle itself.
     if let Some(relief) = chosen.relief().filter(|relief| *relief > slot) {

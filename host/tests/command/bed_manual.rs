@@ -118,8 +118,13 @@ fn moves_that_no_equilibrium_sees_are_refused_where_they_stand() {
     let policy =
         |words: &str, every: u32| told(&format!("[policy]\n{words}\n[run]\nseconds = 600\nevery = {every}"));
     assert_eq!(policy("kind = \"alternating\"\ncycle = 300", 10), Ok(String::new()));
-    let said = policy("kind = \"alternating\"\ncycle = 1", 10).expect_err("unseen");
+    let said = policy("kind = \"alternating\"\ncycle = 2", 10).expect_err("unseen");
     assert!(said.contains("taken back between two equilibria\n --> plan.toml:3:1"), "{said}");
+    for cycle in ["1e-6", "0.1", "1e-300"] {
+        let said = policy(&format!("kind = \"alternating\"\ncycle = {cycle}"), 10).expect_err("too many");
+        let is_told = said.contains("more than 10000 cycles") || said.contains("moves times the number");
+        assert!(is_told, "{cycle}: {said}");
+    }
     let said = policy("kind = \"planner\"\ncycle = 300", 10).expect_err("no time");
     assert!(
         said.contains(
