@@ -106,16 +106,18 @@ impl<'a> Records<'a> {
         if let Some(recording) = &mut self.recording {
             recording.push(&values);
         }
-        if self.sides.is_some() || self.film.is_some() {
-            self.show(row, engine)?;
+        let is_drawn = self.sides.as_ref().is_some_and(|sides| sides.wants(row.events > 0, row.is_last));
+        if is_drawn || self.film.is_some() {
+            self.show(row, engine, is_drawn)?;
         }
         self.kept.count(row);
         self.kept.last = values;
         Ok(())
     }
 
-    /// Adds a picture of the row to plot and page.
-    fn show(&mut self, row: &Row<'_>, engine: &mut dyn Engine) -> Result<(), Failure> {
+    /// Adds a picture of the row to the page, and to the plot if it `is_drawn` there.
+    /// Pictures cost time, and most rows of a plot are not drawn.
+    fn show(&mut self, row: &Row<'_>, engine: &mut dyn Engine, is_drawn: bool) -> Result<(), Failure> {
         let picture = engine.picture().map_err(Failure::Wrong)?;
         let places = stage::places(&picture, self.assembly);
         if let Some(film) = &mut self.film {
@@ -123,7 +125,7 @@ impl<'a> Records<'a> {
             let curves: Vec<f64> = curves.chain(row.energies.numbers(row.start)).collect();
             film.push(row.t, &places, &picture.forces, curves);
         }
-        if let Some(sides) = &mut self.sides {
+        if let Some(sides) = self.sides.as_mut().filter(|_| is_drawn) {
             sides.push(row.t, places, row.events > 0);
         }
         Ok(())

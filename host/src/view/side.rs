@@ -39,7 +39,13 @@ impl Sides {
         Self { stage, start: None, touch: None, end: None }
     }
 
-    /// Looks at a row: its time, places, and whether parts have touched so far.
+    /// Is a row drawn, and are its places needed? `touches`: parts have touched so far.
+    #[must_use]
+    pub fn wants(&self, touches: bool, is_last: bool) -> bool {
+        is_last || self.start.is_none() || touches && self.touch.is_none()
+    }
+
+    /// Takes a row that it wants: its time, places, and whether parts have touched so far.
     pub fn push(&mut self, time: f64, places: Vec<f64>, touches: bool) {
         let frame = Frame { time, places };
         if self.start.is_none() {
@@ -190,6 +196,26 @@ fn outline(shape: &Outlined<'_>, centre: [f64; 3]) -> Vec<Vec<[f64; 3]>> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use serde_json::json;
+
+    #[test]
+    fn only_rows_that_are_drawn_are_wanted() {
+        let fixed = json!({ "ground": null });
+        let stage =
+            Stage { fixed, bodies: Vec::new(), shapes: Vec::new(), gravity: None, moving: 3, forces: false };
+        let mut sides = Sides::new(stage);
+        let mut wanted = Vec::new();
+        for row in 0..=100 {
+            let touches = row >= 40;
+            if sides.wants(touches, row == 100) {
+                sides.push(f64::from(row), vec![0.0; 3], touches);
+                wanted.push(row);
+            }
+        }
+        assert_eq!(wanted, [0, 40, 100]);
+        let times = [&sides.start, &sides.touch, &sides.end].map(|frame| frame.as_ref().map(|f| f.time));
+        assert_eq!(times, [Some(0.0), Some(40.0), Some(100.0)]);
+    }
 
     #[test]
     fn outlines_lie_on_their_shapes() {

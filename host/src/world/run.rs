@@ -59,6 +59,8 @@ pub struct Row<'a> {
     pub start: f64,
     /// Number of events so far.
     pub events: usize,
+    /// Does the run end with it?
+    pub is_last: bool,
 }
 
 /// A checkpoint: the world after a whole number of steps, from which a run can be continued.
@@ -202,6 +204,7 @@ pub fn run<E: From<String>>(
                 readings: &readings,
                 start,
                 events: events.len(),
+                is_last: n == assembly.run.steps(),
             };
             emit(&row, engine)?;
         }
