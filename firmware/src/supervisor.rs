@@ -133,6 +133,20 @@ pub enum Denied {
     Frozen,
 }
 
+impl Denied {
+    /// The reason in words, as the end of a sentence.
+    #[must_use]
+    pub fn words(self) -> &'static str {
+        match self {
+            Self::NoTile => "there is no such tile",
+            Self::Unknown => "the tile or a neighbour has not reported its state",
+            Self::Step => "the height step to a neighbour would be too large",
+            Self::Power => "as many tiles are moving as may",
+            Self::Frozen => "a tile is in trouble, so the others may not move",
+        }
+    }
+}
+
 /// Tiles in rows of `columns`, row by row.
 #[derive(Debug)]
 pub struct Bed<'a> {

@@ -146,6 +146,34 @@ pub enum Refusal {
     Trim,
 }
 
+impl Refusal {
+    /// The reason in words, as the end of a sentence.
+    #[must_use]
+    pub fn words(self) -> &'static str {
+        match self {
+            Self::Version => "it is of another version of the protocol",
+            Self::Malformed => "the message is incomplete",
+            Self::NonFinite => "a number is not finite",
+            Self::Untagged => "it has no tag",
+            Self::WrongTag => "its tag was made with another key",
+            Self::WrongBoot => "it is from before the tile's restart",
+            Self::Replayed => "it was sent before",
+            Self::Late => "it comes too late",
+            Self::Early => "its time is too far ahead",
+            Self::Full => "too many commands wait already",
+            Self::Mode => "it is not allowed in this mode",
+            Self::Faulted => "a fault is latched",
+            Self::Busy => "a motion is in progress",
+            Self::Stroke => "a height would leave the stroke",
+            Self::Tilt => "the tilt would be too steep",
+            Self::Pressure => "the pressure is outside the allowed range",
+            Self::Cause => "the cause of a fault is still there, or it cannot be cleared",
+            Self::Storage => "the number of starts could not be stored",
+            Self::Trim => "the offset is larger than any sound sensor needs",
+        }
+    }
+}
+
 /// An event of the log.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize, Deserialize)]
 pub enum Event {

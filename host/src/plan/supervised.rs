@@ -159,25 +159,21 @@ fn refused(why: message::Refusal) -> String {
         message::Refusal::Stroke => format!(": {:.1} mm up and down at most", 1e3 * STROKE),
         message::Refusal::Tilt => format!(": {:.1} deg at most", SLOPE.atan().to_degrees()),
         message::Refusal::Pressure => format!(": 0 to {:.2} kPa", 1e-3 * PRESSURE),
-        message::Refusal::Busy => ": it still moves".to_owned(),
         _ => String::new(),
     };
-    format!("its controller refuses: {why:?}{most}")
+    format!("its controller refuses: {}{most}", why.words())
 }
 
 /// The message if the supervisor denies.
 fn denied(why: Denied) -> String {
     let most = match why {
         Denied::Step => {
-            format!(
-                ": the height step to a neighbour, where that is or will be, would exceed {:.1} mm",
-                1e3 * STEP_LIMIT
-            )
+            format!(", where that is or will be: {:.1} mm at most", 1e3 * STEP_LIMIT)
         }
         Denied::Power => {
-            format!(": {MOST_MOVING} tiles are moving already, which is the largest number allowed")
+            format!(": {MOST_MOVING} at once at most")
         }
         _ => String::new(),
     };
-    format!("the supervisor refuses: {why:?}{most}")
+    format!("the supervisor refuses: {}{most}", why.words())
 }

@@ -27,11 +27,11 @@ pub fn make(scene: &Scene, path: &str, settings: &[String]) -> Result<Sheet, Str
     let costs = [cost(scene, false)?, cost(&full, true)?];
     let lists = &scene.lists;
     let asked = format!(
-        "{}, {}, {}; {:?}; step {:e} s",
+        "{}, {}, {}; {}; step {:e} s",
         words::count(lists.points.len(), "point"),
         words::count(lists.springs.len(), "spring"),
         words::count(if scene.around.inflation.is_some() { lists.facets.len() } else { 0 }, "facet"),
-        scene.method,
+        scene.chosen.name,
         scene.step
     );
     Ok(Sheet {

@@ -3,7 +3,7 @@
 //! In: orders. Out: reports, each with its tile and time. Every tile receives what the supervisor sends.
 
 use super::machine::Machine;
-use super::order::Order;
+use super::order::{self, Order};
 use crate::failure::Failure;
 use smartbed_firmware::link::frame::{Decoder, encode};
 use smartbed_firmware::link::message::{Command, Outcome, Refusal, Report, read};
@@ -160,7 +160,9 @@ impl Bus {
         match answer {
             Some(outcome @ (Outcome::Done | Outcome::Waits)) => Ok(outcome == Outcome::Done),
             Some(Outcome::Refused(why)) => Err(refused(&command, why)),
-            None => Err(Failure::Wrong(format!("{command:?}: no answer within {PATIENCE} ms"))),
+            None => {
+                Err(Failure::Wrong(format!("`{}`: no answer within {PATIENCE} ms", order::word(&command))))
+            }
         }
     }
 
@@ -265,5 +267,5 @@ fn refused(command: &Command, why: Refusal) -> Failure {
         Refusal::Busy => ": `stop` first",
         _ => "",
     };
-    Failure::Wrong(format!("{command:?} is refused: {why:?}{help}"))
+    Failure::Wrong(format!("`{}` is refused: {}{help}", order::word(command), why.words()))
 }

@@ -28,6 +28,25 @@ pub fn read(text: &str) -> Result<Vec<Order>, Failure> {
     text.split(';').map(str::trim).filter(|words| !words.is_empty()).map(one).collect()
 }
 
+/// The word that orders a command.
+#[must_use]
+pub fn word(command: &Command) -> &'static str {
+    match command {
+        Command::Stop => "stop",
+        Command::Status => "status",
+        Command::Log(_) => "log",
+        Command::Identify => "identify",
+        Command::Beat(_) => "beat",
+        Command::Enable => "enable",
+        Command::Clear(_) => "clear",
+        Command::Home => "home",
+        Command::Move(_) => "move",
+        Command::Pressure(_) => "inflate",
+        Command::Flatten => "flatten",
+        Command::Calibrate(_) => "calibrate",
+    }
+}
+
 fn one(text: &str) -> Result<Order, Failure> {
     if let Some(order) = text.strip_suffix('&') {
         return match one(order)? {

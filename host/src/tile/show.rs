@@ -2,7 +2,7 @@
 
 use super::bus::Received;
 use serde_json::{Value, json};
-use smartbed_firmware::link::message::{Event, Outcome, Report, State};
+use smartbed_firmware::link::message::{Event, Outcome, Refusal, Report, State};
 use smartbed_firmware::tile::design::STROKE;
 use smartbed_firmware::tile::fault::{Fault, Faults};
 use smartbed_firmware::tile::mode::Mode;
@@ -36,7 +36,7 @@ pub fn line_of(received: &Received, plots: bool, as_json: bool) -> Option<String
         Report::State(state) if *is_asked => describe(state),
         Report::State(state) if plots && state.flags & 1 == 1 => line(state),
         Report::State(_) => return None,
-        Report::Answer(sequence, Outcome::Refused(why)) => format!("command {sequence} refused: {why:?}"),
+        Report::Answer(sequence, Outcome::Refused(why)) => refusal(*sequence, *why),
         Report::Answer(..) => return None,
         Report::Entry(number, tick, event) => format!("log {number} at {tick} ms: {}", entry(event)),
         Report::Identity(protocol, entries, lost, refused) => {
@@ -67,7 +67,7 @@ fn object(received: &Received) -> Value {
             "armed": state.flags & 16 != 0,
         }),
         Report::Answer(sequence, outcome) => {
-            json!({ "kind": "answer", "sequence": sequence, "outcome": format!("{outcome:?}") })
+            json!({ "kind": "answer", "sequence": sequence, "outcome": told(*outcome) })
         }
         Report::Entry(number, tick, event) => {
             json!({ "kind": "entry", "number": number, "tick": tick, "event": entry(event) })
@@ -119,8 +119,21 @@ fn entry(event: &Event) -> String {
         Event::Started(reason) => format!("started, reason {reason}"),
         Event::Faults(bits) => format!("new{}", faults(*bits)),
         Event::Cleared(bits) => format!("cleared{}", faults(*bits)),
-        Event::Refused(sequence, why) => format!("command {sequence} refused: {why:?}"),
+        Event::Refused(sequence, why) => refusal(*sequence, *why),
         Event::Mode(number) => mode(*number).to_owned(),
+    }
+}
+
+fn refusal(sequence: u32, why: Refusal) -> String {
+    format!("command {sequence} refused: {}", why.words())
+}
+
+/// The outcome of a command in words.
+fn told(outcome: Outcome) -> String {
+    match outcome {
+        Outcome::Done => "done".to_owned(),
+        Outcome::Waits => "waits for its time".to_owned(),
+        Outcome::Refused(why) => format!("refused: {}", why.words()),
     }
 }
 

@@ -35,7 +35,7 @@ fn each_limit_is_the_controllers_and_holds_where_it_begins() {
     assert_eq!(press(10_666.0), Ok(()));
     assert_eq!(
         press(10_700.0).expect_err("too much"),
-        "tile 1 at 10.0000 s: its controller refuses: Pressure: 0 to 10.67 kPa"
+        "tile 1 at 10.0000 s: its controller refuses: the pressure is outside the allowed range: 0 to 10.67 kPa"
     );
     let lift = |heave: f64, over: f64| say(&[Move { heave: Some(heave), ..told(&[12], over) }]);
     // A way of 15 mm at 3 mm/s takes 5 s and half a second to start and to stop.
@@ -48,18 +48,26 @@ fn each_limit_is_the_controllers_and_holds_where_it_begins() {
     assert_eq!(lift(0.0199, 20.0), Ok(()));
     let step = lift(0.0201, 20.0).expect_err("a step");
     assert!(
-        step.contains("tile 13 at 10.0000 s: the supervisor refuses: Step") && step.contains("20.0 mm"),
+        step.contains("tile 13 at 10.0000 s: the supervisor refuses: the height step to a neighbour")
+            && step.contains("20.0 mm"),
         "{step}"
     );
     let high = lift(0.0291, 20.0).expect_err("beyond the stroke");
-    assert_eq!(high, "tile 13 at 10.0000 s: its controller refuses: Stroke: 29.0 mm up and down at most");
+    assert_eq!(
+        high,
+        "tile 13 at 10.0000 s: its controller refuses: a height would leave the stroke: 29.0 mm up and down at most"
+    );
     // Along y a screw stands at the whole radius of 90 mm, along x at sqrt(3)/2 of it.
     let lean = |slope: [f64; 2]| say(&[Move { slope: Some(slope), ..told(&[12], 100.0) }]);
-    assert!(lean([0.0, 0.33]).expect_err("steep").contains("refuses: Tilt: 15.0 deg at most"));
+    assert!(
+        lean([0.0, 0.33])
+            .expect_err("steep")
+            .contains("refuses: the tilt would be too steep: 15.0 deg at most")
+    );
     // Sides of 112.5 and 142.857 mm rise by 20 mm at slopes of 0.1778 and 0.1400.
     assert_eq!((lean([0.177, 0.0]), lean([0.0, 0.1395])), (Ok(()), Ok(())));
-    assert!(lean([0.1785, 0.0]).expect_err("a step").contains("Step"));
-    assert!(lean([0.0, 0.1405]).expect_err("a step").contains("Step"));
+    assert!(lean([0.1785, 0.0]).expect_err("a step").contains("height step"));
+    assert!(lean([0.0, 0.1405]).expect_err("a step").contains("height step"));
     // 0.1 at half a degree a second takes 11.5 s and half a second more.
     let turn = |over: f64| say(&[Move { slope: Some([0.1, 0.0]), ..told(&[12], over) }]);
     assert!(turn(12.0).is_ok() && turn(11.9).expect_err("too quick").contains("needs 12.0 s"));
@@ -74,13 +82,12 @@ fn tiles_are_judged_by_where_all_of_them_are_and_go() {
     let nine = say(&[lift(&eight, 10.0, 0.01), lift(&[27], 12.0, 0.01)]).expect_err("too many");
     assert_eq!(
         nine,
-        "tile 28 at 12.0000 s: the supervisor refuses: Power: 8 tiles are moving already, which is the largest \
-         number allowed"
+        "tile 28 at 12.0000 s: the supervisor refuses: as many tiles are moving as may: 8 at once at most"
     );
     assert_eq!(say(&[lift(&eight, 10.0, 0.01), lift(&[27], 20.0, 0.01)]), Ok(()));
     // One order at a time; a pressure may change meanwhile.
     let twice = say(&[lift(&[5], 10.0, 0.01), lift(&[5], 15.0, 0.0)]).expect_err("it moves");
-    assert_eq!(twice, "tile 6 at 15.0000 s: its controller refuses: Busy: it still moves");
+    assert_eq!(twice, "tile 6 at 15.0000 s: its controller refuses: a motion is in progress");
     assert_eq!(
         say(&[lift(&[5], 10.0, 0.01), Move { pressure: Some(2000.0), at: 15.0, ..told(&[5], 5.0) }]),
         Ok(())
@@ -90,7 +97,7 @@ fn tiles_are_judged_by_where_all_of_them_are_and_go() {
     assert!(
         say(&apart)
             .expect_err("24 mm in the end")
-            .contains("tile 7 at 15.0000 s: the supervisor refuses: Step")
+            .contains("tile 7 at 15.0000 s: the supervisor refuses: the height step to a neighbour")
     );
     // Rows run from the head, y runs to it: edges meet where the lower tile leans up to the raised one.
     let slope = 0.012 / 0.142_857;
@@ -99,7 +106,11 @@ fn tiles_are_judged_by_where_all_of_them_are_and_go() {
         say(&[lift(&[4], 10.0, 0.012), lean])
     };
     assert_eq!(meet(-1.0), Ok(()));
-    assert!(meet(1.0).expect_err("24 mm").contains("tile 9 at 30.0000 s: the supervisor refuses: Step"));
+    assert!(
+        meet(1.0)
+            .expect_err("24 mm")
+            .contains("tile 9 at 30.0000 s: the supervisor refuses: the height step to a neighbour")
+    );
 }
 
 /// Tells one move.
@@ -125,7 +136,7 @@ fn a_policy_that_is_denied_ends_by_name() {
         panic!("not refused")
     };
     assert_eq!((refusal.tile, refusal.time), (Some(9), 10.0));
-    assert!(refusal.what.contains("the supervisor refuses: Power"), "{refusal}");
+    assert!(refusal.what.contains("the supervisor refuses: as many tiles are moving"), "{refusal}");
     let some = Move { heave: Some(0.01), ..told(&[0, 1, 2, 3], 20.0) };
     assert_eq!(under(&read.plan, some).expect("let through").moves.len(), 1);
 }
@@ -136,7 +147,10 @@ fn plans_say_whether_orders_go_through_the_controller() {
     assert!(!plan(3, 3, &format!("{lifted}supervised = false\n")).expect("a plan").is_supervised);
     for asked in ["", "supervised = true\n"] {
         let said = plan(3, 3, &format!("{lifted}{asked}")).expect_err("nine at once");
-        assert!(said.contains("plan.toml: tile 9 at 5.0000 s: the supervisor refuses: Power"), "{said}");
+        assert!(
+            said.contains("plan.toml: tile 9 at 5.0000 s: the supervisor refuses: as many tiles are moving"),
+            "{said}"
+        );
     }
     assert!(plan(2, 4, &format!("{lifted}supervised = true\n")).expect("eight").is_supervised);
     let policy = "[policy]\nkind = \"alternating\"\n";

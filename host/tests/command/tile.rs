@@ -159,8 +159,8 @@ fn several_emulators_share_a_bus_and_heights_are_drawn() {
 #[test]
 fn what_is_refused_says_why_and_what_to_do() {
     for (orders, expected) in [
-        ("move 5_mm", "Mode: `enable` first"),
-        ("enable; move 35_mm", "Stroke"),
+        ("move 5_mm", "`move` is refused: it is not allowed in this mode: `enable` first"),
+        ("enable; move 35_mm", "`move` is refused: a height would leave the stroke"),
         ("fly", "expected enable, home, move"),
     ] {
         let done = smartbed(&["tile", "--native", orders]);
