@@ -2,23 +2,9 @@
 //! and failures name the constraint that is not met.
 
 use crate::draw::Draw;
-use crate::models::shipped;
+use crate::models::{derive, derived_from, shipped, text_of};
 use smartbed_codegen::kinematics::Unreachable;
-use smartbed_codegen::{Interpreted, ParameterChoice, Program, model, program};
-
-fn text_of(name: &str) -> String {
-    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../models");
-    std::fs::read_to_string(folder.join(format!("{name}.toml"))).expect("readable")
-}
-
-fn derive(text: &str) -> Result<Program, String> {
-    let model = model::parse("test.toml", text).unwrap_or_else(|e| panic!("{e}"));
-    program::derive(&model, &ParameterChoice::default()).map_err(|e| e.to_string())
-}
-
-fn derived(text: &str) -> Program {
-    derive(text).unwrap_or_else(|e| panic!("{e}"))
-}
+use smartbed_codegen::{Interpreted, ParameterChoice, program};
 
 /// The four-bar linkage of the README with another nominal angle of its crank.
 fn press(crank: f64) -> String {
@@ -44,7 +30,7 @@ fn pins(crank: f64) -> [[f64; 2]; 2] {
 /// Of two ways to close, the one nearer to the guesses (rad).
 fn closes_the_nearer_way(crank: f64, guess: [f64; 2]) {
     let text = press(crank).replace("nominal = 35", &format!("nominal = {}", guess[0]));
-    let program = derived(&text.replace("nominal = 90", &format!("nominal = {}", guess[1])));
+    let program = derived_from(&text.replace("nominal = 90", &format!("nominal = {}", guess[1])));
     let guess = guess.map(f64::to_radians);
     let [q1, q2, q3] = program.nominal[..] else { panic!("three coordinates") };
     let turns = |x: f64| (x / std::f64::consts::TAU).round() * std::f64::consts::TAU;
@@ -93,7 +79,7 @@ fn lengths_of_a_million_metres_assemble() {
             })
             .collect::<String>();
         let nominal = format!("x = {{ unit = \"m\", nominal = {:e} }}", 0.2 * size);
-        let program = derived(&large.replace(coordinate, &nominal));
+        let program = derived_from(&large.replace(coordinate, &nominal));
         let (q, b, x) = (program.nominal[0], program.nominal[1], program.nominal[2]);
         let expected = size * (0.1 * q.cos() + 0.3 * b.cos());
         assert!((x - expected).abs() < 1e-12 * size, "{x} instead of {expected}");
@@ -163,7 +149,7 @@ fn a_mechanism_that_other_parameters_lock_is_found_out() {
 /// Oracle: on the right branch all cranks are parallel.
 #[test]
 fn a_rod_on_three_cranks_never_folds_the_other_way() {
-    let program = derived(THREE_CRANKS);
+    let program = derived_from(THREE_CRANKS);
     let mut assembly = program.assembly.clone();
     let names: Vec<&str> = program.q.iter().map(|q| q.name.as_str()).collect();
     assert_eq!(names, ["base", "q1", "rod", "q3", "q4"]);
@@ -243,12 +229,12 @@ fn implausible_numbers_are_named() {
         (format!("mass = \"2_kg\", {moments}"), "the moments of inertia of `bob` cannot be those of a body"),
         (moments.to_owned(), "`bob` has inertia but no mass, and its centre moves"),
     ] {
-        let found = derived(&with(&format!("{at}, {body}"))).warnings.to_string();
+        let found = derived_from(&with(&format!("{at}, {body}"))).warnings.to_string();
         assert!(found.contains(warning), "{found}");
     }
     let idle = format!("{line}\nballast = {{ centre = \"O\", mass = \"1_kg\" }}");
-    let found = derived(&text.replace(&line, &idle)).warnings.to_string();
+    let found = derived_from(&text.replace(&line, &idle)).warnings.to_string();
     assert!(found.contains("`ballast` does not move"), "{found}");
-    let far = derived(&press(60.0).replace("nominal = 60", "range = [70, 90], nominal = 60"));
+    let far = derived_from(&press(60.0).replace("nominal = 60", "range = [70, 90], nominal = 60"));
     assert!(far.warnings.to_string().contains("the nominal value of `q1` lies outside its range"));
 }

@@ -10,10 +10,21 @@ pub fn shipped(name: &str) -> Model {
     model::read(&path).unwrap_or_else(|found| panic!("{found}"))
 }
 
+/// The text of a model of this repository.
+pub fn text_of(name: &str) -> String {
+    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../models");
+    std::fs::read_to_string(folder.join(format!("{name}.toml"))).expect("readable")
+}
+
+/// The program of a model's text, or why its equations cannot be derived.
+pub fn derive(text: &str) -> Result<Program, String> {
+    let model = model::parse("test.toml", text).unwrap_or_else(|e| panic!("{e}"));
+    program::derive(&model, &ParameterChoice::default()).map_err(|e| e.to_string())
+}
+
 /// The program of a model's text.
 pub fn derived_from(text: &str) -> Program {
-    let model = model::parse("test.toml", text).unwrap_or_else(|e| panic!("{e}"));
-    program::derive(&model, &ParameterChoice::default()).unwrap_or_else(|e| panic!("{e}"))
+    derive(text).unwrap_or_else(|e| panic!("{e}\n{text}"))
 }
 
 fn names<'a>(items: impl Iterator<Item = &'a String>) -> Vec<&'a str> {

@@ -2,26 +2,12 @@
 //!
 //! Redundant constraints are dropped with a warning that names them; the result equals the mechanism without them.
 
-use smartbed_codegen::{Interpreted, ParameterChoice, Program, model, program};
+use crate::models::{derive, derived_from, text_of};
+use smartbed_codegen::{Interpreted, Program};
 use smartbed_runtime::mechanism::Mechanism;
-use std::path::Path;
 
 /// Accelerations of order 10, a few hundred rounded operations.
 const ROUNDING: f64 = 1e-9;
-
-fn text_of(name: &str) -> String {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../models");
-    std::fs::read_to_string(folder.join(format!("{name}.toml"))).expect("readable")
-}
-
-fn derive(text: &str) -> Result<Program, String> {
-    let model = model::parse("test.toml", text).unwrap_or_else(|e| panic!("{e}"));
-    program::derive(&model, &ParameterChoice::default()).map_err(|e| e.to_string())
-}
-
-fn derived(text: &str) -> Program {
-    derive(text).unwrap_or_else(|e| panic!("{e}\n{text}"))
-}
 
 /// The four-bar linkage with its closing equation written otherwise.
 fn fourbar(closing: &str) -> String {
@@ -57,13 +43,14 @@ fn warnings(program: &Program) -> Vec<&str> {
 
 #[test]
 fn a_constraint_multiplied_by_a_number_is_the_same_constraint() {
-    let plain = derived(&text_of("fourbar"));
+    let plain = derived_from(&text_of("fourbar"));
     for scale in ["1e-12", "1e-9", "1e9", "1e12"] {
-        let all = derived(&fourbar(&format!("loop = \"{scale}*(C - D)\"")));
+        let all = derived_from(&fourbar(&format!("loop = \"{scale}*(C - D)\"")));
         assert!(all.warnings.items.is_empty(), "{scale}: {}", all.warnings);
         moves_alike(&plain, &all);
-        let one =
-            derived(&fourbar(&format!("along = \"dot(C - D, N.x)\"\nacross = \"{scale}*dot(C - D, N.y)\"")));
+        let one = derived_from(&fourbar(&format!(
+            "along = \"dot(C - D, N.x)\"\nacross = \"{scale}*dot(C - D, N.y)\""
+        )));
         assert!(one.warnings.items.is_empty(), "{scale}: {}", one.warnings);
         moves_alike(&plain, &one);
     }
@@ -71,10 +58,10 @@ fn a_constraint_multiplied_by_a_number_is_the_same_constraint() {
 
 #[test]
 fn a_constraint_stated_twice_is_dropped_whatever_its_scale_and_place() {
-    let plain = derived(&text_of("fourbar"));
+    let plain = derived_from(&text_of("fourbar"));
     for scale in ["1e-12", "1e-9", "1e-6", "2", "1e6", "1e9", "1e12"] {
         let again = format!("again = \"{scale}*dot(C - D, N.x + 0.3*N.y)\"");
-        let after = derived(&fourbar(&format!("loop = \"C - D\"\n{again}")));
+        let after = derived_from(&fourbar(&format!("loop = \"C - D\"\n{again}")));
         assert_eq!(
             warnings(&after),
             ["`again` follows from the other constraints and is dropped"],
@@ -82,7 +69,7 @@ fn a_constraint_stated_twice_is_dropped_whatever_its_scale_and_place() {
         );
         moves_alike(&plain, &after);
         // Stated first, it is kept, and what it says of the other is dropped.
-        let before = derived(&fourbar(&format!("{again}\nloop = \"C - D\"")));
+        let before = derived_from(&fourbar(&format!("{again}\nloop = \"C - D\"")));
         assert_eq!(
             warnings(&before),
             ["a component of `loop` follows from the other constraints and is dropped"],
@@ -95,12 +82,12 @@ fn a_constraint_stated_twice_is_dropped_whatever_its_scale_and_place() {
 /// A row that consists of rounding errors at every configuration does not count as an equation, at any scale.
 #[test]
 fn a_row_of_rounding_errors_is_no_row() {
-    let plain = derived(&text_of("fourbar"));
+    let plain = derived_from(&text_of("fourbar"));
     for scale in ["1e-6", "1", "1e9"] {
         let nothing = format!("(sin(q1 + k).powi(2) + cos(q1 + k).powi(2) - {scale}/{scale})");
         let text = fourbar(&format!("loop = \"C - D\"\nzero = \"{scale}*q3*{nothing}\""))
             .replace("[inputs]", "k = { value = 0.3 }\n[inputs]");
-        let program = derived(&text);
+        let program = derived_from(&text);
         moves_alike(&plain, &program);
     }
 }
@@ -114,19 +101,19 @@ fn a_planar_loop_in_space_loses_one_component() {
         .replace("l4*N.x", "l4*base.x")
         .replace("T*N.z", "T*base.z")
         .replace("-g*N.y", "-g*base.y");
-    let program = derived(&text);
+    let program = derived_from(&text);
     assert_eq!(
         warnings(&program),
         ["a component of `loop` follows from the other constraints and is dropped"]
     );
-    moves_alike(&derived(&text_of("fourbar")), &program);
+    moves_alike(&derived_from(&text_of("fourbar")), &program);
 }
 
 /// Three parallel cranks carry one bar: the third says nothing new, at the size of a machine or of a chip.
 #[test]
 fn the_third_crank_of_a_parallelogram_is_redundant() {
     for size in ["1e-5", "1e-3", "1", "1e4"] {
-        let program = derived(&parallelogram(size, "1/2"));
+        let program = derived_from(&parallelogram(size, "1/2"));
         assert_eq!(
             warnings(&program),
             ["a component of `third` follows from the other constraints and is dropped"],

@@ -3,15 +3,10 @@
 use smartbed_codegen::{Interpreted, ParameterChoice, Program, program};
 use smartbed_runtime::mechanism::Mechanism;
 
-use crate::models::{derived_from, shipped};
+use crate::models::{derived_from, shipped, text_of};
 
 /// Accelerations of order 10, a few hundred rounded operations.
 const ROUNDING: f64 = 1e-10;
-
-fn text_of(name: &str) -> String {
-    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../models");
-    std::fs::read_to_string(folder.join(format!("{name}.toml"))).expect("readable")
-}
 
 fn rates(program: &Program, q: &[f64], u: &[f64], inputs: &[f64]) -> (Vec<f64>, Vec<f64>) {
     let mut mechanism = Interpreted::<f64>::new(program);

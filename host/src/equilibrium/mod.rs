@@ -5,6 +5,7 @@
 //! substituted into the equations ([`smartbed_codegen::model::Model::closed_loop`]) before these are derived.
 
 mod modes;
+mod rates;
 mod restart;
 mod search;
 mod text;

@@ -4,7 +4,8 @@
 //! ranges that the model states, the nearest of those found from places spread evenly over the ranges; if there is none,
 //! the end from the start.
 
-use super::search::{BALANCED, End, Entry, Found, NO_SLOPE, Place, Rates, Search, Unknown};
+use super::rates::NO_SLOPE;
+use super::search::{BALANCED, End, Entry, Found, Place, Rates, Search, Unknown};
 
 /// Number of places.
 const PLACES: usize = 64;

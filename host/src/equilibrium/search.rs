@@ -24,8 +24,6 @@ const HALVINGS: usize = 40;
 const ROUNDING: f64 = f64::EPSILON;
 /// If a rate stays above this fraction, the end is no equilibrium.
 pub(super) const BALANCED: f64 = 1e-9;
-/// Derivatives by a coordinate below this fraction of the largest are rounding: nothing depends on it.
-pub(super) const NO_SLOPE: f64 = 1e-12;
 /// Singular values below this fraction of the largest are zero: nothing changes along their directions.
 const FLAT: f64 = 1e-9;
 
@@ -40,11 +38,11 @@ pub(super) enum Unknown {
 
 /// A coordinate or speed of the state.
 pub(super) struct Entry {
-    name: String,
+    pub(super) name: String,
     /// Index in q or u.
     pub place: usize,
-    is_speed: bool,
-    is_held: bool,
+    pub(super) is_speed: bool,
+    pub(super) is_held: bool,
     /// Half of its range; 1 for a speed.
     pub scale: f64,
     /// The range of a coordinate, and whether the model states it.
@@ -68,14 +66,14 @@ pub(super) type End = (Rates, (String, f64));
 /// The search and its current state.
 pub(super) struct Search<'p> {
     pub(super) program: &'p Program,
-    engine: Box<dyn Engine<f64>>,
+    pub(super) engine: Box<dyn Engine<f64>>,
     pub(super) configurations: Configurations,
     pub(super) state: Vec<Entry>,
     pub(super) q: Vec<f64>,
-    u: Vec<f64>,
-    inputs: Vec<f64>,
-    free_inputs: Vec<usize>,
-    has_laws: bool,
+    pub(super) u: Vec<f64>,
+    pub(super) inputs: Vec<f64>,
+    pub(super) free_inputs: Vec<usize>,
+    pub(super) has_laws: bool,
     pub(super) unknown: Unknown,
 }
 
@@ -104,7 +102,7 @@ pub(super) struct Found {
 
 /// Rates and their Jacobians at a state.
 pub(super) struct Rates {
-    x_dot: DVector<f64>,
+    pub(super) x_dot: DVector<f64>,
     pub slopes: Slopes,
 }
 
@@ -188,7 +186,7 @@ impl<'p> Search<'p> {
     }
 
     /// Is a steady motion searched for? Then some speeds are free; if no speed is held, all are 0.
-    fn is_motion(&self) -> bool {
+    pub(super) fn is_motion(&self) -> bool {
         self.state.iter().any(|entry| entry.is_speed && !entry.is_held) || self.u.iter().any(|u| *u != 0.0)
     }
 
@@ -258,131 +256,6 @@ impl<'p> Search<'p> {
             Unknown::Inputs => "its inputs cannot balance this state; give another by --set",
         };
         format!("no equilibrium was found: the rate of `{name}` stays {value:.3e}; {advice}")
-    }
-
-    /// Rates and slopes here, or why there are none.
-    pub(super) fn rates(&mut self) -> Result<Rates, &'static str> {
-        let (n_q, n_u) = (self.q.len(), self.u.len());
-        let (mut q_dot, mut u_dot) = (vec![0.0; n_q], vec![0.0; n_u]);
-        self.engine.set_time(0.0);
-        (self.engine.rates(0.0, &self.q, &self.u, &self.inputs, &mut q_dot, &mut u_dot))
-            .map_err(|fault| fault.reason())?;
-        let near = self.near()?;
-        let n = self.state.len();
-        let (a, rest) = near.split_at(n * n);
-        let b = &rest[..n * self.inputs.len()];
-        let x_dot = self.state.iter().map(|e| if e.is_speed { u_dot[e.place] } else { q_dot[e.place] });
-        let x_dot = DVector::from_iterator(n, x_dot);
-        let slopes = Slopes {
-            a: DMatrix::from_row_slice(n, n, a),
-            b: DMatrix::from_row_slice(n, self.inputs.len(), b),
-            directions: self.directions(),
-        };
-        if !x_dot.iter().all(|x| x.is_finite()) {
-            return Err("the accelerations are not finite: the configuration is singular");
-        }
-        if !slopes.a.iter().chain(&slopes.b).all(|x| x.is_finite()) {
-            return Err(
-                "the slopes of the accelerations are not finite: a root of 0, or two points that coincide",
-            );
-        }
-        Ok(Rates { x_dot, slopes })
-    }
-
-    /// The identity, without one column for each vector of unit length e: its columns are Householder's reflection of
-    /// the axis nearest to e, without the reflected axis, which is along e.
-    fn directions(&self) -> DMatrix<f64> {
-        let n = self.state.len();
-        let mut all = DMatrix::identity(n, n);
-        let mut along = Vec::new();
-        for vector in self.unit_vectors() {
-            let mut normal = self.along(&vector);
-            let nearest = normal.iamax();
-            normal[nearest] += normal[nearest].signum();
-            all -= &normal * normal.transpose() * (2.0 / normal.norm_squared());
-            along.push(nearest);
-        }
-        along.sort_unstable();
-        all.remove_columns_at(&along)
-    }
-
-    /// The vectors of unit length among the coordinates, as places in the state.
-    fn unit_vectors(&self) -> Vec<Vec<usize>> {
-        let entry = |place: &usize| self.state.iter().position(|e| !e.is_speed && e.place == *place);
-        let vectors = self.configurations.unit_vectors().iter();
-        vectors.filter_map(|places| places.iter().map(entry).collect()).collect()
-    }
-
-    /// The state in which these entries are as they are and all others 0.
-    fn along(&self, entries: &[usize]) -> DVector<f64> {
-        let value = |i: usize, _| if entries.contains(&i) { self.q[self.state[i].place] } else { 0.0 };
-        DVector::from_fn(self.state.len(), value)
-    }
-
-    /// What the derived function gives here: the linearisation, and the inputs as the laws command them.
-    fn near(&mut self) -> Result<Vec<f64>, &'static str> {
-        self.engine.function(0, (0.0, &self.q, &self.u, &self.inputs, &[])).map_err(|fault| fault.reason())
-    }
-
-    /// The inputs, those with a law as it commands them.
-    fn commanded(&mut self) -> Result<Vec<f64>, &'static str> {
-        if !self.has_laws {
-            return Ok(self.inputs.clone());
-        }
-        let near = self.near()?;
-        Ok(near[near.len() - self.inputs.len()..].to_vec())
-    }
-
-    /// Rates that have to vanish: accelerations, and rates of coordinates on which anything depends.
-    fn rows(&self, here: &Rates) -> Vec<usize> {
-        let largest = here.slopes.a.amax();
-        let matters = |j: usize| here.slopes.a.column(j).amax() > NO_SLOPE * largest;
-        (0..self.state.len())
-            .filter(|&i| self.state[i].is_speed || (self.is_motion() && matters(i)))
-            .collect()
-    }
-
-    /// The Jacobian J: rows of the rates that have to vanish, columns of the unknowns, scaled.
-    fn slopes_of_unknowns(&self, here: &Rates, rows: &[usize]) -> DMatrix<f64> {
-        match self.unknown {
-            Unknown::State => {
-                let free: Vec<usize> = (0..self.state.len()).filter(|&j| !self.state[j].is_held).collect();
-                let scales = free.iter().map(|&j| self.state[j].scale).collect::<Vec<_>>();
-                let mut a = here.slopes.a.clone();
-                // Across vectors of unit length only: along them nothing can change.
-                for vector in
-                    self.unit_vectors().iter().filter(|vector| vector.iter().all(|j| free.contains(j)))
-                {
-                    let e = self.along(vector);
-                    a -= &a * &e * e.transpose();
-                }
-                DMatrix::from_fn(rows.len(), free.len(), |i, j| a[(rows[i], free[j])] * scales[j])
-            }
-            Unknown::Inputs => {
-                let free = &self.free_inputs;
-                DMatrix::from_fn(rows.len(), free.len(), |i, j| here.slopes.b[(rows[i], free[j])])
-            }
-        }
-    }
-
-    /// The largest rate relative to its change over the ranges of the whole state, with its name.
-    fn off_balance(&self, here: &Rates) -> (String, f64) {
-        let mut worst = (String::new(), 0.0);
-        for i in self.rows(here) {
-            let over_ranges: f64 =
-                self.state.iter().enumerate().map(|(j, e)| (here.slopes.a[(i, j)] * e.scale).abs()).sum();
-            let by_inputs: f64 = here.slopes.b.row(i).iter().map(|b| b.abs()).sum();
-            let own = here.x_dot[i].abs();
-            let share = own / (over_ranges + by_inputs + own).max(f64::MIN_POSITIVE);
-            if share > worst.1 || worst.0.is_empty() {
-                worst = (self.state[i].name.clone(), share);
-            }
-        }
-        worst
-    }
-
-    fn rate_of(&self, here: &Rates, name: &str) -> f64 {
-        self.state.iter().position(|entry| entry.name == name).map_or(0.0, |i| here.x_dot[i])
     }
 
     /// The step of least norm that makes the rates vanish to first order, each row scaled by its largest entry.

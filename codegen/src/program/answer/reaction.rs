@@ -119,8 +119,11 @@ impl Released {
         let values = dynamics::unknown_values(&mut alg, &model, &k, &solution);
         let lacking = alg.dag.substitute(&forces[moving.len()..], &values);
         let known = known(&alg, &k, stages, &moving);
-        let forces = stages.alg.dag.graft(&alg.dag, &lacking, &known);
-        Ok(forces.expect("the released model has no symbols but the model's and the released ones"))
+        stages.alg.dag.graft(&alg.dag, &lacking, &known).ok_or_else(|| {
+            let error =
+                Diagnostic::error("its force contains a quantity that the model itself does not have");
+            Diagnostics::one(stages.model.source.clone(), error)
+        })
     }
 }
 

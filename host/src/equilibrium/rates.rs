@@ -1,0 +1,137 @@
+//! Rates and their Jacobians at the state of a search for equilibrium.
+//!
+//! In: a [`Search`] with its present state. Out: the rates there, which of them have to vanish, their derivatives by the
+//! unknowns, and how far from balance they are.
+
+use super::search::{Rates, Search, Slopes, Unknown};
+use nalgebra::{DMatrix, DVector};
+
+/// Derivatives by a coordinate below this fraction of the largest are rounding: nothing depends on it.
+pub(super) const NO_SLOPE: f64 = 1e-12;
+
+impl Search<'_> {
+    /// Rates and slopes here, or why there are none.
+    pub(super) fn rates(&mut self) -> Result<Rates, &'static str> {
+        let (n_q, n_u) = (self.q.len(), self.u.len());
+        let (mut q_dot, mut u_dot) = (vec![0.0; n_q], vec![0.0; n_u]);
+        self.engine.set_time(0.0);
+        (self.engine.rates(0.0, &self.q, &self.u, &self.inputs, &mut q_dot, &mut u_dot))
+            .map_err(|fault| fault.reason())?;
+        let near = self.near()?;
+        let n = self.state.len();
+        let (a, rest) = near.split_at(n * n);
+        let b = &rest[..n * self.inputs.len()];
+        let x_dot = self.state.iter().map(|e| if e.is_speed { u_dot[e.place] } else { q_dot[e.place] });
+        let x_dot = DVector::from_iterator(n, x_dot);
+        let slopes = Slopes {
+            a: DMatrix::from_row_slice(n, n, a),
+            b: DMatrix::from_row_slice(n, self.inputs.len(), b),
+            directions: self.directions(),
+        };
+        if !x_dot.iter().all(|x| x.is_finite()) {
+            return Err("the accelerations are not finite: the configuration is singular");
+        }
+        if !slopes.a.iter().chain(&slopes.b).all(|x| x.is_finite()) {
+            return Err(
+                "the slopes of the accelerations are not finite: a root of 0, or two points that coincide",
+            );
+        }
+        Ok(Rates { x_dot, slopes })
+    }
+
+    /// The identity, without one column for each vector of unit length e: its columns are Householder's reflection of
+    /// the axis nearest to e, without the reflected axis, which is along e.
+    fn directions(&self) -> DMatrix<f64> {
+        let n = self.state.len();
+        let mut all = DMatrix::identity(n, n);
+        let mut along = Vec::new();
+        for vector in self.unit_vectors() {
+            let mut normal = self.along(&vector);
+            let nearest = normal.iamax();
+            normal[nearest] += normal[nearest].signum();
+            all -= &normal * normal.transpose() * (2.0 / normal.norm_squared());
+            along.push(nearest);
+        }
+        along.sort_unstable();
+        all.remove_columns_at(&along)
+    }
+
+    /// The vectors of unit length among the coordinates, as places in the state.
+    fn unit_vectors(&self) -> Vec<Vec<usize>> {
+        let entry = |place: &usize| self.state.iter().position(|e| !e.is_speed && e.place == *place);
+        let vectors = self.configurations.unit_vectors().iter();
+        vectors.filter_map(|places| places.iter().map(entry).collect()).collect()
+    }
+
+    /// The state in which these entries are as they are and all others 0.
+    fn along(&self, entries: &[usize]) -> DVector<f64> {
+        let value = |i: usize, _| if entries.contains(&i) { self.q[self.state[i].place] } else { 0.0 };
+        DVector::from_fn(self.state.len(), value)
+    }
+
+    /// What the derived function gives here: the linearisation, and the inputs as the laws command them.
+    fn near(&mut self) -> Result<Vec<f64>, &'static str> {
+        self.engine.function(0, (0.0, &self.q, &self.u, &self.inputs, &[])).map_err(|fault| fault.reason())
+    }
+
+    /// The inputs, those with a law as it commands them.
+    pub(super) fn commanded(&mut self) -> Result<Vec<f64>, &'static str> {
+        if !self.has_laws {
+            return Ok(self.inputs.clone());
+        }
+        let near = self.near()?;
+        Ok(near[near.len() - self.inputs.len()..].to_vec())
+    }
+
+    /// Rates that have to vanish: accelerations, and rates of coordinates on which anything depends.
+    pub(super) fn rows(&self, here: &Rates) -> Vec<usize> {
+        let largest = here.slopes.a.amax();
+        let matters = |j: usize| here.slopes.a.column(j).amax() > NO_SLOPE * largest;
+        (0..self.state.len())
+            .filter(|&i| self.state[i].is_speed || (self.is_motion() && matters(i)))
+            .collect()
+    }
+
+    /// The Jacobian J: rows of the rates that have to vanish, columns of the unknowns, scaled.
+    pub(super) fn slopes_of_unknowns(&self, here: &Rates, rows: &[usize]) -> DMatrix<f64> {
+        match self.unknown {
+            Unknown::State => {
+                let free: Vec<usize> = (0..self.state.len()).filter(|&j| !self.state[j].is_held).collect();
+                let scales = free.iter().map(|&j| self.state[j].scale).collect::<Vec<_>>();
+                let mut a = here.slopes.a.clone();
+                // Across vectors of unit length only: along them nothing can change.
+                for vector in
+                    self.unit_vectors().iter().filter(|vector| vector.iter().all(|j| free.contains(j)))
+                {
+                    let e = self.along(vector);
+                    a -= &a * &e * e.transpose();
+                }
+                DMatrix::from_fn(rows.len(), free.len(), |i, j| a[(rows[i], free[j])] * scales[j])
+            }
+            Unknown::Inputs => {
+                let free = &self.free_inputs;
+                DMatrix::from_fn(rows.len(), free.len(), |i, j| here.slopes.b[(rows[i], free[j])])
+            }
+        }
+    }
+
+    /// The largest rate relative to its change over the ranges of the whole state, with its name.
+    pub(super) fn off_balance(&self, here: &Rates) -> (String, f64) {
+        let mut worst = (String::new(), 0.0);
+        for i in self.rows(here) {
+            let over_ranges: f64 =
+                self.state.iter().enumerate().map(|(j, e)| (here.slopes.a[(i, j)] * e.scale).abs()).sum();
+            let by_inputs: f64 = here.slopes.b.row(i).iter().map(|b| b.abs()).sum();
+            let own = here.x_dot[i].abs();
+            let share = own / (over_ranges + by_inputs + own).max(f64::MIN_POSITIVE);
+            if share > worst.1 || worst.0.is_empty() {
+                worst = (self.state[i].name.clone(), share);
+            }
+        }
+        worst
+    }
+
+    pub(super) fn rate_of(&self, here: &Rates, name: &str) -> f64 {
+        self.state.iter().position(|entry| entry.name == name).map_or(0.0, |i| here.x_dot[i])
+    }
+}
