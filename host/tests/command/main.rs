@@ -1,6 +1,7 @@
 //! The `smartbed` program as its users run it: answers, messages, exit statuses.
 
 mod bed;
+mod bed_in_f32;
 mod bed_manual;
 mod bed_mesh;
 mod bed_page;

@@ -1,0 +1,47 @@
+//! The world `bed` with a ball that presses on it, in single precision: processor time of a simulated second.
+
+use crate::support::{command, timed};
+
+/// Bar (s) for the scene's own sheets of 3 x 3 nodes. On a quiet core it takes a quarter to a fifth of that.
+const KEEPS_UP: f64 = 1.0;
+/// A start (s) that holds reading and settling, and the time (s) that is measured behind it.
+const TIMES: [f64; 2] = [0.1, 0.6];
+
+/// Processor time (s) of a simulated second of all threads, the least of three; and how strongly the ball presses (N).
+fn second(scalar: &str, nodes: usize) -> (f64, f64) {
+    let run = |seconds: f64| {
+        let sides = ["rows", "columns"].map(|side| format!("parts.bladder.{side}={nodes}"));
+        let seconds = seconds.to_string();
+        let asked = ["run", "bed", "--scalar", scalar, "--seconds", &seconds, "--json"];
+        let set = ["--set", &sides[0], "--set", &sides[1]];
+        let (done, spent) = timed(&command(&[&asked[..], &set].concat()));
+        assert_eq!(done.status, 0, "{done:?}");
+        let pressing = |(name, value): (&String, &serde_json::Value)| {
+            let is_force = name.starts_with("ball-") && name.ends_with(".normal");
+            value.as_f64().filter(|_| is_force)
+        };
+        let last = done.json()["last"].as_object().expect("the last row").clone();
+        (spent, last.iter().filter_map(pressing).sum::<f64>())
+    };
+    let mut taken = f64::INFINITY;
+    let mut force = 0.0;
+    for _ in 0..3 {
+        let [(short, _), (long, pressed)] = TIMES.map(run);
+        taken = taken.min((long - short) / (TIMES[1] - TIMES[0]));
+        force = pressed;
+    }
+    (taken, force)
+}
+
+#[test]
+fn the_bed_with_a_ball_keeps_up_with_time_in_f32() {
+    for (scalar, nodes) in [("f32", 3), ("f64", 3), ("f32", 9)] {
+        let (taken, force) = second(scalar, nodes);
+        println!(
+            "{scalar}, {nodes} x {nodes} nodes a sheet: {taken:.2} s of processor time a simulated second"
+        );
+        // The ball of 5 kg presses with its weight, and more or less as tiles move.
+        assert!((20.0..100.0).contains(&force), "{force} N");
+        assert!(nodes > 3 || taken < KEEPS_UP, "{scalar}: {taken} s");
+    }
+}
