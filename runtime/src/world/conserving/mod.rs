@@ -10,28 +10,29 @@
 //! is conserved; so is angular momentum, except with gas and contacts between flexible parts (order 2). Mechanisms use
 //! rates at the middle of the step: order 2.
 
-use super::accounts::Accounts;
+mod means;
+mod observe;
+mod trail;
+
+use self::means::Mean;
+use self::trail::Trail;
 use super::carrier::{Carrier, Wrench};
 use super::contacts::{load_contacts, press};
-use super::observer::{Forces, Observer, Push};
+use super::observer::Observer;
 use super::step::StepReport;
 use super::sweep::Sweeps;
 use super::whole::{StepMemory, World};
-use crate::flexible::{force, mean};
+use crate::flexible::force;
 use crate::mechanism::Fault;
 use crate::ode::nodes::MeanStep;
 use crate::ode::{Ode, State, pivot_limit, state::advance, trial::split};
 use crate::real::Scalar;
-use crate::rigid::anderson::eliminate;
-use crate::rigid::contact::{Contact, Point, Side, Twist};
 use crate::rigid::trail::DEPTH;
 use crate::surface::Frame;
 use crate::vec3::{self, Vec3};
 
 /// Most iterations; at h w = 1 about 15 reach the rounding of f64.
 const ITERATIONS: usize = 300;
-/// An iteration with |f|^2 above this many times the least of the history ends the history.
-const WORSE: f64 = 16.0;
 /// The iteration ends when changes fall below this many rounding units of the smaller of coordinates and speeds.
 const SETTLED: f64 = 2.0;
 /// Iterations without gain after which it ends near the solution: the last digits keep moving.
@@ -73,19 +74,6 @@ struct Spares<'m, S> {
     found: &'m mut [S],
     spare: &'m mut [S],
     trail: Trail<'m, S>,
-}
-
-/// History of Anderson acceleration: differences of f = g(k) - k and of g from one iteration to the next.
-struct Trail<'m, S> {
-    /// Iterations recorded since it began.
-    number: usize,
-    /// Least |f|^2 among them.
-    least: S,
-    /// g and f of the last one.
-    gained: &'m mut [S],
-    off: &'m mut [S],
-    /// Differences of f, then of g.
-    differences: &'m mut [S],
 }
 
 impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
@@ -321,173 +309,6 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
             }
         }
         Ok(pivot)
-    }
-
-    /// Energy accounts of this step: work of the mean forces over the actual displacements.
-    fn observe_means(
-        &mut self,
-        h: S,
-        memory: &mut StepMemory<'_, S>,
-        means: &mut MeanMemory<'_, S>,
-    ) -> Accounts<S> {
-        let mut accounts = Accounts::empty();
-        let island = &mut self.island;
-        let ports = island.memory.frames.len();
-        let [start, middle, change, velocity] = &means.nodes;
-        let way = MeanStep { h, pos: [start, middle, island.memory.pos], dx: change, vel: velocity };
-        accounts.damping = mean::dissipated(island.body.springs, &way);
-        let squares = velocity.iter().fold(S::ZERO, |sum, v| sum + vec3::dot(*v, *v));
-        accounts.drag = h * island.body.air_drag * squares;
-        let twists = &mut *memory.twists[2];
-        let (of_ports, of_nodes) = twists.split_at_mut_checked(ports).unwrap_or_default();
-        for (twist, velocity) in of_nodes.iter_mut().zip(velocity.iter()) {
-            *twist = Twist { velocity: *velocity, angular: vec3::zero() };
-        }
-        for ((from, to), twist) in means.frames[0].iter().zip(island.memory.frames.iter_mut()).zip(of_ports) {
-            (to.velocity, to.angular_velocity) = from.way_to(to, h);
-            *twist = Twist { velocity: to.velocity, angular: to.angular_velocity };
-        }
-        let own = &island.memory;
-        let mean =
-            Mean { frames: [&*means.frames[0], &*own.frames, &*means.frames[1]], nodes: &*means.nodes[1] };
-        for touch in memory.touches[0].get(..memory.counts[0]).unwrap_or_default() {
-            let contact = mean.contact(&touch.contact);
-            let ([n, x, y], [vn, vx, vy]) = (contact.impulse, contact.relative(twists));
-            accounts.impact = accounts.impact - n * vn;
-            accounts.friction = accounts.friction - (x * vx + y * vy);
-        }
-        accounts.drive = h * island.carrier.drive_power(own.frames, own.wrenches).unwrap_or(S::ZERO);
-        accounts
-    }
-
-    /// Shows this step, whose mean velocities are known: mean forces, what each damper takes, impulses.
-    fn show_means(
-        &self,
-        h: S,
-        memory: &StepMemory<'_, S>,
-        means: &MeanMemory<'_, S>,
-        watch: &mut impl Observer<S>,
-    ) {
-        let (body, own) = (&self.island.body, &self.island.memory);
-        let [start, middle, change, velocity] = &means.nodes;
-        let ends = [&*memory.twists[2]; 2];
-        watch.forces(&Forces { duration: h, elastic: own.elastic, viscous: own.viscous, ends });
-        let way = MeanStep { h, pos: [start, middle, own.pos], dx: change, vel: velocity };
-        for spring in body.springs {
-            watch.damped(spring.tail, mean::dissipated(core::slice::from_ref(spring), &way));
-        }
-        for (node, v) in velocity.iter().enumerate() {
-            watch.damped(node, h * body.air_drag * vec3::dot(*v, *v));
-        }
-        let mean =
-            Mean { frames: [&*means.frames[0], &*own.frames, &*means.frames[1]], nodes: &*means.nodes[1] };
-        for touch in memory.contacts() {
-            let contact = &mean.contact(&touch.contact);
-            watch.push(&Push { pair: touch.pair, contact, duration: S::ONE, ends, strikes: true });
-        }
-    }
-}
-
-/// Mean positions over a step.
-struct Mean<'m, S> {
-    /// Frames of the ports at the start, at the end, and where contacts were detected.
-    frames: [&'m [Frame<S>]; 3],
-    /// Mean positions of the nodes.
-    nodes: &'m [Vec3<S>],
-}
-
-impl<S: Scalar> Mean<'_, S> {
-    /// The contact with arms from the mean origins of the frames to the mean contact points. A point of a rigid body
-    /// slips along the other side during the step; it is moved to where the other side is, so that the two opposite
-    /// forces leave no moment.
-    fn contact(&self, contact: &Contact<S>) -> Contact<S> {
-        let mut new = *contact;
-        new.sides = contact.sides.map(|side| side.with_arms(|point| self.arm(point)));
-        let [one, other] = new.sides.map(|side| self.place(&side));
-        let Some(apart) = one.zip(other).map(|(one, other)| vec3::sub(other, one)) else { return new };
-        let is_rigid = |side: &Side<S>| {
-            let mut points = side.points();
-            points.next().is_some_and(|point| point.body < self.frames[0].len()) && points.next().is_none()
-        };
-        let [one, other] = new.sides;
-        if is_rigid(&one) {
-            new.sides[0] = one.with_arms(|point| vec3::add(point.arm, apart));
-        } else if is_rigid(&other) {
-            new.sides[1] = other.with_arms(|point| vec3::sub(point.arm, apart));
-        }
-        new
-    }
-
-    /// The frames of a port; None for a node.
-    fn port(&self, body: usize) -> Option<[&Frame<S>; 3]> {
-        let [from, to, seen] = self.frames.map(|frames| frames.get(body));
-        Some([from?, to?, seen?])
-    }
-
-    fn arm(&self, point: &Point<S>) -> Vec3<S> {
-        let Some([from, to, seen]) = self.port(point.body) else { return point.arm };
-        let own = seen.to_local(point.arm);
-        vec3::scale(vec3::add(from.to_inertial(own), to.to_inertial(own)), S::from_f64(0.5))
-    }
-
-    /// The mean position of a side; None where it is fixed in space.
-    fn place(&self, side: &Side<S>) -> Option<Vec3<S>> {
-        let ports = self.frames[0].len();
-        let of = |point: &Point<S>| match self.port(point.body) {
-            Some([from, to, _]) => vec3::axpy(point.arm, S::from_f64(0.5), vec3::add(from.origin, to.origin)),
-            None => vec3::at(self.nodes, point.body - ports),
-        };
-        let sum = |sum, point: &Point<S>| Some(vec3::axpy(sum?, point.weight, of(point)));
-        side.points().next()?;
-        // A side that is partly fixed in space has no such position: the weights of its points do not add up to 1.
-        let whole = side.points().fold(S::ZERO, |sum, point| sum + point.weight);
-        ((whole - S::ONE).abs() < S::from_f64(1e-3)).then(|| side.points().fold(Some(vec3::zero()), sum))?
-    }
-}
-
-impl<S: Scalar> Trail<'_, S> {
-    /// The next rates by Anderson's method: g - sum_i gamma_i dg_i, gamma = argmin |f - sum_i gamma_i df_i| over the
-    /// rates of the speeds.
-    fn go_on(&mut self, n_q: usize, rates: &mut [S], found: &[S]) {
-        let n = rates.len().max(1);
-        let square =
-            found.iter().zip(rates.iter()).skip(n_q).fold(S::ZERO, |sum, (g, k)| sum + (*g - *k) * (*g - *k));
-        // An iteration that is much worse than the best ends the history.
-        let goes_on = self.number > 0 && square <= S::from_f64(WORSE) * self.least;
-        if goes_on {
-            let place = (self.number - 1) % DEPTH;
-            let mut rows = self.differences.chunks_exact_mut(n).skip(place);
-            if let (Some(of_f), Some(of_g)) = (rows.next(), rows.nth(DEPTH - 1)) {
-                let ends = found.iter().zip(rates.iter()).zip(self.gained.iter().zip(self.off.iter()));
-                for ((of_f, of_g), ((g, k), (old_g, old_f))) in of_f.iter_mut().zip(of_g).zip(ends) {
-                    (*of_f, *of_g) = ((*g - *k) - *old_f, *g - *old_g);
-                }
-            }
-        } else {
-            self.number = 0;
-        }
-        self.least = if self.number == 0 { square } else { self.least.min(square) };
-        self.number += 1;
-        for ((gained, off), (g, k)) in
-            self.gained.iter_mut().zip(self.off.iter_mut()).zip(found.iter().zip(rates.iter()))
-        {
-            (*gained, *off) = (*g, *g - *k);
-        }
-        let count = (self.number - 1).min(DEPTH);
-        let (mut matrix, mut right) = ([[S::ZERO; DEPTH]; DEPTH], [S::ZERO; DEPTH]);
-        let dot = |a: &[S], b: &[S]| a.iter().zip(b).skip(n_q).fold(S::ZERO, |sum, (a, b)| sum + *a * *b);
-        for (i, own) in self.differences.chunks_exact(n).take(count).enumerate() {
-            right[i] = dot(own, self.off);
-            for (j, other) in self.differences.chunks_exact(n).take(i + 1).enumerate() {
-                matrix[i][j] = dot(own, other);
-                matrix[j][i] = matrix[i][j];
-            }
-        }
-        let gamma = eliminate(matrix, right, square);
-        copy(rates, found);
-        for (of_g, gamma) in self.differences.chunks_exact(n).skip(DEPTH).take(count).zip(gamma) {
-            rates.iter_mut().zip(of_g).for_each(|(rate, change)| *rate = *rate - gamma * *change);
-        }
     }
 }
 

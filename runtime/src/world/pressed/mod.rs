@@ -10,11 +10,11 @@
 //! commanded frames. Its error is 1e-9 of the accelerations, none at rest; a projection corrects gaps and gap rates
 //! after every step.
 
-use super::accounts::Accounts;
+mod corrections;
+mod works;
+
 use super::carrier::Carrier;
 use super::detect::Touch;
-use super::island::{Island, free_nodes};
-use super::observer::{Forces, Observer, Push};
 use super::whole::{StepMemory, World};
 use crate::mechanism::Fault;
 use crate::ode::Ode;
@@ -268,128 +268,6 @@ impl<S: Scalar, C: Carrier<S>> Pressed<'_, '_, '_, S, C> {
                 }
             });
         }
-    }
-
-    /// Power of each account at a state (W), and the state's rates.
-    fn powers(&mut self, t: S, x: &[S], dot: &mut [S]) -> Result<Accounts<S>, Fault> {
-        self.rates(t, x, dot)?;
-        let Island { carrier, body, memory: own, .. } = &mut self.world.island;
-        let mut powers = Accounts::empty();
-        for (viscous, velocity) in own.viscous.iter().zip(own.vel.iter()) {
-            let drag = vec3::scale(*velocity, -body.air_drag);
-            powers.drag = powers.drag - vec3::dot(drag, *velocity);
-            powers.damping = powers.damping - vec3::dot(vec3::sub(*viscous, drag), *velocity);
-        }
-        for own in self.list.iter() {
-            let [_, x, y] = own.held.contact.impulse;
-            let force = own.held.contact.to_inertial([S::ZERO, x, y]);
-            powers.friction = powers.friction - vec3::dot(force, own.velocity);
-        }
-        powers.drive = carrier.drive_power(own.frames, own.wrenches).unwrap_or(S::ZERO);
-        Ok(powers)
-    }
-
-    /// Shows the instant whose powers were asked for last, which counts for `duration` (s).
-    fn show(&mut self, duration: S, watch: &mut impl Observer<S>) {
-        if !watch.watches() {
-            return;
-        }
-        let StepMemory { twists: [_, twists, _], .. } = &mut *self.memory;
-        Self::read_twists(self.world, twists);
-        let (own, ends) = (&self.world.island.memory, [&**twists; 2]);
-        watch.forces(&Forces { duration, elastic: own.elastic, viscous: own.viscous, ends });
-        for Pressing { pair, held, .. } in self.list.iter() {
-            watch.push(&Push { pair: *pair, contact: &held.contact, duration, ends, strikes: false });
-        }
-    }
-
-    /// Energy accounts between two states that are `length` apart in time, by Simpson's rule; three lists of memory.
-    pub(super) fn works(
-        &mut self,
-        (t, length): (S, S),
-        [old, new]: [&[S]; 2],
-        [first, last, between]: [&mut [S]; 3],
-        watch: &mut impl Observer<S>,
-    ) -> Result<Accounts<S>, Fault> {
-        let (half, sixth) = (S::from_f64(0.5), length / S::from_f64(6.0));
-        let start = self.powers(t, old, first)?;
-        self.show(sixth, watch);
-        let end = self.powers(t + length, new, last)?;
-        self.show(sixth, watch);
-        // The state at half time by Hermite interpolation.
-        let ends = old.iter().zip(new).zip(first.iter().zip(last.iter()));
-        for (to, ((a, b), (da, db))) in between.iter_mut().zip(ends) {
-            *to = half * (*a + *b) + S::from_f64(0.125) * length * (*da - *db);
-        }
-        let inside = self.powers(t + half * length, between, first)?;
-        self.show(S::from_f64(4.0) * sixth, watch);
-        let sum = start.plus(&end).plus(&inside.times(S::from_f64(4.0)));
-        Ok(sum.times(sixth))
-    }
-
-    /// Corrections that change each contact's relative velocity (or gap) by `wanted`; with `across`, tangentially too
-    /// where it sticks.
-    fn correct(&mut self, across: bool, wanted: impl Fn(&Pressing<S>) -> Vec3<S>) {
-        let StepMemory { twists: [gained, ..], inertias, .. } = &mut *self.memory;
-        gained.fill(Twist::zero());
-        let mut scale = S::ZERO;
-        for own in self.list.iter_mut() {
-            // The forces wait in the place of the corrections, which are swept in theirs.
-            (own.correction, own.held.contact.impulse) = (own.held.contact.impulse, vec3::zero());
-            scale = scale.max(vec3::norm(wanted(own)));
-        }
-        let mut ahead = Ahead::new();
-        for number in 0..SWEEPS {
-            let mut left = S::ZERO;
-            for own in self.list.iter_mut() {
-                let (aim, k) = (wanted(own), own.held.inverse_mass);
-                let contact = &own.held.contact;
-                let off = aim[0] - contact.relative(gained)[0];
-                let mut more = [off / k[0][0], S::ZERO, S::ZERO];
-                contact.push(inertias, gained, more);
-                left = left.max(off.abs());
-                if across && own.slip.is_none() {
-                    let [_, x, y] = vec3::sub(aim, contact.relative(gained));
-                    left = left.max(x.abs()).max(y.abs());
-                    let [x, y] = solve_tangential(&k, [x, y]);
-                    contact.push(inertias, gained, [S::ZERO, x, y]);
-                    (more[1], more[2]) = (x, y);
-                }
-                own.held.contact.impulse = vec3::add(own.held.contact.impulse, more);
-                own.held.trail.moved = more;
-            }
-            if left <= fine::<S>(number) * scale {
-                break;
-            }
-            if (PLAIN..SWEEPS - 1).contains(&number) {
-                ahead.note(self.list);
-                ahead.go_on(self.list, inertias, gained);
-            }
-        }
-        for own in self.list.iter_mut() {
-            core::mem::swap(&mut own.correction, &mut own.held.contact.impulse);
-        }
-    }
-
-    /// Applies the corrections to a state: with `places` as displacements, else as impulses.
-    fn move_by_corrections(&mut self, t: S, x: &mut [S], places: bool) -> Result<(), Fault> {
-        let ports = self.world.island.memory.frames.len();
-        let impulses = self.list.iter().map(|own| (&own.held.contact, own.correction));
-        self.world.island.load_impulses(impulses);
-        let island = &mut self.world.island;
-        let gained = self.memory.twists[0].get(ports..).unwrap_or_default();
-        let parts = island.parts_mut(x)?;
-        let rows = if places { parts.pos } else { parts.vel };
-        for (node, row) in free_nodes(&island.body).zip(rows.chunks_exact_mut(3)) {
-            let change = gained.get(node).map_or_else(vec3::zero, |twist| twist.velocity);
-            row.iter_mut().zip(change).for_each(|(x, change)| *x = *x + change);
-        }
-        let on_ports = |port: usize| self.list.iter().any(|own| own.held.contact.touches_body(port));
-        if island.carrier.n_u() == 0 || !(0..ports).any(on_ports) {
-            return Ok(());
-        }
-        let [pushed, free, moved] = &mut self.spare;
-        island.push_carrier(t, x, [&mut **pushed, &mut **free, &mut **moved], places)
     }
 }
 

@@ -1,0 +1,74 @@
+//! Energy accounts of motion under lasting contacts.
+//!
+//! In: two states of a piece of a step. Out: the work of dampers, drag, friction and drives between them, by Simpson's
+//! rule over the powers at both ends and in the middle; each of these instants is shown to an observer.
+
+use super::{Pressed, Pressing};
+use crate::mechanism::Fault;
+use crate::ode::Ode;
+use crate::real::Scalar;
+use crate::vec3;
+use crate::world::accounts::Accounts;
+use crate::world::carrier::Carrier;
+use crate::world::island::Island;
+use crate::world::observer::{Forces, Observer, Push};
+use crate::world::whole::StepMemory;
+
+impl<S: Scalar, C: Carrier<S>> Pressed<'_, '_, '_, S, C> {
+    /// Power of each account at a state (W), and the state's rates.
+    fn powers(&mut self, t: S, x: &[S], dot: &mut [S]) -> Result<Accounts<S>, Fault> {
+        self.rates(t, x, dot)?;
+        let Island { carrier, body, memory: own, .. } = &mut self.world.island;
+        let mut powers = Accounts::empty();
+        for (viscous, velocity) in own.viscous.iter().zip(own.vel.iter()) {
+            let drag = vec3::scale(*velocity, -body.air_drag);
+            powers.drag = powers.drag - vec3::dot(drag, *velocity);
+            powers.damping = powers.damping - vec3::dot(vec3::sub(*viscous, drag), *velocity);
+        }
+        for own in self.list.iter() {
+            let [_, x, y] = own.held.contact.impulse;
+            let force = own.held.contact.to_inertial([S::ZERO, x, y]);
+            powers.friction = powers.friction - vec3::dot(force, own.velocity);
+        }
+        powers.drive = carrier.drive_power(own.frames, own.wrenches).unwrap_or(S::ZERO);
+        Ok(powers)
+    }
+
+    /// Shows the instant whose powers were asked for last, which counts for `duration` (s).
+    fn show(&mut self, duration: S, watch: &mut impl Observer<S>) {
+        if !watch.watches() {
+            return;
+        }
+        let StepMemory { twists: [_, twists, _], .. } = &mut *self.memory;
+        Self::read_twists(self.world, twists);
+        let (own, ends) = (&self.world.island.memory, [&**twists; 2]);
+        watch.forces(&Forces { duration, elastic: own.elastic, viscous: own.viscous, ends });
+        for Pressing { pair, held, .. } in self.list.iter() {
+            watch.push(&Push { pair: *pair, contact: &held.contact, duration, ends, strikes: false });
+        }
+    }
+
+    /// Energy accounts between two states that are `length` apart in time, by Simpson's rule; three lists of memory.
+    pub(in crate::world) fn works(
+        &mut self,
+        (t, length): (S, S),
+        [old, new]: [&[S]; 2],
+        [first, last, between]: [&mut [S]; 3],
+        watch: &mut impl Observer<S>,
+    ) -> Result<Accounts<S>, Fault> {
+        let (half, sixth) = (S::from_f64(0.5), length / S::from_f64(6.0));
+        let start = self.powers(t, old, first)?;
+        self.show(sixth, watch);
+        let end = self.powers(t + length, new, last)?;
+        self.show(sixth, watch);
+        // The state at half time by Hermite interpolation.
+        let ends = old.iter().zip(new).zip(first.iter().zip(last.iter()));
+        for (to, ((a, b), (da, db))) in between.iter_mut().zip(ends) {
+            *to = half * (*a + *b) + S::from_f64(0.125) * length * (*da - *db);
+        }
+        let inside = self.powers(t + half * length, between, first)?;
+        self.show(S::from_f64(4.0) * sixth, watch);
+        let sum = start.plus(&end).plus(&inside.times(S::from_f64(4.0)));
+        Ok(sum.times(sixth))
+    }
+}
