@@ -4,11 +4,11 @@
 //! names the command that installs it.
 
 use smartbed::engine::crate_text;
-use smartbed::firmware::compile::Subject;
 use smartbed::firmware::fit::RAM;
 use smartbed::firmware::functions::{self, Measured};
 use smartbed::firmware::image::rules::Rule;
 use smartbed::firmware::report::{Outcome, Report};
+use smartbed::firmware::settings::Subject;
 use smartbed::firmware::{Arguments, chip, measure, toolchain};
 use smartbed::world::carried::CarriedWorld;
 use smartbed::world::engine::Engine as _;

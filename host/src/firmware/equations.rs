@@ -8,9 +8,9 @@
 //! these with the rates. Everything else in the rates (arguments, results, the worst pivot, which is not an operation
 //! of the rates) is counted with the operations.
 
-use super::compile::{RATES, SIN_COS, Settings};
 use super::emulator::Count;
 use super::image::{Image, straight};
+use super::settings::{RATES, SIN_COS, Settings};
 use super::thumb::Kind;
 use crate::failure::Failure;
 use crate::model_argument::{assignment, wrong};

@@ -1,7 +1,6 @@
 //! The results of `smartbed firmware`, as text and as JSON.
 
 use super::chip::STM32F405;
-use super::compile::{RATES, SIN_COS, Settings, Subject};
 use super::emulator::{Count, Run};
 use super::equations::Equations;
 use super::fit::RAM;
@@ -9,6 +8,7 @@ use super::image::Image;
 use super::image::rules::{Finding, Rule};
 use super::image::size::Size;
 use super::image::stack::Stack;
+use super::settings::{RATES, SIN_COS, Settings, Subject};
 use super::toolchain::Toolchain;
 use crate::failure::Failure;
 use serde_json::{Value, json};

@@ -2,8 +2,9 @@
 
 use crate::failure::Failure;
 use crate::firmware::chip::{Chip, STM32F405};
-use crate::firmware::compile::{self, Settings, Subject};
+use crate::firmware::compile;
 use crate::firmware::process::clean;
+use crate::firmware::settings::{Settings, Subject};
 use crate::firmware::toolchain;
 use crate::firmware::workspace::{lock, workspace};
 use crate::output;

@@ -5,13 +5,13 @@
 use crate::support::{file, smartbed, written};
 use serde_json::Value;
 use smartbed::firmware::Arguments;
-use smartbed::firmware::compile::Settings;
 use smartbed::firmware::emulator::Count;
 use smartbed::firmware::equations::Equations;
 use smartbed::firmware::image::rules::{Finding, Rule};
 use smartbed::firmware::image::size::Size;
 use smartbed::firmware::image::stack::Stack;
 use smartbed::firmware::report::{Outcome, Report};
+use smartbed::firmware::settings::Settings;
 use std::path::Path;
 
 fn schema() -> Value {
