@@ -4,10 +4,13 @@
 //! kind.
 
 use crate::failure::Failure;
-use crate::input::{self, MOST_MARKS};
+use crate::input;
 use smartbed_codegen::model::marks;
 use std::path::Path;
 
+/// Values, keys and lines beyond which a text is not parsed only to learn its kind: that would take more memory than its
+/// reader does.
+const MANY: usize = 100_000;
 /// Keys that only a model has, at its top.
 const OF_MODELS: [&str; 8] =
     ["name", "extends", "coordinates", "speeds", "frames", "joints", "bodies", "parameters"];
@@ -48,8 +51,8 @@ impl FileKind {
         if lines.clone().any(|line| ["[parts.", "[parts]", "parts."].iter().any(|w| line.starts_with(w))) {
             return FileKind::World;
         }
-        // Too large to be parsed: decided by how its lines begin.
-        if marks(text) > MOST_MARKS {
+        if marks(text) > MANY {
+            // By how its lines begin.
             let gives = |line: &str, key: &str| {
                 line.strip_prefix(key).is_some_and(|rest| rest.trim_start().starts_with('='))
             };

@@ -123,7 +123,7 @@ fn an_image_with_a_changed_byte_moves_nothing_and_says_why() {
     for place in [handler, vector] {
         elf[place] ^= 0x10;
         let (done, state) = orders(&elf);
-        assert!(done.is_err_and(|why| why.to_string().contains("Faulted")));
+        assert!(done.is_err_and(|why| why.to_string().contains("a fault is latched")));
         // Drives and valves are off, motion is not allowed, and nothing but the program is wrong.
         assert_eq!((state.faults, state.flags), (1 << Fault::Program as u32, 0));
         assert_eq!(state.mode, Mode::Off as u8);
