@@ -2,7 +2,6 @@
 //!
 //! In: rates k and what an iteration makes of them, g(k). Out: the next rates, from the differences of earlier iterations.
 
-use super::copy;
 use crate::real::Scalar;
 use crate::rigid::anderson::eliminate;
 use crate::rigid::trail::DEPTH;
@@ -62,7 +61,7 @@ impl<S: Scalar> Trail<'_, S> {
             }
         }
         let gamma = eliminate(matrix, right, square);
-        copy(rates, found);
+        rates.iter_mut().zip(found).for_each(|(rate, new)| *rate = *new);
         for (of_g, gamma) in self.differences.chunks_exact(n).skip(DEPTH).take(count).zip(gamma) {
             rates.iter_mut().zip(of_g).for_each(|(rate, change)| *rate = *rate - gamma * *change);
         }
