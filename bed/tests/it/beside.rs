@@ -1,5 +1,6 @@
 //! Bladders of neighbouring tiles that press on each other.
 
+use crate::draw::Draw;
 use smartbed_bed::body::{Body, Segment, Shape};
 use smartbed_bed::dynamics::{Matter, Method, Motion};
 use smartbed_bed::equilibrium::{Bed, Fault, GRAVITY, Solution, Tile, put_down, solve};
@@ -93,11 +94,8 @@ fn neighbours_press_on_each_other_alike() {
             assert!(norm(sum) <= 1e-12 * force && norm(turn) <= 1e-9 * force, "{sum:?} {turn:?} {force}");
         }
         // The energy is least: its slope along any way is nothing, and it is curved upwards.
-        let mut seed = 7_u64;
-        let mut next = || {
-            seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-            (seed >> 11) as f64 / (1_u64 << 53) as f64 - 0.5
-        };
+        let mut draw = Draw(7);
+        let mut next = || 0.5 * draw.next();
         for _ in 0..5 {
             let way: Vec<Vec<Vec3<f64>>> =
                 sheets

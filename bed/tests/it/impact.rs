@@ -1,5 +1,6 @@
 //! Nodes that touch a body: energy compensation along the sheet's springs.
 
+use crate::draw::Draw;
 use crate::dynamics::{go, up};
 use smartbed_bed::body::{Body, Segment, Shape};
 use smartbed_bed::dynamics::impact::{Sheet, Yields, strike};
@@ -28,20 +29,6 @@ fn fall(matter: Matter, impact: Impact, method: Method, step: f64) -> Motion {
     Motion::new(bed, body, state, matter, method, step).touching(impact)
 }
 
-/// Numbers from -1 to 1.
-struct Dice(u64);
-
-impl Dice {
-    fn next(&mut self) -> f64 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
-    }
-
-    fn vector(&mut self) -> Vec3<f64> {
-        [self.next(), self.next(), self.next()]
-    }
-}
-
 /// Six points that have a segment's mass and moments.
 fn points(segment: &Segment, pose: &Pose) -> [Vec3<f64>; 6] {
     let at = segment.shape.gyration();
@@ -66,7 +53,7 @@ fn books<'a>(points: impl Iterator<Item = (f64, Vec3<f64>, &'a Track)>) -> (f64,
 /// Two slabs and a sheet whose nodes move at random, some of them about to touch.
 #[test]
 fn an_impact_keeps_energy_and_momenta_and_ends_the_approach() {
-    let mut dice = Dice(5);
+    let mut dice = Draw(5);
     let lattice = Lattice::new([8, 10], [0.219, 0.2797], 5000.0).expect("a sheet");
     let (mass, mut struck, mut apart) = (5e-4, 0, 0);
     for case in 0..300 {

@@ -4,6 +4,7 @@ mod band;
 mod beside;
 mod clocks;
 mod cover;
+mod draw;
 mod dynamics;
 mod empty;
 mod figure;

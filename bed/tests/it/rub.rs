@@ -1,6 +1,7 @@
 //! Friction between bladders of neighbouring tiles.
 
 use crate::beside::{energy, pair};
+use crate::draw::Draw;
 use smartbed_bed::body::Body;
 use smartbed_bed::dynamics::{Matter, Method, Motion};
 use smartbed_bed::equilibrium::{Bed, Meeting, Rub, Solution, State, solve};
@@ -83,11 +84,8 @@ fn what_sticks_holds_like_a_spring_and_the_energy_is_least() {
     assert!(2 * stuck > rubs.len() && stuck > 4, "{stuck} of {}", rubs.len());
     assert!(rubs.iter().any(|rub| norm(rub.force) > 1e-3));
     // Along any way of the free nodes the energy of sheets, air, meetings and friction has no slope and bends up.
-    let mut seed = 11_u64;
-    let mut next = || {
-        seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (seed >> 11) as f64 / (1_u64 << 53) as f64 - 0.5
-    };
+    let mut draw = Draw(11);
+    let mut next = || 0.5 * draw.next();
     for _ in 0..3 {
         let mut way = end.state.sheets.clone();
         for (node, x) in way.iter_mut().flat_map(|sheet| sheet.iter_mut().enumerate()) {

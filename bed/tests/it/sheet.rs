@@ -1,5 +1,6 @@
 //! The bladder against closed forms, differences of itself, the runtime's forces and an independent static solve.
 
+use crate::draw::Draw;
 use smartbed_bed::body::{Body, Segment, Shape};
 use smartbed_bed::equilibrium::{Bed, Cover, Solution, State, Tile, solve, stiffness};
 use smartbed_bed::pose::Pose;
@@ -33,11 +34,8 @@ fn bulge(state: &State) -> f64 {
 
 /// Places near the flat sheet, from a fixed sequence.
 fn shaken(lattice: &Lattice) -> Vec<[f64; 3]> {
-    let mut seed = 1_u64;
-    let mut next = || {
-        seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (seed >> 11) as f64 / (1_u64 << 53) as f64 - 0.5
-    };
+    let mut draw = Draw(1);
+    let mut next = || 0.5 * draw.next();
     lattice.bulged(0.03).into_iter().map(|x| add(x, [4e-3 * next(), 4e-3 * next(), 8e-3 * next()])).collect()
 }
 
