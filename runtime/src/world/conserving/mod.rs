@@ -24,7 +24,7 @@ use super::sweep::Sweeps;
 use super::whole::{StepMemory, World};
 use crate::flexible::force;
 use crate::mechanism::Fault;
-use crate::ode::nodes::MeanStep;
+use crate::ode::nodes::{MeanStep, copy};
 use crate::ode::{Ode, State, pivot_limit, state::advance, trial::split};
 use crate::real::Scalar;
 use crate::rigid::trail::DEPTH;
@@ -310,8 +310,4 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         }
         Ok(pivot)
     }
-}
-
-fn copy<T: Copy>(to: &mut [T], from: &[T]) {
-    to.iter_mut().zip(from).for_each(|(to, from)| *to = *from);
 }

@@ -2,6 +2,7 @@
 //!
 //! In: rates k and what an iteration makes of them, g(k). Out: the next rates, from the differences of earlier iterations.
 
+use crate::ode::nodes::copy;
 use crate::real::Scalar;
 use crate::rigid::anderson::eliminate;
 use crate::rigid::trail::DEPTH;
@@ -61,7 +62,7 @@ impl<S: Scalar> Trail<'_, S> {
             }
         }
         let gamma = eliminate(matrix, right, square);
-        rates.iter_mut().zip(found).for_each(|(rate, new)| *rate = *new);
+        copy(rates, found);
         for (of_g, gamma) in self.differences.chunks_exact(n).skip(DEPTH).take(count).zip(gamma) {
             rates.iter_mut().zip(of_g).for_each(|(rate, change)| *rate = *rate - gamma * *change);
         }
