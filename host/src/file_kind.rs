@@ -36,11 +36,14 @@ impl FileKind {
     /// The kind of the file at a path; [`FileKind::Unknown`] also if it cannot be read.
     #[must_use]
     pub fn of(path: &Path) -> Self {
-        // References are the only JSON that is run.
-        if path.extension().is_some_and(|ending| ending == "json") {
-            return FileKind::Body;
-        }
-        Self::of_text(&input::text(&path.display().to_string()).unwrap_or_default())
+        let is_told = Self::of_ending(path);
+        is_told
+            .unwrap_or_else(|| Self::of_text(&input::text(&path.display().to_string()).unwrap_or_default()))
+    }
+
+    /// The kind that the ending of a path tells: references are the only JSON that is run.
+    fn of_ending(path: &Path) -> Option<Self> {
+        path.extension().is_some_and(|ending| ending == "json").then_some(FileKind::Body)
     }
 
     /// The kind of a text in TOML.
@@ -79,22 +82,37 @@ impl FileKind {
         }
     }
 
-    /// Refuses a file of another kind than a command takes; one whose kind no key tells passes.
+    /// The kind of a file; refuses another kind than a command takes. One that no key tells passes.
     ///
     /// # Errors
     /// [`Failure::Wrong`] says what the file is, what was expected, and which commands take it.
-    pub fn expect(path: &Path, taken: &[FileKind]) -> Result<(), Failure> {
-        let kind = Self::of(path);
-        if kind == FileKind::Unknown || taken.contains(&kind) {
-            return Ok(());
+    pub fn expect(path: &Path, taken: &[FileKind]) -> Result<Self, Failure> {
+        Self::of(path).among(taken, path)
+    }
+
+    /// As [`FileKind::expect`], for a file whose text has been read already.
+    ///
+    /// # Errors
+    /// As [`FileKind::expect`].
+    pub fn expect_text(path: &Path, text: &str, taken: &[FileKind]) -> Result<Self, Failure> {
+        Self::of_ending(path).unwrap_or_else(|| Self::of_text(text)).among(taken, path)
+    }
+
+    /// As [`FileKind::expect`], for a file of this kind.
+    ///
+    /// # Errors
+    /// As [`FileKind::expect`].
+    pub fn among(self, taken: &[FileKind], path: &Path) -> Result<Self, Failure> {
+        if self == FileKind::Unknown || taken.contains(&self) {
+            return Ok(self);
         }
         let expected: Vec<&str> = taken.iter().map(|kind| kind.words()).collect();
         Err(Failure::Wrong(format!(
             "{}: this is {}; expected {}. {}",
             path.display(),
-            kind.words(),
+            self.words(),
             expected.join(" or "),
-            kind.commands()
+            self.commands()
         )))
     }
 
@@ -166,7 +184,7 @@ mod tests {
     #[test]
     fn refusals_say_what_it_is_and_which_command_takes_it() {
         let said = |file: &str, taken: FileKind| {
-            FileKind::expect(Path::new(file), &[taken]).map_err(|failure| failure.to_string())
+            FileKind::expect(Path::new(file), &[taken]).map(|_| ()).map_err(|failure| failure.to_string())
         };
         assert_eq!(said("../models/tile.toml", FileKind::Model), Ok(()));
         let world = said("../models/scenes/bed.toml", FileKind::Model).expect_err("a world");

@@ -24,11 +24,11 @@ impl PlanFile {
     /// There is none, or it cannot be read.
     pub fn open(argument: &str) -> Result<Self, Failure> {
         let path = model_argument::find_plan(argument)?;
-        FileKind::expect(&path, &[FileKind::Plan])?;
-        let path = path.display().to_string();
-        let text = input::text(&path).map_err(|e| format!("{path}: {e}"))?;
+        let name = path.display().to_string();
+        let text = input::text(&name).map_err(|e| format!("{name}: {e}"))?;
+        FileKind::expect_text(&path, &text, &[FileKind::Plan])?;
         let hash = hash::hash(text.as_bytes());
-        Ok(Self { path, text, hash })
+        Ok(Self { path: name, text, hash })
     }
 
     /// The path of the mesh that the plan names under these `settings`, if any.

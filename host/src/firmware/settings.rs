@@ -93,6 +93,7 @@ impl Settings {
             print_scene(&model, &scene, arguments)?
         } else {
             check_changes(&arguments.set)?;
+            kind.among(&[FileKind::Model], &model)?;
             check_names(&model, &arguments.set)?;
             (Subject::Mechanism, STEPS, STEP)
         };
@@ -279,7 +280,6 @@ fn print_scene(path: &Path, scene: &Scene, arguments: &Arguments) -> Result<(Sub
 
 /// Reads the model first, so that its errors are reported first, and looks up the names of the changes.
 fn check_names(path: &Path, set: &[String]) -> Result<(), Failure> {
-    FileKind::expect(path, &[FileKind::Model])?;
     let model =
         smartbed_codegen::model::read(path).map_err(|errors| crate::model_argument::wrong(&errors))?;
     let names: Vec<&str> = model.parameters.iter().map(|p| p.name.as_str()).collect();

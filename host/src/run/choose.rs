@@ -18,7 +18,7 @@ use std::path::Path;
 ///
 /// # Errors
 /// [`Failure::Wrong`] for a wrong error or budget, or one that no method meets.
-pub(super) fn resolve(arguments: &Arguments, path: &Path) -> Result<Arguments, Failure> {
+pub(super) fn resolve(arguments: &Arguments, (path, kind): (&Path, FileKind)) -> Result<Arguments, Failure> {
     let aim = match (arguments.error, &arguments.budget) {
         (None, None) => return Ok(arguments.clone()),
         _ if arguments.resume.is_some() => {
@@ -38,7 +38,6 @@ pub(super) fn resolve(arguments: &Arguments, path: &Path) -> Result<Arguments, F
     let clock = Progress::new("calibrating");
     let mut plain = Arguments { error: None, budget: None, method: None, ..arguments.clone() };
     let mut takes_method = true;
-    let kind = FileKind::of(path);
     let (subject, interval): (Box<dyn Subject>, f64) = if kind == FileKind::World {
         if arguments.scalar == ScalarKind::F32 {
             return Err(Failure::Wrong(

@@ -82,8 +82,7 @@ fn carry_out(arguments: &Arguments) -> Result<Outcome, Failure> {
 #[cfg(feature = "whole")]
 fn any(arguments: &Arguments) -> Result<Outcome, Failure> {
     let path = model_argument::find(&arguments.model)?;
-    FileKind::expect(&path, &[FileKind::Model, FileKind::Body, FileKind::World])?;
-    let kind = FileKind::of(&path);
+    let kind = FileKind::expect(&path, &[FileKind::Model, FileKind::Body, FileKind::World])?;
     let is_world = kind == FileKind::World;
     if !is_world && (arguments.save.is_some() || arguments.resume.is_some()) {
         return Err(Failure::Wrong("--save and --resume: expected a scene of format 2".to_owned()));
@@ -95,7 +94,7 @@ fn any(arguments: &Arguments) -> Result<Outcome, Failure> {
                 .to_owned(),
         ));
     }
-    let arguments = &choose::resolve(arguments, &path)?;
+    let arguments = &choose::resolve(arguments, (&path, kind))?;
     match kind {
         FileKind::World => world::simulate(arguments, &path),
         FileKind::Body => body::simulate(arguments, &path),

@@ -107,7 +107,8 @@ impl Probes {
             };
             let sensor = Sensor::new(channel, own.seed, 0.0)
                 .map_err(|fault| format!("{name}: {}", refused(fault, &channel)))?;
-            Ok(Probe { column, kind, sensor })
+            // Else controllers would act on a number that nobody measured.
+            Ok(Probe { column, kind, sensor: sensor.showing_first() })
         };
         Ok(Probes { list: assembly.sensors.iter().map(probe).collect::<Result<_, String>>()? })
     }
@@ -128,7 +129,7 @@ impl Probes {
                 Kind::Pressure(membrane) => membrane.observe(tick, quantity),
                 Kind::Switch(switch) => f64::from(u8::from(switch.observe(tick, quantity))),
             };
-            probe.observe(tick, seen);
+            probe.sensor.observe(tick, seen);
         }
     }
 
@@ -159,17 +160,6 @@ fn tick(number: f64) -> Option<u64> {
 }
 
 impl Probe {
-    /// Samples a quantity. The first sample is shown at once, whatever the delay: before the start the world stood as at
-    /// the start, and a controller would else act on a number that nobody measured.
-    fn observe(&mut self, tick: u64, quantity: f64) {
-        let is_first = self.sensor.memory().last.is_none();
-        self.sensor.observe(tick, quantity);
-        let memory = *self.sensor.memory();
-        if let (true, Some((_, shown))) = (is_first, memory.pending[0]) {
-            self.sensor.resume(Remembered { shown, ..memory });
-        }
-    }
-
     fn save(&self) -> Vec<f64> {
         let memory = self.sensor.memory();
         let felt = match self.kind {

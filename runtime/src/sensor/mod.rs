@@ -49,6 +49,7 @@ pub struct Sensor<S, const DEPTH: usize> {
     channel: Channel<S>,
     source: Noise,
     bias: S,
+    shows_first: bool,
     memory: Remembered<S, DEPTH>,
 }
 
@@ -87,7 +88,14 @@ impl<S: Scalar, const DEPTH: usize> Sensor<S, DEPTH> {
         let bias = channel.bias * source.normal(u64::MAX);
         let pending = [None; DEPTH];
         let memory = Remembered { drifted: S::ZERO, last: None, pending, shown: start };
-        Ok(Sensor { channel, source, bias, memory })
+        Ok(Sensor { channel, source, bias, shows_first: false, memory })
+    }
+
+    /// The same sensor, but its first sample is shown at once, whatever the delay: as if the quantity had been constant
+    /// before.
+    #[must_use]
+    pub fn showing_first(self) -> Self {
+        Sensor { shows_first: true, ..self }
     }
 
     /// Its memory.
@@ -106,6 +114,7 @@ impl<S: Scalar, const DEPTH: usize> Sensor<S, DEPTH> {
     pub fn observe(&mut self, tick: u64, quantity: S) {
         self.appear(tick);
         let number = tick / u64::from(self.channel.period);
+        let is_first = self.memory.last.is_none();
         let missed = match self.memory.last {
             Some(last) if number <= last => return,
             Some(last) => number - last,
@@ -114,6 +123,9 @@ impl<S: Scalar, const DEPTH: usize> Sensor<S, DEPTH> {
         self.memory.drifted = self.memory.drifted + self.channel.drift * noise::whole::<S>(missed);
         self.memory.last = Some(number);
         let reading = self.read(number, quantity);
+        if is_first && self.shows_first {
+            self.memory.shown = reading;
+        }
         self.memory.pending.rotate_right(1);
         if let Some(newest) = self.memory.pending.first_mut() {
             *newest = Some((tick.saturating_add(u64::from(self.channel.delay)), reading));

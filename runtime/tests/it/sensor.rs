@@ -170,3 +170,17 @@ fn transducers_do_what_their_makers_say() {
         assert!((membrane.observe(tick, 300.0) - exact).abs() <= 1e-10);
     }
 }
+
+#[test]
+fn a_first_sample_is_shown_at_once_where_asked_for() {
+    let channel = Channel { period: 10, delay: 25, ..EXACT };
+    let sensor: Sensor<f64, 4> = Sensor::new(channel, 1, -1.0).expect("a channel");
+    let mut sensor = sensor.showing_first();
+    assert_eq!(sensor.reading(0), -1.0);
+    for tick in 0..60 {
+        sensor.observe(tick, 3.0 + tick as f64);
+        // Samples of ticks 0, 10, 20 appear at 25, 35, 45.
+        let wanted = if tick < 35 { 3.0 } else { 3.0 + ((tick - 25) / 10 * 10) as f64 };
+        assert_eq!(sensor.reading(tick), wanted, "{tick}");
+    }
+}
