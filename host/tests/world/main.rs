@@ -13,6 +13,7 @@ mod rest;
 mod rigid;
 mod runs;
 mod single;
+mod sliding;
 mod support;
 mod touching;
 mod woven;

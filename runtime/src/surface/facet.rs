@@ -36,6 +36,8 @@ pub struct FacetNearest<S> {
     pub weights: [S; 4],
     /// The foot (m).
     pub foot: Vec3<S>,
+    /// How much the gap (m) to the facet may change along a smooth surface with these normals.
+    pub sagitta: S,
 }
 
 impl<S: Scalar> FacetNearest<S> {
@@ -68,25 +70,32 @@ pub fn vertex_normals<S: Scalar>(facets: &[[usize; 4]], pos: &[Vec3<S>], normals
 
 impl<S: Scalar> Facet<S> {
     /// The point of the facet whose normal passes through `point`; None if it lies outside by more than `margin`
-    /// (relative to the facet) or there is none.
+    /// (relative to the facet) or there is none, as where normals meet on this side of the point.
     #[must_use]
     pub fn nearest(&self, point: Vec3<S>, margin: S) -> Option<FacetNearest<S>> {
         let half = S::from_f64(0.5);
         let (mut u, mut v) = (half, half);
         let mut t = vec3::dot(vec3::sub(point, blend(&weights(u, v), &self.corners)), self.normal(u, v));
+        let mut off = vec3::zero();
         for _ in 0..ITERATIONS {
             let (rows, scale) = self.inverse(u, v, t)?;
             let w = weights(u, v);
-            let off = vec3::sub(
+            off = vec3::sub(
                 vec3::sub(point, blend(&w, &self.corners)),
                 vec3::scale(blend(&w, &self.normals), t),
             );
             let [du, dv, dt] = vec3::apply(&rows, off);
+            let before = (u, v, t);
             (u, v, t) = (u + scale * du, v + scale * dv, t + scale * dt);
+            if (u, v, t) == before {
+                break;
+            }
         }
+        let [a, _, c, _] = self.corners;
+        let found = vec3::norm(off) <= S::EPSILON.sqrt() * vec3::norm(vec3::sub(c, a));
         let (low, high) = (-margin, S::ONE + margin);
         let inside = low <= u && u <= high && low <= v && v <= high;
-        if inside { self.result(u, v, t) } else { None }
+        if found && inside { self.result(u, v, t) } else { None }
     }
 
     fn normal(&self, u: S, v: S) -> Vec3<S> {
@@ -104,6 +113,15 @@ impl<S: Scalar> Facet<S> {
         (determinant.is_finite() && determinant != S::ZERO).then(|| (rows, S::ONE / determinant))
     }
 
+    /// Twice the most by which the tangent plane of a corner misses the facet's middle: a smooth surface may be that far
+    /// above it at one place and below it at another. 0 where a flat facet's normals are its own.
+    fn sagitta(&self) -> S {
+        let middle = blend(&[S::from_f64(0.25); 4], &self.corners);
+        let missed =
+            self.corners.iter().zip(&self.normals).map(|(x, n)| vec3::dot(*n, vec3::sub(*x, middle)).abs());
+        S::from_f64(2.0) * missed.fold(S::ZERO, S::max)
+    }
+
     fn result(&self, u: S, v: S, t: S) -> Option<FacetNearest<S>> {
         let (rows, scale) = self.inverse(u, v, t)?;
         let w = weights(u, v);
@@ -114,7 +132,7 @@ impl<S: Scalar> Facet<S> {
         let [du, dv, dt] = rows.map(|row| vec3::scale(row, scale));
         let gradient = vec3::axpy(vec3::axpy(vec3::scale(dt, length), turn(&wu), du), turn(&wv), dv);
         let foot = blend(&w, &self.corners);
-        Some(FacetNearest { gap: t * length, normal, gradient, weights: w, foot })
+        Some(FacetNearest { gap: t * length, normal, gradient, weights: w, foot, sagitta: self.sagitta() })
     }
 }
 

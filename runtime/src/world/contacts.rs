@@ -130,6 +130,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
             pos: island.memory.pos,
             normals,
             margin,
+            rides: false,
         }
     }
 

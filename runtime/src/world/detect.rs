@@ -39,6 +39,8 @@ pub struct Touch<S> {
     pub id: u32,
     /// Gap (m) in the middle of the step.
     pub gap: S,
+    /// How much the gap (m) may change while it slides on a smooth surface with the normals of the facet below it.
+    pub sagitta: S,
     /// Contact point in N (m).
     pub point: Vec3<S>,
     /// Sides, axes, law, impulse over the step (N s).
@@ -76,6 +78,7 @@ impl<S: Scalar> Touch<S> {
             pair: 0,
             id: 0,
             gap: S::ZERO,
+            sagitta: S::ZERO,
             point: zero,
             contact,
             inverse_mass,
@@ -93,8 +96,24 @@ impl<S: Scalar> Swept<S> for Touch<S> {
     }
 }
 
-/// A place of contact: gap, point, contact.
-pub(super) type Place<S> = (S, Vec3<S>, Contact<S>);
+/// Where two things meet.
+pub(super) struct Meeting<S> {
+    /// Gap (m).
+    pub(super) gap: S,
+    /// Contact point in N (m).
+    pub(super) point: Vec3<S>,
+    /// Sides and axes.
+    pub(super) contact: Contact<S>,
+    /// How much the gap (m) may change while it slides on a smooth surface with the normals of the facet below it.
+    pub(super) sagitta: S,
+}
+
+impl<S: Scalar> Meeting<S> {
+    /// On a surface whose normals are its own.
+    pub(super) fn exact(gap: S, point: Vec3<S>, contact: Contact<S>) -> Self {
+        Self { gap, point, contact, sagitta: S::ZERO }
+    }
+}
 
 /// The list of contacts while it is filled.
 pub(super) struct Found<'a, S> {
@@ -108,15 +127,13 @@ impl<S: Scalar> Found<'_, S> {
         &mut self,
         pair: (usize, &Pair<S>),
         id: u32,
-        gap: S,
-        point: Vec3<S>,
-        mut contact: Contact<S>,
+        Meeting { gap, point, mut contact, sagitta }: Meeting<S>,
     ) {
         let (number, law) = pair;
         (contact.friction, contact.restitution) = (law.friction, law.restitution);
         match self.touches.get_mut(self.count) {
             Some(place) => {
-                *place = Touch { pair: number, id, gap, point, contact, ..Touch::empty() };
+                *place = Touch { pair: number, id, gap, sagitta, point, contact, ..Touch::empty() };
                 self.count += 1;
             }
             None => self.full = true,
@@ -195,7 +212,8 @@ impl<'a, S: Scalar> Scenery<'a, S> {
         let two = Placed { shape: &other, frame: &other_frame };
         for feature in features(one, two, self.margin).iter() {
             let sides = [port, other_port].map(|port| self.side_of_port(port, feature.point));
-            found.push(pair, feature.id, feature.gap, feature.point, Contact::between(sides, feature.normal));
+            let contact = Contact::between(sides, feature.normal);
+            found.push(pair, feature.id, Meeting::exact(feature.gap, feature.point, contact));
         }
     }
 
@@ -210,10 +228,10 @@ impl<'a, S: Scalar> Scenery<'a, S> {
         let first = found.count;
         for (id, node) in (0..).zip(mesh.nodes[0]..mesh.nodes[1]) {
             if self.near_node(node, &shape).gap <= self.margin
-                && let Some((gap, point, contact)) = self.node_over_shape(&mesh, node, &shape)
-                && gap <= self.margin
+                && let Some(meeting) = self.node_over_shape(&mesh, node, &shape)
+                && meeting.gap <= self.margin
             {
-                found.push(pair, id, gap, point, contact);
+                found.push(pair, id, meeting);
             }
         }
         let (points, count, radius) = core_points(&shape.0);
@@ -225,19 +243,19 @@ impl<'a, S: Scalar> Scenery<'a, S> {
             }
             for (flag, foot) in self.flagged_feet(&mesh, point) {
                 if !self.on_a_node(&mesh, &foot, &shape) {
-                    let (gap, point, contact) = self.shape_over_facet(&shape, foot);
-                    found.push(pair, OF_SHAPE + number + flag, gap, point, contact);
+                    found.push(pair, OF_SHAPE + number + flag, self.shape_over_facet(&shape, foot));
                 }
             }
         }
     }
 
     /// The contact of a point of a shape's core with a facet.
-    pub(super) fn shape_over_facet(&self, standing: &Standing<S>, (facet, near): Foot<S>) -> Place<S> {
+    pub(super) fn shape_over_facet(&self, standing: &Standing<S>, (facet, near): Foot<S>) -> Meeting<S> {
         let (shape, port, _) = standing;
         let (_, _, radius) = core_points(shape);
         let sides = [self.side_of_port(*port, near.foot), self.side_of_facet(facet, &near)];
-        (near.gap - radius, near.foot, Contact::between(sides, near.normal))
+        let contact = Contact::between(sides, near.normal);
+        Meeting { gap: near.gap - radius, point: near.foot, contact, sagitta: near.sagitta }
     }
 
     /// Whether the foot of a box's corner is a node, up to rounding, that touches the box itself.
@@ -245,14 +263,15 @@ impl<'a, S: Scalar> Scenery<'a, S> {
         shares(facet, near).into_iter().any(|(node, weight)| {
             weight > S::ONE - S::from_f64(EDGE) * S::EPSILON
                 && mesh.has(node)
-                && self.node_over_shape(mesh, node, shape).is_some_and(|(gap, ..)| gap <= self.margin)
+                && self.node_over_shape(mesh, node, shape).is_some_and(|meeting| meeting.gap <= self.margin)
         })
     }
 
     /// The contact of a node with a facet.
-    fn node_over_facet(&self, node: usize, (facet, near): Foot<'a, S>) -> Place<S> {
+    fn node_over_facet(&self, node: usize, (facet, near): Foot<'a, S>) -> Meeting<S> {
         let sides = [self.side_of_node(node), self.side_of_facet(facet, &near)];
-        (near.gap, vec3::at(self.pos, node), Contact::between(sides, near.normal))
+        let contact = Contact::between(sides, near.normal);
+        Meeting { gap: near.gap, point: vec3::at(self.pos, node), contact, sagitta: near.sagitta }
     }
 
     fn nodes_on_mesh(&self, pair: (usize, &Pair<S>), own: Mesh<S>, other: Mesh<'a, S>, found: &mut Found<S>) {
@@ -267,8 +286,7 @@ impl<'a, S: Scalar> Scenery<'a, S> {
                 continue;
             }
             for (flag, foot) in self.flagged_feet(&other, x) {
-                let (gap, point, contact) = self.node_over_facet(node, foot);
-                found.push(pair, id + flag, gap, point, contact);
+                found.push(pair, id + flag, self.node_over_facet(node, foot));
             }
         }
     }
@@ -287,8 +305,8 @@ impl<'a, S: Scalar> Scenery<'a, S> {
         first.into_iter().chain(second)
     }
 
-    /// A contact found earlier, at the present positions: gap, point, sides and axes. None if it no longer exists.
-    pub(super) fn again(&self, pair: &Pair<S>, id: u32) -> Option<Place<S>> {
+    /// A contact found earlier, at the present positions. None if it no longer exists.
+    pub(super) fn again(&self, pair: &Pair<S>, id: u32) -> Option<Meeting<S>> {
         let [one, other] = pair.things.map(|thing| self.things.get(thing));
         let (one, other) = (one?, other?);
         let over = match IN_FOLD.map(|flag| id & flag > 0) {
@@ -297,13 +315,13 @@ impl<'a, S: Scalar> Scenery<'a, S> {
             _ => Over::Nearest,
         };
         let number = (id % IN_FOLD[0]) as usize;
-        let (gap, point, contact) = match (self.rigid(one), self.rigid(other)) {
+        let meeting = match (self.rigid(one), self.rigid(other)) {
             (Some(a), Some(b)) => {
                 let (first, second) =
                     (Placed { shape: &a.0, frame: &a.2 }, Placed { shape: &b.0, frame: &b.2 });
                 let feature = features(first, second, self.margin).iter().find(|feature| feature.id == id)?;
                 let sides = [a.1, b.1].map(|port| self.side_of_port(port, feature.point));
-                (feature.gap, feature.point, Contact::between(sides, feature.normal))
+                Meeting::exact(feature.gap, feature.point, Contact::between(sides, feature.normal))
             }
             (None, None) => {
                 let (a, b) = (self.mesh(one)?, self.mesh(other)?);
@@ -325,6 +343,6 @@ impl<'a, S: Scalar> Scenery<'a, S> {
             }
         };
         let (friction, restitution) = (pair.friction, pair.restitution);
-        Some((gap, point, Contact { friction, restitution, ..contact }))
+        Some(Meeting { contact: Contact { friction, restitution, ..meeting.contact }, ..meeting })
     }
 }

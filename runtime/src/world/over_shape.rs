@@ -13,8 +13,8 @@
 //! gap is measured along that facet's normal along which the box is nearest; a box that no such line meets does not
 //! touch the node.
 
-use super::detect::Place;
-use super::scenery::{CREASE, Mesh, Scenery, Standing};
+use super::detect::Meeting;
+use super::scenery::{Mesh, Scenery, Standing};
 use crate::real::Scalar;
 use crate::rigid::contact::Contact;
 use crate::surface::{Cuboid, Feature, Shape};
@@ -22,6 +22,8 @@ use crate::vec3::{self, Vec3};
 
 /// Most facets of a node that are looked at.
 const FACETS: usize = 12;
+/// Cosine of the angle between a node's mean normal and a face below which the directions of its facets decide.
+const FLUSH: f64 = 0.85;
 /// Sweeps that resolve a direction along the normals of a cone.
 const SWEEPS: usize = 64;
 
@@ -70,13 +72,13 @@ impl<S: Scalar> Scenery<'_, S> {
         mesh: &Mesh<S>,
         node: usize,
         standing: &Standing<S>,
-    ) -> Option<Place<S>> {
+    ) -> Option<Meeting<S>> {
         let (x, near, (shape, port, frame)) =
             (vec3::at(self.pos, node), self.near_node(node, standing), standing);
         let (mut gap, mut normal) = (near.gap, frame.to_inertial(near.normal));
         if let Shape::Cuboid(cuboid) = shape {
             let way = vec3::scale(normal, -S::ONE);
-            let flush = vec3::dot(way, vec3::at(self.normals, node)).abs() > S::from_f64(CREASE);
+            let flush = vec3::dot(way, vec3::at(self.normals, node)).abs() > S::from_f64(FLUSH);
             if !(flush && near.feature == Feature::Face) {
                 let around = self.around(mesh, node);
                 if around.count > 0 && !around.allows(way) {
@@ -85,7 +87,7 @@ impl<S: Scalar> Scenery<'_, S> {
             }
         }
         let sides = [self.side_of_node(node), self.side_of_port(*port, x)];
-        Some((gap, x, Contact::between(sides, normal)))
+        Some(Meeting::exact(gap, x, Contact::between(sides, normal)))
     }
 
     /// Gap and normal of a node and a box along that normal of the node's facets, on either side of them, along which

@@ -48,8 +48,11 @@ impl<S: Scalar> Scenery<'_, S> {
             {
                 continue;
             }
-            let (gap, place, contact) = self.shape_over_facet(shape, (corners, near));
-            found.push(pair, OF_SHAPE + POINTS * facet + number, gap, place, contact);
+            found.push(
+                pair,
+                OF_SHAPE + POINTS * facet + number,
+                self.shape_over_facet(shape, (corners, near)),
+            );
         }
         found.leave_out([first, feet], |node, foot| {
             let facet = mesh.facets.get(((foot.id - OF_SHAPE) / POINTS) as usize);

@@ -12,10 +12,11 @@ use crate::surface::facet::{Facet, FacetNearest};
 use crate::surface::{Frame, Nearest, Shape, Surface};
 use crate::vec3::{self, Vec3};
 
-/// Cosine of the angle between a facet's normal and the mean normal at a corner, below which the corner is sharp: there
-/// the facet keeps its own normal (edges of a cube); at smaller angles normals are interpolated from facet to facet
-/// without a jump (a sheet).
-pub(super) const CREASE: f64 = 0.85;
+/// Cosines of the angle between a facet's normal and the mean normal at a corner. Below the first the corner is sharp and
+/// the facet keeps its own normal (edges of a cube); above the second normals are interpolated from facet to facet
+/// without a jump (a sheet). Between them one passes into the other: a normal that changed at once, while a sheet folds,
+/// would be an impact.
+const CREASE: [f64; 2] = [0.75, 0.85];
 
 /// Least sine of the angle by which the middle of a facet rises over another's plane for the two to form a fold.
 const FOLD: f64 = 0.2;
@@ -38,6 +39,8 @@ pub(super) struct Scenery<'a, S> {
     pub(super) normals: &'a [Vec3<S>],
     /// Gaps up to this count as near (m).
     pub(super) margin: S,
+    /// Whether gaps up to a facet's sagitta count as near, too.
+    pub(super) rides: bool,
 }
 
 /// Nodes and facets of a mesh, and how deep a point may be below them (m).
@@ -121,6 +124,11 @@ pub(super) enum Over {
 }
 
 impl<'a, S: Scalar> Scenery<'a, S> {
+    /// With what rides on facets, above them by up to their sagitta.
+    pub(super) fn with_riders(self) -> Self {
+        Self { rides: true, ..self }
+    }
+
     pub(super) fn rigid(&self, thing: &Thing<S>) -> Option<Standing<S>> {
         let Thing::Rigid { shape, port, place } = thing else { return None };
         let frame = match port {
@@ -271,7 +279,8 @@ impl<'a, S: Scalar> Scenery<'a, S> {
             Beyond::Depth => edge.max(S::from_f64(BEYOND) * -gap / reach),
             Beyond::Width => S::from_f64(f64::INFINITY),
         };
-        (-mesh.depth <= gap && gap <= self.margin && outside <= allowed).then_some(near)
+        let margin = if self.rides { self.margin.max(near.sagitta) } else { self.margin };
+        (-mesh.depth <= gap && gap <= margin && outside <= allowed).then_some(near)
     }
 
     /// Normals at the corners of a facet, by which its own normals are interpolated.
@@ -280,8 +289,9 @@ impl<'a, S: Scalar> Scenery<'a, S> {
         let own = vec3::direction(vec3::cross(vec3::sub(c, a), vec3::sub(d, b))).0;
         facet.map(|node| {
             let mean = vec3::at(self.normals, node);
-            let smooth = vec3::dot(mean, own) > S::from_f64(CREASE);
-            if smooth { mean } else { own }
+            let [sharp, smooth] = CREASE.map(S::from_f64);
+            let share = ((vec3::dot(mean, own) - sharp) / (smooth - sharp)).max(S::ZERO).min(S::ONE);
+            vec3::direction(vec3::axpy(own, share, vec3::sub(mean, own))).0
         })
     }
 

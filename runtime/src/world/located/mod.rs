@@ -278,9 +278,18 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
             &mut *way.memory;
         self.turn_normals(normals);
         Pressed::read_twists(self, twists);
-        let count = self.scenery(normals, way.rounding.gap).find(self.pairs, now, extents)?;
-        for touch in now.iter_mut().take(count) {
+        let found = self.scenery(normals, way.rounding.gap).with_riders().find(self.pairs, now, extents)?;
+        let mut count = 0;
+        for number in 0..found {
+            let Some(mut touch) = now.get(number).copied() else { break };
             touch.start = touch.contact.relative(twists);
+            let rides = touch.start[0].abs() <= way.rounding.still;
+            if touch.gap <= way.rounding.gap || rides {
+                if let Some(place) = now.get_mut(count) {
+                    *place = touch;
+                }
+                count += 1;
+            }
         }
         (counts[0], way.known) = (count, count);
         Ok(())

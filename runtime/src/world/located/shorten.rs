@@ -1,7 +1,7 @@
 //! Advances to the first event: the method's step under lasting contacts, and the clearance at its end.
 
 use super::hold::LIGHT;
-use super::{PartialStep, Sight};
+use super::{PartialStep, Rounding, Sight};
 use crate::mechanism::Fault;
 use crate::ode::root::locate;
 use crate::ode::{Method, Ode, State};
@@ -9,9 +9,22 @@ use crate::real::Scalar;
 use crate::vec3;
 use crate::world::accounts::Accounts;
 use crate::world::carrier::Carrier;
+use crate::world::detect::Touch;
 use crate::world::observer::Observer;
-use crate::world::pressed::Pressing;
+use crate::world::pressed::{Pressed, Pressing};
 use crate::world::whole::{StepMemory, World};
+
+impl<S: Scalar> Touch<S> {
+    /// Clearance of a contact that is not held, given the same at the start of the piece.
+    fn clearance(&self, before: Option<&Self>, gap_rate: S, rounding: &Rounding<S>) -> S {
+        // An overlap that is opening counts as new only where it goes deeper.
+        let depth = before.map_or(S::ZERO, |own| own.gap.min(S::ZERO));
+        let by_gap = (self.gap - depth) / rounding.gap + S::ONE;
+        // What slides above or below a facet, within its sagitta, comes nearer to it also where nothing closes.
+        let deep = self.gap <= -self.sagitta;
+        if deep { by_gap } else { by_gap.max(gap_rate / rounding.rate + S::ONE) }
+    }
+}
 
 impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
     /// Advances from the state so far by a length of time, into the trial state.
@@ -89,18 +102,19 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         way.dots[1] = dot;
         gone?;
         let list = way.pressing.get(..way.held).unwrap_or_default();
-        let StepMemory { normals, extents, touches: [known, found], .. } = &mut *way.memory;
+        let StepMemory { twists: [_, twists, _], normals, extents, touches: [known, found], .. } =
+            &mut *way.memory;
+        Pressed::read_twists(self, twists);
         self.turn_normals(normals);
-        let count = self.scenery(normals, way.rounding.gap).find(self.pairs, found, extents)?;
+        let count = self.scenery(normals, way.rounding.gap).with_riders().find(self.pairs, found, extents)?;
         let known = known.get(..way.known).unwrap_or_default();
         let mut clear = S::ONE;
         for touch in found.iter().take(count) {
             let same = |pair: usize, id: u32| pair == touch.pair && id == touch.id;
             if !list.iter().any(|own| same(own.pair, own.id)) {
-                // An overlap that is opening counts as new only where it goes deeper.
                 let before = known.iter().find(|own| same(own.pair, own.id));
-                let depth = before.map_or(S::ZERO, |own| own.gap.min(S::ZERO));
-                clear = clear.min((touch.gap - depth) / way.rounding.gap + S::ONE);
+                let gap_rate = touch.contact.relative(twists)[0];
+                clear = clear.min(touch.clearance(before, gap_rate, &way.rounding));
             }
         }
         let force = |own: &Pressing<S>| own.held.contact.impulse;

@@ -14,7 +14,7 @@ mod corrections;
 mod works;
 
 use super::carrier::Carrier;
-use super::detect::Touch;
+use super::detect::{Meeting, Touch};
 use super::whole::{StepMemory, World};
 use crate::mechanism::Fault;
 use crate::ode::Ode;
@@ -44,6 +44,8 @@ pub struct Pressing<S> {
     /// The gap to keep (m): 0, or the overlap that a shortened step has left. Pushing it out would add energy: the
     /// overlap times the contact force.
     pub kept: S,
+    /// How much the gap (m) may change while it slides on a smooth surface with the normals of the facet below it.
+    pub sagitta: S,
     /// Contact point in N (m).
     pub place: Vec3<S>,
     /// Sides, axes, force (N), inverse mass.
@@ -78,6 +80,7 @@ impl<S: Scalar> Pressing<S> {
             id: 0,
             gap: S::ZERO,
             kept: S::ZERO,
+            sagitta: S::ZERO,
             place: zero,
             held,
             slip,
@@ -86,6 +89,12 @@ impl<S: Scalar> Pressing<S> {
             change,
             correction: zero,
         }
+    }
+
+    /// The gap (m) to which a projection moves the contact: the present one, as long as it is within the sagitta. Forces
+    /// act along the normals of a smooth surface, and to move the contact back to the facet would do work against them.
+    fn aim(&self) -> S {
+        self.gap.max(self.kept - self.sagitta).min(self.kept + self.sagitta)
     }
 
     /// Direction of slip along t1, t2 for the forces; where the slip has reversed, that at the start of the piece.
@@ -134,15 +143,15 @@ impl<S: Scalar, C: Carrier<S>> Pressed<'_, '_, '_, S, C> {
         let StepMemory { twists: [_, twists, _], normals, .. } = &mut *self.memory;
         self.world.turn_normals(normals);
         Self::read_twists(self.world, twists);
-        let scenery = self.world.scenery(normals, self.rounding[0]);
+        let scenery = self.world.scenery(normals, self.rounding[0]).with_riders();
         for own in self.list.iter_mut() {
             let pair = self.world.pairs.get(own.pair).ok_or(Fault::Shape)?;
-            if let Some((gap, place, mut contact)) = scenery.again(pair, own.id) {
+            if let Some(Meeting { gap, point, mut contact, sagitta }) = scenery.again(pair, own.id) {
                 // The axes turn with the normal: the old tangential impulse is resolved along the new tangents.
                 let old = own.held.contact;
                 let [_, x, y] = vec3::apply(&contact.axes, old.to_inertial(old.impulse));
                 contact.impulse = [old.impulse[0], x, y];
-                (own.gap, own.place, own.held.contact) = (gap, place, contact);
+                (own.gap, own.place, own.held.contact, own.sagitta) = (gap, point, contact, sagitta);
             }
             let [n, x, y] = own.held.contact.relative(twists);
             let velocity = own.held.contact.to_inertial([n, x, y]);
@@ -301,7 +310,7 @@ impl<S: Scalar, C: Carrier<S>> Ode<S> for Pressed<'_, '_, '_, S, C> {
         let t = self.t;
         self.look(t, x, |_, _, _| {})?;
         self.ask(t, x)?;
-        self.correct(false, |own| [own.kept - own.gap, S::ZERO, S::ZERO]);
+        self.correct(false, |own| [own.aim() - own.gap, S::ZERO, S::ZERO]);
         self.move_by_corrections(t, x, true)?;
         self.look(t, x, |own, _, velocity| own.velocity = velocity)?;
         self.ask(t, x)?;
