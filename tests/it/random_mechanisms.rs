@@ -30,31 +30,74 @@ fn settings(seed: u64) -> Settings {
     }
 }
 
-#[test]
-fn random_mechanisms_move_as_newton_and_euler_say() {
-    let count = asked("SMARTBED_MECHANISMS", MECHANISMS);
-    let first = asked("SMARTBED_FIRST", 0);
-    let n_kinds = KINDS.len() as u64;
-    let (mut compared, mut redundant, mut singular, mut refused, mut unexplained, mut worst) =
-        (0, 0, 0, 0, 0, 0.0_f64);
-    for seed in first..first + count.div_ceil(n_kinds) {
+/// What was found of some mechanisms.
+#[derive(Default)]
+struct Tally {
+    compared: usize,
+    redundant: usize,
+    singular: usize,
+    refused: usize,
+    unexplained: usize,
+    worst: f64,
+}
+
+impl Tally {
+    /// The mechanisms of every kind with one seed.
+    fn add(&mut self, seed: u64) {
         for kind in KINDS {
             let d = draw::mechanism(kind, seed);
             let found = verdict::of(&d, settings(seed), STATES, &mut Random::new(seed));
             let show = || format!("{kind:?}, seed {seed}\n{}", text::model(&d));
             assert!(found.worst <= verdict::AGREEMENT, "{:e}: {}\n{}", found.worst, found.place, show());
-            unexplained += found.refused.len();
+            self.unexplained += found.refused.len();
             if let Some(message) = &found.refusal {
                 let agreed = verdict::is_singular_somewhere(&d, &mut Random::new(seed));
-                *(if agreed { &mut refused } else { &mut unexplained }) += 1;
+                *(if agreed { &mut self.refused } else { &mut self.unexplained }) += 1;
                 println!("{kind:?}, seed {seed}, {agreed}: {}", message.lines().next().unwrap_or_default());
             }
-            compared += found.compared;
-            redundant += found.redundant;
-            singular += found.singular;
-            worst = worst.max(found.worst);
+            self.compared += found.compared;
+            self.redundant += found.redundant;
+            self.singular += found.singular;
+            self.worst = self.worst.max(found.worst);
         }
     }
+
+    fn plus(self, other: Self) -> Self {
+        Self {
+            compared: self.compared + other.compared,
+            redundant: self.redundant + other.redundant,
+            singular: self.singular + other.singular,
+            refused: self.refused + other.refused,
+            unexplained: self.unexplained + other.unexplained,
+            worst: self.worst.max(other.worst),
+        }
+    }
+}
+
+#[test]
+fn random_mechanisms_move_as_newton_and_euler_say() {
+    let count = asked("SMARTBED_MECHANISMS", MECHANISMS);
+    let first = asked("SMARTBED_FIRST", 0);
+    let seeds = first..first + count.div_ceil(KINDS.len() as u64);
+    // Each thread takes every n-th seed: by the end of this program other cores may be idle.
+    let n = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
+    let Tally { compared, redundant, singular, refused, unexplained, worst } = std::thread::scope(|scope| {
+        let threads: Vec<_> = (0..n)
+            .map(|k| {
+                let seeds = seeds.clone().skip(k).step_by(n);
+                scope.spawn(move || {
+                    let mut tally = Tally::default();
+                    seeds.for_each(|seed| tally.add(seed));
+                    tally
+                })
+            })
+            .collect();
+        let tallies = threads.into_iter().map(|thread| {
+            // The message of a thread that panics is that of the test.
+            thread.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic))
+        });
+        tallies.fold(Tally::default(), Tally::plus)
+    });
     println!(
         "{count} mechanisms: {compared} states compared, {redundant} of them with all speeds as state, worst {worst:.1e}; {singular} singular, {refused} refused, \
          {unexplained} without reason"
