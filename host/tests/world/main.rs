@@ -8,6 +8,7 @@ mod carried;
 mod conserving;
 mod costs;
 mod islands;
+mod pinned;
 mod reading;
 mod rest;
 mod rigid;
