@@ -12,11 +12,12 @@ use crate::surface::facet::{Facet, FacetNearest};
 use crate::surface::{Frame, Nearest, Shape, Surface};
 use crate::vec3::{self, Vec3};
 
-/// Cosines of the angle between a facet's normal and the mean normal at a corner. Below the first the corner is sharp and
-/// the facet keeps its own normal (edges of a cube); above the second normals are interpolated from facet to facet
-/// without a jump (a sheet). Between them one passes into the other: a normal that changed at once, while a sheet folds,
-/// would be an impact.
-const CREASE: [f64; 2] = [0.75, 0.85];
+/// Cosine of the angle between a facet's normal and the mean normal at a corner, below which the corner is sharp and the
+/// facet keeps its own normal (edges of a cube).
+const SHARP: f64 = 0.75;
+/// Cosine of that angle above which normals are interpolated from facet to facet without a jump (a sheet). Between the
+/// two one normal passes into the other: one that changed at once, while a sheet folds, would be an impact.
+const SMOOTH: f64 = 0.85;
 
 /// Least sine of the angle by which the middle of a facet rises over another's plane for the two to form a fold.
 const FOLD: f64 = 0.2;
@@ -289,8 +290,8 @@ impl<'a, S: Scalar> Scenery<'a, S> {
         let own = vec3::direction(vec3::cross(vec3::sub(c, a), vec3::sub(d, b))).0;
         facet.map(|node| {
             let mean = vec3::at(self.normals, node);
-            let [sharp, smooth] = CREASE.map(S::from_f64);
-            let share = ((vec3::dot(mean, own) - sharp) / (smooth - sharp)).max(S::ZERO).min(S::ONE);
+            let above = vec3::dot(mean, own) - S::from_f64(SHARP);
+            let share = (above * S::from_f64(1.0 / (SMOOTH - SHARP))).max(S::ZERO).min(S::ONE);
             vec3::direction(vec3::axpy(own, share, vec3::sub(mean, own))).0
         })
     }
