@@ -14,6 +14,10 @@ use crate::world::carrier::Carrier;
 use crate::world::island::free_nodes;
 use crate::world::whole::StepMemory;
 
+/// Sweeps within which what is left halves at least; else it is rounding of redundant contacts, or gaps that no position
+/// closes together, as those of a box's four corners.
+const PATIENCE: usize = 40;
+
 impl<S: Scalar, C: Carrier<S>> Pressed<'_, '_, '_, S, C> {
     /// Corrections that change each contact's relative velocity (or gap) by `wanted`; with `across`, tangentially too
     /// where it sticks.
@@ -26,7 +30,7 @@ impl<S: Scalar, C: Carrier<S>> Pressed<'_, '_, '_, S, C> {
             (own.correction, own.held.contact.impulse) = (own.held.contact.impulse, vec3::zero());
             scale = scale.max(vec3::norm(wanted(own)));
         }
-        let mut ahead = Ahead::new();
+        let (mut ahead, mut least) = (Ahead::new(), S::from_f64(f64::INFINITY));
         for number in 0..SWEEPS {
             let mut left = S::ZERO;
             for own in self.list.iter_mut() {
@@ -48,6 +52,12 @@ impl<S: Scalar, C: Carrier<S>> Pressed<'_, '_, '_, S, C> {
             }
             if left <= fine::<S>(number) * scale {
                 break;
+            }
+            if number % PATIENCE == PATIENCE - 1 {
+                if left > S::from_f64(0.5) * least {
+                    break;
+                }
+                least = left;
             }
             if (PLAIN..SWEEPS - 1).contains(&number) {
                 ahead.note(self.list);
