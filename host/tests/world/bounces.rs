@@ -1,7 +1,7 @@
 //! Worlds that are not rigid alone, with touches located: bounces die out, implicit methods rub, impacts are booked.
 
 use super::rigid::G;
-use super::support::{json, number, scene};
+use super::support::{json, number, rubbing, scene};
 
 /// An undamped cube far away, so that rigid parts are stepped as parts of any world are.
 const ELSEWHERE: &str =
@@ -57,17 +57,12 @@ fn cubes_that_bounce_on_one_another_come_to_an_end() {
             "[parts.{name}]\nshape = \"cube\"\nside = {side}\nmass = 0.05\nK = 800\nC = 0.3\nstart = {start}\n"
         )
     };
-    let pair = |one: &str, other: &str| {
-        format!(
-            "[[contacts]]\nbetween = [\"{one}\", \"{other}\"]\nimpact = \"stronge\"\nrestitution = 0.4\nfriction = 0.3\n"
-        )
-    };
     let text = format!(
         "format = 2\n[parts.g]\nrigid = \"half_space\"\n{}{}{}{}[run]\nseconds = 0.3\nstep = 5e-4\nevery = 10\n",
         cube("a", 0.2, "{ height = 0.05, tilt = 0.1 }"),
         cube("b", 0.18, "{ position = [0.01, 0.012, 0], height = 0.32 }"),
-        pair("a", "g"),
-        pair("b", "a"),
+        rubbing("a", "g", 0.4),
+        rubbing("b", "a", 0.4),
     );
     let done = json(&[&scene("bouncing_cubes", &text)]);
     let events = done["events"].as_array().map_or(0, Vec::len);

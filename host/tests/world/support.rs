@@ -42,6 +42,13 @@ pub fn scene(name: &str, text: &str) -> String {
     file.display().to_string()
 }
 
+/// Text of a contact of two parts that lose energy, with friction 0.3.
+pub fn rubbing(one: &str, other: &str, restitution: f64) -> String {
+    format!(
+        "[[contacts]]\nbetween = [\"{one}\", \"{other}\"]\nimpact = \"stronge\"\nrestitution = {restitution}\nfriction = 0.3\n"
+    )
+}
+
 /// Output of `run --json` for a scene.
 pub fn json(arguments: &[&str]) -> serde_json::Value {
     let output = run(&[&["run"], arguments, &["--json"]].concat());

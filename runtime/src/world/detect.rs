@@ -151,19 +151,31 @@ impl<S: Scalar> Found<'_, S> {
         [first, end]: [usize; 2],
         stands: impl Fn(&Touch<S>, &Touch<S>) -> bool,
     ) {
-        let mut kept = first;
-        for k in first..self.count {
-            let Some(own) = self.touches.get(k).copied() else { break };
-            if k < end && self.from(end).iter().any(|later| stands(&own, later)) {
-                continue;
-            }
-            if let Some(place) = self.touches.get_mut(kept) {
+        let touches = self.touches.get_mut(..self.count).unwrap_or_default();
+        self.count = keep_only(touches, first, |k, own, all| {
+            k >= end || !all.iter().skip(end).any(|later| stands(own, later))
+        });
+    }
+}
+
+/// Moves the contacts from `first` on that `keeps` wants, given number, contact and list, to the front of those; returns
+/// the number of all that are left. The later ones of the list are in their places when it is asked.
+pub(super) fn keep_only<S: Scalar>(
+    touches: &mut [Touch<S>],
+    first: usize,
+    mut keeps: impl FnMut(usize, &mut Touch<S>, &[Touch<S>]) -> bool,
+) -> usize {
+    let mut kept = first;
+    for k in first..touches.len() {
+        let Some(mut own) = touches.get(k).copied() else { break };
+        if keeps(k, &mut own, touches) {
+            if let Some(place) = touches.get_mut(kept) {
                 *place = own;
             }
             kept += 1;
         }
-        self.count = kept;
     }
+    kept
 }
 
 impl<'a, S: Scalar> Scenery<'a, S> {

@@ -291,8 +291,11 @@ impl<'a, S: Scalar> Scenery<'a, S> {
         facet.map(|node| {
             let mean = vec3::at(self.normals, node);
             let above = vec3::dot(mean, own) - S::from_f64(SHARP);
-            let share = (above * S::from_f64(1.0 / (SMOOTH - SHARP))).max(S::ZERO).min(S::ONE);
-            vec3::direction(vec3::axpy(own, share, vec3::sub(mean, own))).0
+            match above * S::from_f64(1.0 / (SMOOTH - SHARP)) {
+                share if share <= S::ZERO => own,
+                share if share >= S::ONE => mean,
+                share => vec3::direction(vec3::axpy(own, share, vec3::sub(mean, own))).0,
+            }
         })
     }
 

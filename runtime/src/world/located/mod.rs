@@ -18,7 +18,7 @@ mod strike;
 
 use super::accounts::Accounts;
 use super::carrier::Carrier;
-use super::detect::Touch;
+use super::detect::{Touch, keep_only};
 use super::observer::{Observer, Strike};
 use super::pressed::{Pressed, Pressing};
 use super::whole::{StepMemory, World};
@@ -279,18 +279,11 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         self.turn_normals(normals);
         Pressed::read_twists(self, twists);
         let found = self.scenery(normals, way.rounding.gap).with_riders().find(self.pairs, now, extents)?;
-        let mut count = 0;
-        for number in 0..found {
-            let Some(mut touch) = now.get(number).copied() else { break };
+        let found = now.get_mut(..found).unwrap_or_default();
+        let count = keep_only(found, 0, |_, touch, _| {
             touch.start = touch.contact.relative(twists);
-            let rides = touch.start[0].abs() <= way.rounding.still;
-            if touch.gap <= way.rounding.gap || rides {
-                if let Some(place) = now.get_mut(count) {
-                    *place = touch;
-                }
-                count += 1;
-            }
-        }
+            touch.gap <= way.rounding.gap || touch.start[0].abs() <= way.rounding.still
+        });
         (counts[0], way.known) = (count, count);
         Ok(())
     }
