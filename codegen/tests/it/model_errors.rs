@@ -29,7 +29,7 @@ error: a quantity in m and one without unit cannot be added
 
 #[test]
 fn a_zero_fits_all_unless_it_carries_a_unit() {
-    let lengths = "[parameters]\nl = { value = 1, unit = \"m\" }\nk = { value = \"l + 0.0_m + 0 + 0*l*l\", unit = \"m\" }\n";
+    let lengths = "[parameters]\nl = { value = 1, unit = \"m\" }\nk = { value = \"l + 0.0_m + 0 + 0*l*l + 0*l/1_kg + (0*l).powi(3) + sqrt(0*l)\", unit = \"m\" }\n";
     let motion = "[coordinates]\nq = { unit = \"m\" }\n[points]\nP = \"q*N.x + 0.2_m*N.y + 0.0_m*N.z + 0*N.z\"\n\
                   [bodies]\nb = { centre = \"P\", mass = \"1_kg\" }\n";
     model::parse("m.toml", &format!("{HEAD}{lengths}{motion}")).unwrap_or_else(|found| panic!("{found}"));

@@ -7,6 +7,7 @@ mod bounces;
 mod carried;
 mod conserving;
 mod costs;
+mod friction;
 mod islands;
 mod pinned;
 mod reading;

@@ -15,17 +15,35 @@ use super::anderson::Ahead;
 use super::contact::{Contact, Inertia, Twist, onto_disc};
 use super::impact::InverseMass;
 use super::several::rubbed;
+use super::sweeps::{PLAIN, Patience, fine, redundant};
 use super::trail::{Swept, Trail};
 use crate::real::Scalar;
 use crate::vec3::{self, Vec3};
 
 /// Most sweeps.
-const SWEEPS: usize = 1000;
-/// Sweeps before acceleration begins.
-pub(crate) const PLAIN: usize = 30;
+const SWEEPS: usize = 2000;
+/// Sweeps within which what is left halves at least; else it is rounding of redundant contacts.
+const PATIENCE: usize = 10;
+/// Contacts of a rigid body that may turn its slip together: the corners of two faces.
+pub(crate) const CORNERS: f64 = 8.0;
+/// Sweeps in which friction may turn; then it keeps its direction, so that sweeps end.
+const TURNS: usize = 60;
 /// A sliding contact whose normal force changes its own normal acceleration by less than this share of K_nn jams
 /// (Painleve).
 const JAMMED: f64 = 1e-3;
+
+/// Slip of a contact.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Slip<S> {
+    /// Unit direction (t1, t2); zero without friction.
+    pub direction: [S; 2],
+    /// Speed (m/s).
+    pub speed: S,
+    /// Step size (s): friction that turns slip faster than a step resolves acts against the slip at its end.
+    pub horizon: S,
+    /// Contacts that may turn it together.
+    pub together: S,
+}
 
 /// A lasting contact.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -36,8 +54,8 @@ pub struct Held<S> {
     pub inverse_mass: InverseMass<S>,
     /// W' u: the part of the relative acceleration that does not depend on accelerations, along n, t1, t2 (m/s^2).
     pub bias: Vec3<S>,
-    /// Unit direction of slip (t1, t2); None where the contact sticks.
-    pub slip: Option<[S; 2]>,
+    /// None where the contact sticks.
+    pub slip: Option<Slip<S>>,
     /// History of the sweeps over it.
     pub(crate) trail: Trail<S>,
 }
@@ -72,7 +90,8 @@ impl<S: Scalar, T: AsMut<Held<S>>> Swept<S> for T {
     }
 }
 
-/// Computes the forces and adds their effect to the accelerations.
+/// Computes the forces and adds their effect to the accelerations. With `pulls` normal forces may be negative, for
+/// callers that locate the time of release. `noise`: error of the biases (m/s^2), beside rounding.
 ///
 /// Sweeps start from the forces that the contacts have; `accelerations` must not contain these yet.
 ///
@@ -80,101 +99,113 @@ impl<S: Scalar, T: AsMut<Held<S>>> Swept<S> for T {
 /// [`Unheld`]; forces and accelerations are then those of the last sweep.
 pub fn hold<S: Scalar>(
     held: &mut [impl AsMut<Held<S>>],
+    (pulls, noise): (bool, S),
     inertia: &(impl Inertia<S> + ?Sized),
     accelerations: &mut [Twist<S>],
 ) -> Result<(), Unheld> {
     // Scale of the forces, even where they nearly cancel: those that would stop the initial accelerations.
-    let mut scale = S::ZERO;
+    let (mut scale, mut heaviest) = (S::ZERO, S::ZERO);
     for h in held.iter_mut().map(AsMut::as_mut) {
         let acceleration = vec3::norm(h.contact.relative(accelerations)) + vec3::norm(h.bias);
         scale = scale.max(acceleration / h.inverse_mass[0][0]);
+        heaviest = heaviest.max(S::ONE / h.inverse_mass[0][0]);
     }
     for h in held.iter_mut().map(AsMut::as_mut) {
         h.contact.push(inertia, accelerations, h.contact.impulse);
     }
-    let (mut left, mut ahead) = (S::ZERO, Ahead::new());
+    let (mut ends, mut ahead, mut patience) = (false, Ahead::new(), Patience::new(PATIENCE));
     for number in 0..SWEEPS {
         let (mut moved, mut largest) = (S::ZERO, scale);
         for h in held.iter_mut().map(AsMut::as_mut) {
             let before = h.contact.impulse;
-            let goes = match h.slip {
-                Some(direction) => slide(h, direction, inertia, accelerations),
-                None => rest(h, inertia, accelerations),
-            };
-            if !goes {
-                return Err(Unheld::Jammed);
-            }
+            h.update((number < TURNS, pulls), inertia, accelerations)?;
             h.trail.moved = vec3::sub(h.contact.impulse, before);
             moved = moved.max(vec3::norm(h.trail.moved));
             largest = largest.max(vec3::norm(h.contact.impulse));
         }
-        if moved <= fine::<S>(number) * largest {
+        ends = moved <= redundant::<S>() * largest + noise * heaviest;
+        if moved <= fine::<S>(number) * largest || (patience.ends(number, moved / largest) && ends) {
             return Ok(());
         }
-        left = moved / largest;
         if (PLAIN..SWEEPS - 1).contains(&number) {
             ahead.note(held);
             ahead.go_on(held, inertia, accelerations);
         }
     }
-    // Where contacts are redundant, rounding keeps changing forces that cancel one another.
-    if left <= S::from_f64(0.01) * S::EPSILON.sqrt() { Ok(()) } else { Err(Unheld::Unbalanced) }
+    if ends { Ok(()) } else { Err(Unheld::Unbalanced) }
 }
 
-/// Change of the forces by a sweep at which sweeps end, relative to the largest. Extrapolation stirs rounding: it never
-/// settles to the last digit.
-pub(crate) fn fine<S: Scalar>(number: usize) -> S {
-    S::from_f64(if number < PLAIN { 4.0 } else { 64.0 }) * S::EPSILON
-}
-
-/// Normal force of a sliding contact with friction on the rim, against the slip. Returns false if it jams.
-fn slide<S: Scalar>(
-    h: &mut Held<S>,
-    [x, y]: [S; 2],
-    inertia: &(impl Inertia<S> + ?Sized),
-    accelerations: &mut [Twist<S>],
-) -> bool {
-    let mu = h.contact.friction;
-    let [k, kx, ky] = h.inverse_mass[0];
-    let yields = k - mu * (kx * x + ky * y);
-    if yields <= S::from_f64(JAMMED) * k {
-        return false;
+impl<S: Scalar> Held<S> {
+    /// Force (N) that would end the tangential acceleration left by friction on its limit, given all accelerations with
+    /// the effect of the forces.
+    pub(crate) fn missing(&self, accelerations: &[Twist<S>]) -> S {
+        let [_, x, y] = vec3::add(self.contact.relative(accelerations), self.bias);
+        let [_, [_, a, _], [.., c]] = self.inverse_mass;
+        let size = a.max(c);
+        if size > S::ZERO { (x * x + y * y).sqrt() / size } else { S::ZERO }
     }
-    let acceleration = h.contact.relative(accelerations)[0] + h.bias[0];
-    let normal = (h.contact.impulse[0] - acceleration / yields).max(S::ZERO);
-    set(h, [normal, -(mu * normal * x), -(mu * normal * y)], inertia, accelerations);
-    true
-}
 
-/// Normal force, then the friction that prevents slip as far as the cone allows. Returns false if nothing can move.
-fn rest<S: Scalar>(
-    h: &mut Held<S>,
-    inertia: &(impl Inertia<S> + ?Sized),
-    accelerations: &mut [Twist<S>],
-) -> bool {
-    if h.inverse_mass[0][0] <= S::ZERO {
-        return false;
+    /// Changes the force so that it fits the contact, given those of all others.
+    fn update(
+        &mut self,
+        (turns, pulls): (bool, bool),
+        inertia: &(impl Inertia<S> + ?Sized),
+        accelerations: &mut [Twist<S>],
+    ) -> Result<(), Unheld> {
+        let [a, x, y] = vec3::add(self.contact.relative(accelerations), self.bias);
+        let ([k, kx, ky], [n, tx, ty]) = (self.inverse_mass[0], self.contact.impulse);
+        let mu = self.contact.friction;
+        // Sliding, friction on the rim changes the normal acceleration too.
+        let rim = mu * n;
+        let direction = self.slip.map(|slip| match rim.abs() > S::ZERO {
+            _ if turns => self.turned(&slip, [x, y]),
+            true => [-(tx / rim), -(ty / rim)],
+            false => slip.direction,
+        });
+        let yields = direction.map_or(k, |[x, y]| k - mu * (kx * x + ky * y));
+        if k <= S::ZERO || yields <= S::from_f64(JAMMED) * k {
+            return Err(Unheld::Jammed);
+        }
+        let normal = n - a / yields;
+        let normal = if pulls { normal } else { normal.max(S::ZERO) };
+        let radius = mu * normal;
+        let Some([x, y]) = direction else {
+            let [x, y] = onto_disc([tx, ty], radius.max(S::ZERO));
+            self.set([normal, x, y], inertia, accelerations);
+            if radius > S::ZERO {
+                let [_, a, b] = vec3::add(self.contact.relative(accelerations), self.bias);
+                let [x, y] = rubbed(&self.inverse_mass, [x, y], [a, b], radius);
+                self.set([normal, x, y], inertia, accelerations);
+            }
+            return Ok(());
+        };
+        self.set([normal, -(radius * x), -(radius * y)], inertia, accelerations);
+        Ok(())
     }
-    let [n, x, y] = h.contact.impulse;
-    let acceleration = h.contact.relative(accelerations)[0] + h.bias[0];
-    let normal = (n - acceleration / h.inverse_mass[0][0]).max(S::ZERO);
-    let radius = h.contact.friction * normal;
-    let [x, y] = onto_disc([x, y], radius);
-    set(h, [normal, x, y], inertia, accelerations);
-    if radius > S::ZERO {
-        let [_, a, b] = vec3::add(h.contact.relative(accelerations), h.bias);
-        let [x, y] = rubbed(&h.inverse_mass, [x, y], [a, b], radius);
-        set(h, [normal, x, y], inertia, accelerations);
-    }
-    true
-}
 
-fn set<S: Scalar>(
-    h: &mut Held<S>,
-    force: Vec3<S>,
-    inertia: &(impl Inertia<S> + ?Sized),
-    accelerations: &mut [Twist<S>],
-) {
-    h.contact.push(inertia, accelerations, vec3::sub(force, h.contact.impulse));
-    h.contact.impulse = force;
+    /// Direction against which friction acts, given the tangential acceleration.
+    ///
+    /// Friction R turns slip of speed s at the rate `R k/s`, k the inverse mass across it: no explicit step follows a slow
+    /// slip. There the direction is that of the slip after tau = h - s/(j R k), with j contacts together, which limits the rate to about
+    /// 1/h; a slip fast enough, or on a straight line, keeps its own.
+    fn turned(&self, slip: &Slip<S>, [ax, ay]: [S; 2]) -> [S; 2] {
+        let ([x, y], [_, [_, a, b], [_, _, c]]) = (slip.direction, self.inverse_mass);
+        let [n, tx, ty] = self.contact.impulse;
+        let (radius, k) = (self.contact.friction * n, a * y * y - S::from_f64(2.0) * b * x * y + c * x * x);
+        let ahead = slip.horizon - slip.speed / (slip.together * radius * k);
+        if !(ahead > S::ZERO && radius > S::ZERO) {
+            return [x, y];
+        }
+        let (across, along) = (ay * x - ax * y, (ax * x + ay * y).max(S::ZERO));
+        let free = across - k * (ty * x - tx * y);
+        let (_, after) = vec3::direction([S::ZERO, slip.speed + ahead * along, ahead * across]);
+        let sine = (ahead * free / (after + ahead * k * radius)).max(-S::ONE).min(S::ONE);
+        let cosine = (S::ONE - sine * sine).sqrt();
+        [cosine * x - sine * y, cosine * y + sine * x]
+    }
+
+    fn set(&mut self, force: Vec3<S>, inertia: &(impl Inertia<S> + ?Sized), accelerations: &mut [Twist<S>]) {
+        self.contact.push(inertia, accelerations, vec3::sub(force, self.contact.impulse));
+        self.contact.impulse = force;
+    }
 }

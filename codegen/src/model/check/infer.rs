@@ -135,20 +135,26 @@ impl Checker<'_> {
             ExprKind::Divide(a, b) => {
                 let (x, y) = self.both(a, b)?;
                 self.scalar(b, y, "a divisor")?;
-                Type { vector: x.vector, unit: Some(self.bounded(expr, x.known().per(y.known()))?) }
+                let unit = x.unit.map(|x| self.bounded(expr, x.per(y.known()))).transpose()?;
+                Type { vector: x.vector, unit }
             }
             ExprKind::Power(a, n) => {
                 let x = self.infer(a)?;
                 self.scalar(a, x, "the base of a power")?;
-                Type::scalar(self.bounded(expr, x.known().power(*n, 1))?)
+                // Any power of 0 but the zeroth fits every unit, as 0 does.
+                match x.unit.filter(|_| *n != 0) {
+                    Some(unit) => Type::scalar(self.bounded(expr, unit.power(*n, 1))?),
+                    None if *n == 0 => Type::scalar(Unit::NONE),
+                    None => x,
+                }
             }
             ExprKind::Call(function, arguments) => self.call(expr, *function, arguments)?,
             ExprKind::Dot(a, b) | ExprKind::Cross(a, b) => {
                 let (x, y) = self.both(a, b)?;
                 self.vector(a, x)?;
                 self.vector(b, y)?;
-                let unit = self.bounded(expr, x.known().times(y.known()))?;
-                Type { vector: matches!(expr.kind, ExprKind::Cross(..)), unit: Some(unit) }
+                let unit = self.times(expr, x, y)?;
+                Type { vector: matches!(expr.kind, ExprKind::Cross(..)), unit }
             }
             ExprKind::Norm(a) => {
                 let x = self.infer(a)?;
@@ -238,12 +244,13 @@ impl Checker<'_> {
             );
             return Err(Reported);
         }
-        let unit = match (x.unit, y.unit) {
-            // 0 times anything is 0, which fits every unit.
-            (None, _) | (_, None) => None,
-            (Some(x), Some(y)) => Some(self.bounded(expr, x.times(y))?),
-        };
-        Ok(Type { vector: x.vector || y.vector, unit })
+        Ok(Type { vector: x.vector || y.vector, unit: self.times(expr, x, y)? })
+    }
+
+    /// Unit of a product: 0 times anything is 0, which fits every unit.
+    fn times(&mut self, expr: &Expr, x: Type, y: Type) -> Result<Option<Unit>, Reported> {
+        let (Some(x), Some(y)) = (x.unit, y.unit) else { return Ok(None) };
+        self.bounded(expr, x.times(y)).map(Some)
     }
 
     fn call(&mut self, expr: &Expr, function: Function, arguments: &[Expr]) -> Checked {
@@ -255,7 +262,10 @@ impl Checker<'_> {
         let x = types[0];
         let pair = || Some((&arguments[0], x, arguments.get(1)?, *types.get(1)?));
         match function {
-            Function::Sqrt => Ok(Type::scalar(self.bounded(expr, x.known().power(1, 2))?)),
+            Function::Sqrt => {
+                let unit = x.unit.map(|x| self.bounded(expr, x.power(1, 2))).transpose()?;
+                Ok(Type { unit, ..x })
+            }
             Function::Abs => Ok(x),
             Function::Sign => Ok(Type::scalar(Unit::NONE)),
             Function::Min | Function::Max => self.alike("compared", pair().ok_or(Reported)?),

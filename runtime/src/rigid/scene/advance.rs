@@ -6,7 +6,7 @@ use super::touching::Touching;
 use crate::real::Scalar;
 use crate::rigid::RigidState;
 use crate::rigid::contact::{Twist, solve_tangential};
-use crate::rigid::hold::{Held, Unheld, hold};
+use crate::rigid::hold::{CORNERS, Held, Slip, Unheld, hold};
 use crate::rigid::motion;
 use crate::vec3::{self, Vec3};
 
@@ -34,6 +34,7 @@ impl<S: Scalar> RigidScene<'_, S> {
         &self,
         memory: &mut Memory<S>,
         rounding: Rounding<S>,
+        h: S,
     ) -> Result<Start, Fault> {
         let Memory { states: [now, ..], twists, mobilities, touching, .. } = memory;
         let known = self.detect(now, twists, mobilities, touching, rounding.gap, |_| true)?;
@@ -49,7 +50,12 @@ impl<S: Scalar> RigidScene<'_, S> {
         for t in touching.iter_mut().take(held) {
             let ([_, x, y], speed) = vec3::direction([S::ZERO, t.velocity[1], t.velocity[2]]);
             let slides = speed > rounding.rate && t.held.contact.friction > S::ZERO;
-            t.held.slip = slides.then_some([x, y]);
+            t.held.slip = slides.then_some(Slip {
+                direction: [x, y],
+                speed,
+                horizon: h,
+                together: S::from_f64(CORNERS),
+            });
         }
         self.find_forces(memory, 0, held)?;
         Ok(Start { held, known })
@@ -71,7 +77,7 @@ impl<S: Scalar> RigidScene<'_, S> {
             };
         }
         let list = list.get_mut(..count).ok_or(Fault::TooManyContacts)?;
-        hold(list, &**mobilities, spare).map_err(|unheld| match unheld {
+        hold(list, (false, S::ZERO), &**mobilities, spare).map_err(|unheld| match unheld {
             Unheld::Jammed => Fault::Jammed,
             Unheld::Unbalanced => Fault::Unbalanced,
         })
@@ -102,14 +108,15 @@ impl<S: Scalar> RigidScene<'_, S> {
         for t in along.iter_mut().take(count) {
             let Some(before) = same(t) else { continue };
             t.held.contact.impulse = before.held.contact.impulse;
-            if before.held.slip.is_some() {
+            if let Some(known) = before.held.slip {
                 // Slip in the middle; where it has reversed, that of the start, so that its end is found.
                 let slip = t.held.contact.to_inertial([S::ZERO, t.velocity[1], t.velocity[2]]);
                 let first = before.slip();
-                let way = if vec3::dot(slip, first) > S::ZERO { slip } else { first };
-                let [_, x, y] = vec3::apply(&t.held.contact.axes, way);
-                let ([_, x, y], _) = vec3::direction([S::ZERO, x, y]);
-                t.held.slip = Some([x, y]);
+                let slips = vec3::dot(slip, first) > S::ZERO;
+                let [_, x, y] = vec3::apply(&t.held.contact.axes, if slips { slip } else { first });
+                let ([_, x, y], speed) = vec3::direction([S::ZERO, x, y]);
+                let speed = if slips { speed } else { S::ZERO };
+                t.held.slip = Some(Slip { direction: [x, y], speed, ..known });
             }
         }
         Ok(count)

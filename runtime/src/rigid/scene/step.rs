@@ -87,7 +87,7 @@ impl<S: Scalar> RigidScene<'_, S> {
             self.strike(memory, rounding, last, report, |strike| {
                 strikes(Strike { time: h - left, ..strike })
             })?;
-            let start = self.hold_at_start(memory, rounding)?;
+            let start = self.hold_at_start(memory, rounding, h)?;
             let (length, pressing) = if last {
                 let piece = left / whole(rest);
                 rest -= 1;

@@ -43,7 +43,7 @@ impl<S: Scalar> Touching<S> {
 
     /// Direction of slip in N; zero where the contact sticks.
     pub(super) fn slip(&self) -> Vec3<S> {
-        let [x, y] = self.held.slip.unwrap_or([S::ZERO; 2]);
+        let [x, y] = self.held.slip.map_or([S::ZERO; 2], |slip| slip.direction);
         self.held.contact.to_inertial([S::ZERO, x, y])
     }
 }

@@ -5,7 +5,7 @@ use crate::mechanism::Fault;
 use crate::ode::Ode;
 use crate::real::Scalar;
 use crate::rigid::contact::Twist;
-use crate::rigid::hold::{Unheld, hold};
+use crate::rigid::hold::hold;
 use crate::vec3;
 use crate::world::carrier::Carrier;
 use crate::world::detect::Touch;
@@ -77,7 +77,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         }
         let dot = core::mem::take(&mut way.dots[0]);
         let (mut pressed, Sight { now: [x, _], .. }) = way.pressed(self);
-        let prepared = pressed.prepare(t, x, dot);
+        let (prepared, noise) = (pressed.prepare(t, x, dot), pressed.noise());
         way.dots[0] = dot;
         prepared?;
         let StepMemory { twists: [gained, ..], inertias, .. } = &mut *way.memory;
@@ -85,10 +85,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         let list = way.pressing.get_mut(..way.held).unwrap_or_default();
         // The foot of a deep overlap may be another one than was detected: keep the gap that projections will measure.
         list.iter_mut().filter(|own| own.kept < S::ZERO).for_each(|own| own.kept = own.gap.min(S::ZERO));
-        hold(list, &*inertias, gained).map_err(|unheld| match unheld {
-            Unheld::Jammed => Fault::Jammed,
-            Unheld::Unbalanced => Fault::Unbalanced,
-        })?;
+        hold(list, (false, noise), &*inertias, gained)?;
         let largest = list.iter().fold(S::ZERO, |most, own| most.max(own.held.contact.impulse[0]));
         let mut held = 0;
         for k in 0..list.len() {
@@ -97,9 +94,10 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
             if n <= S::from_f64(LIGHT) * largest {
                 continue;
             }
-            // On the friction limit it sticks no longer: it starts to slide against its friction force.
+            // Friction on its limit leaves an acceleration: it starts to slide against its friction force.
             let ([_, x, y], rub) = vec3::direction([S::ZERO, x, y]);
-            if own.slip.is_none() && rub >= mu * n * (S::ONE - S::from_f64(LIGHT)) {
+            let rims = rub >= mu * n * (S::ONE - S::from_f64(LIGHT));
+            if own.slip.is_none() && rims && own.starts(gained, largest) > S::from_f64(0.5) {
                 own.slip = Some(own.held.contact.to_inertial([S::ZERO, -x, -y]));
             }
             list.swap(held, k);

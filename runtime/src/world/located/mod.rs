@@ -31,8 +31,6 @@ use crate::vec3;
 
 /// Most splits of one step.
 pub const SPLITS: usize = 64;
-/// Half the interval of central differences relative to the step: balances errors of rounding and of curvature.
-const SPAN: f64 = 1e-4;
 /// How far a lasting contact may move away from where it was detected in a step, relative to the world's size.
 const DRIFT: f64 = 0.01;
 /// Acceleration (m/s^2) from which the speed that counts as zero follows: of the order of gravity.
@@ -82,6 +80,8 @@ struct Rounding<S> {
     rate: S,
     /// Normal speed of a lasting contact (m/s): the same, or more where contacts have just come to rest.
     still: S,
+    /// Rounding error of a velocity (m/s).
+    noise: S,
 }
 
 /// Parts of a step beside its equations: the state so far, the trial state, the method's memory.
@@ -108,7 +108,8 @@ struct PartialStep<'w, 'm, S> {
     /// Number of contacts at the start of the piece, and how many of them push.
     known: usize,
     held: usize,
-    span: S,
+    /// Step size (s).
+    h: S,
     rounding: Rounding<S>,
 }
 
@@ -139,8 +140,14 @@ impl<'m, S: Scalar> LocatedMemory<'m, S> {
             overlaps: &mut self.overlaps,
             known: 0,
             held: 0,
-            span: S::from_f64(SPAN) * h,
-            rounding: Rounding { gap: S::ZERO, drift: S::ZERO, rate: S::ZERO, still: S::ZERO },
+            h,
+            rounding: Rounding {
+                gap: S::ZERO,
+                drift: S::ZERO,
+                rate: S::ZERO,
+                still: S::ZERO,
+                noise: S::ZERO,
+            },
         })
     }
 }
@@ -157,8 +164,8 @@ impl<'m, S: Scalar> PartialStep<'_, 'm, S> {
             memory: &mut *self.memory,
             list: self.pressing.get_mut(..self.held).unwrap_or_default(),
             spare: [a, b, c],
-            span: self.span,
-            rounding: [self.rounding.drift, self.rounding.rate],
+            h: self.h,
+            rounding: [self.rounding.drift, self.rounding.rate, self.rounding.noise],
             t: S::ZERO,
         };
         (pressed, Sight { now: [from, from_low], trial: [x, low], room: self.room })
@@ -267,6 +274,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
             drift: S::from_f64(DRIFT) * size,
             rate,
             still: rate,
+            noise: S::from_f64(4.0) * S::EPSILON * speed,
         };
         Ok(())
     }

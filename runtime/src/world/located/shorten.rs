@@ -102,7 +102,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         way.dots[1] = dot;
         gone?;
         let list = way.pressing.get(..way.held).unwrap_or_default();
-        let StepMemory { twists: [_, twists, _], normals, extents, touches: [known, found], .. } =
+        let StepMemory { twists: [gained, twists, _], normals, extents, touches: [known, found], .. } =
             &mut *way.memory;
         Pressed::read_twists(self, twists);
         self.turn_normals(normals);
@@ -121,7 +121,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         let largest = list.iter().fold(S::ZERO, |most, own| most.max(force(own)[0].abs()));
         let light = S::from_f64(LIGHT) * largest;
         for own in list {
-            let ([n, x, y], mu) = (force(own), own.held.contact.friction);
+            let (n, mu) = (force(own)[0], own.held.contact.friction);
             clear = clear.min(n / light + S::ONE);
             match own.slip {
                 Some(first) if mu > S::ZERO => {
@@ -130,7 +130,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
                     clear = clear.min(vec3::dot(own.velocity, first) / rest + S::ONE);
                 }
                 Some(_) => {}
-                None => clear = clear.min((mu * n - (x * x + y * y).sqrt()) / light + S::ONE),
+                None => clear = clear.min(S::ONE - own.starts(gained, largest)),
             }
         }
         Ok(clear)

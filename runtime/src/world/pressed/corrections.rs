@@ -3,17 +3,19 @@
 //! In: contacts with the change that each of them wants. Out: a state moved by W M^-1 W' z, with z such that every change
 //! is reached (Gauss-Seidel sweeps).
 
-use super::{Pressed, Pressing, SWEEPS};
+use super::{Pressed, Pressing};
 use crate::mechanism::Fault;
 use crate::real::Scalar;
 use crate::rigid::anderson::Ahead;
 use crate::rigid::contact::{Twist, solve_tangential};
-use crate::rigid::hold::{PLAIN, fine};
+use crate::rigid::sweeps::{PLAIN, Patience, fine};
 use crate::vec3::{self, Vec3};
 use crate::world::carrier::Carrier;
 use crate::world::island::free_nodes;
 use crate::world::whole::StepMemory;
 
+/// Most sweeps over the contacts.
+const SWEEPS: usize = 2000;
 /// Sweeps within which what is left halves at least; else it is rounding of redundant contacts, or gaps that no position
 /// closes together, as those of a box's four corners.
 const PATIENCE: usize = 40;
@@ -30,7 +32,7 @@ impl<S: Scalar, C: Carrier<S>> Pressed<'_, '_, '_, S, C> {
             (own.correction, own.held.contact.impulse) = (own.held.contact.impulse, vec3::zero());
             scale = scale.max(vec3::norm(wanted(own)));
         }
-        let (mut ahead, mut least) = (Ahead::new(), S::from_f64(f64::INFINITY));
+        let (mut ahead, mut patience) = (Ahead::new(), Patience::new(PATIENCE));
         for number in 0..SWEEPS {
             let mut left = S::ZERO;
             for own in self.list.iter_mut() {
@@ -50,14 +52,8 @@ impl<S: Scalar, C: Carrier<S>> Pressed<'_, '_, '_, S, C> {
                 own.held.contact.impulse = vec3::add(own.held.contact.impulse, more);
                 own.held.trail.moved = more;
             }
-            if left <= fine::<S>(number) * scale {
+            if patience.ends(number, left) || left <= fine::<S>(number) * scale {
                 break;
-            }
-            if number % PATIENCE == PATIENCE - 1 {
-                if left > S::from_f64(0.5) * least {
-                    break;
-                }
-                least = left;
             }
             if (PLAIN..SWEEPS - 1).contains(&number) {
                 ahead.note(self.list);

@@ -19,18 +19,18 @@ use super::whole::{StepMemory, World};
 use crate::mechanism::Fault;
 use crate::ode::Ode;
 use crate::real::Scalar;
-use crate::rigid::anderson::Ahead;
-use crate::rigid::contact::{Twist, solve_tangential};
-use crate::rigid::hold::{Held, PLAIN, fine};
+use crate::rigid::contact::Twist;
+use crate::rigid::hold::{CORNERS, Held, Slip, Unheld, hold};
 use crate::vec3::{self, Vec3};
 
-/// Most sweeps over the contacts.
-const SWEEPS: usize = 2000;
-/// Change per sweep allowed, relative to the largest force, where contacts are redundant and their forces not unique.
-const LEFT: f64 = 1e-10;
-/// A sliding contact whose normal force changes its own normal acceleration by less than this share of K_nn jams
-/// (Painleve).
-const JAMMED: f64 = 1e-3;
+/// Half the interval of central differences relative to the step: balances errors of rounding and of curvature.
+const SPAN: f64 = 1e-4;
+
+/// Force missing to stick, above which slip starts, relative to the contact's own force; below it is rounding and the
+/// error of the difference.
+const MISSING: f64 = 1e-6;
+/// The same relative to the largest force of all contacts.
+const MISSING_OF_ALL: f64 = 1e-8;
 
 /// A lasting contact.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -97,14 +97,33 @@ impl<S: Scalar> Pressing<S> {
         self.gap.max(self.kept - self.sagitta).min(self.kept + self.sagitta)
     }
 
-    /// Direction of slip along t1, t2 for the forces; where the slip has reversed, that at the start of the piece.
-    fn directed(&self, rate: S) -> Option<[S; 2]> {
+    /// Force that a sticking contact is missing, 1 where slip starts. `gained`: accelerations by the forces of all
+    /// contacts, the largest of which is given.
+    pub(super) fn starts(&self, gained: &[Twist<S>], largest: S) -> S {
+        let (own, all) = (S::from_f64(MISSING), S::from_f64(MISSING_OF_ALL));
+        self.held.missing(gained) / (own * vec3::norm(self.held.contact.impulse) + all * largest)
+    }
+
+    /// Slip for the forces of a step of h; where it has reversed, its direction at the start of the piece.
+    fn slides(&self, rate: S, h: S, ports: usize) -> Option<Slip<S>> {
         let first = self.slip?;
         let axes = &self.held.contact.axes;
         let slips = vec3::dot(self.velocity, first) > rate;
         let [_, x, y] = vec3::apply(axes, if slips { self.velocity } else { first });
-        let ([_, x, y], _) = vec3::direction([S::ZERO, x, y]);
-        Some([x, y])
+        let ([_, x, y], speed) = vec3::direction([S::ZERO, x, y]);
+        let rigid = self.held.contact.points().any(|(_, point)| point.body < ports);
+        let together = if rigid { S::from_f64(CORNERS) } else { S::ONE };
+        let speed = if slips { speed } else { S::ZERO };
+        Some(Slip { direction: [x, y], speed, horizon: h, together })
+    }
+}
+
+impl From<Unheld> for Fault {
+    fn from(unheld: Unheld) -> Fault {
+        match unheld {
+            Unheld::Jammed => Fault::Jammed,
+            Unheld::Unbalanced => Fault::Unbalanced,
+        }
     }
 }
 
@@ -115,10 +134,11 @@ pub(super) struct Pressed<'w, 'a, 'm, S, C> {
     pub(super) list: &'w mut [Pressing<S>],
     /// Three memories of one state each.
     pub(super) spare: [&'w mut [S]; 3],
-    /// Half the interval of the central difference (s).
-    pub(super) span: S,
-    /// How far a contact may be from where it was detected (m), and the speed that counts as zero (m/s).
-    pub(super) rounding: [S; 2],
+    /// Step size (s): of the whole step, whose pieces follow the same equations.
+    pub(super) h: S,
+    /// How far a contact may be from where it was detected (m), the speed that counts as zero and the rounding error of
+    /// velocities (m/s).
+    pub(super) rounding: [S; 3],
     /// Time of the next projection.
     pub(super) t: S,
 }
@@ -162,10 +182,11 @@ impl<S: Scalar, C: Carrier<S>> Pressed<'_, '_, '_, S, C> {
 
     /// Sets the biases d/dt W v, along the rates `dot`, and contacts and inverse masses at (t, x).
     fn bend(&mut self, t: S, x: &[S], dot: &[S]) -> Result<(), Fault> {
-        let one = S::ONE / (self.span + self.span);
+        let span = S::from_f64(SPAN) * self.h;
+        let one = S::ONE / (span + span);
         self.list.iter_mut().for_each(|own| own.change = (S::ZERO, vec3::zero()));
         for sign in [S::ONE, -S::ONE] {
-            let (way, part) = (sign * self.span, sign * one);
+            let (way, part) = (sign * span, sign * one);
             let shifted = core::mem::take(&mut self.spare[0]);
             for ((to, from), rate) in shifted.iter_mut().zip(x).zip(dot) {
                 *to = *from + way * *rate;
@@ -177,12 +198,12 @@ impl<S: Scalar, C: Carrier<S>> Pressed<'_, '_, '_, S, C> {
             self.spare[0] = shifted;
             looked?;
         }
-        let rate = self.rounding[1];
+        let (rate, h, ports) = (self.rounding[1], self.h, self.world.island.memory.frames.len());
         self.look(t, x, |own, _, velocity| {
             own.velocity = velocity;
             let [_, x, y] = vec3::apply(&own.held.contact.axes, own.change.1);
             own.held.bias = [own.change.0, x, y];
-            own.held.slip = own.directed(rate);
+            own.held.slip = own.slides(rate, h, ports);
         })?;
         self.ask(t, x)
     }
@@ -211,56 +232,17 @@ impl<S: Scalar, C: Carrier<S>> Pressed<'_, '_, '_, S, C> {
         Ok(pivot)
     }
 
+    /// Error of the biases (m/s^2): rounding of velocities, over the interval of the difference.
+    pub(super) fn noise(&self) -> S {
+        self.rounding[2] / (S::from_f64(SPAN) * self.h)
+    }
+
     /// Forces that keep every contact closed; they may pull, because the caller locates the time of release.
     fn balance(&mut self) -> Result<(), Fault> {
+        let noise = self.noise();
         let StepMemory { twists: [gained, ..], inertias, .. } = &mut *self.memory;
         gained.fill(Twist::zero());
-        let mut scale = S::ZERO;
-        for Held { contact, bias, inverse_mass, .. } in self.list.iter().map(|own| &own.held) {
-            contact.push(inertias, gained, contact.impulse);
-            scale = scale.max(vec3::norm(*bias) / inverse_mass[0][0]).max(vec3::norm(contact.impulse));
-        }
-        let (mut left, mut ahead) = (S::ZERO, Ahead::new());
-        for number in 0..SWEEPS {
-            left = S::ZERO;
-            for held in self.list.iter_mut().map(|own| &mut own.held) {
-                let ([k, kx, ky], before) = (held.inverse_mass[0], held.contact.impulse);
-                let rate = vec3::add(held.contact.relative(gained), held.bias);
-                let (slide, mu) = (held.slip, held.contact.friction);
-                let yields = slide.map_or(k, |[x, y]| k - mu * (kx * x + ky * y));
-                if yields <= S::from_f64(JAMMED) * k {
-                    return Err(Fault::Jammed);
-                }
-                let normal = before[0] - rate[0] / yields;
-                let along =
-                    slide.map_or([before[1], before[2]], |[x, y]| [-(mu * normal * x), -(mu * normal * y)]);
-                let mut force = [normal, along[0], along[1]];
-                held.contact.push(inertias, gained, vec3::sub(force, before));
-                if slide.is_none() {
-                    let [_, x, y] = vec3::add(held.contact.relative(gained), held.bias);
-                    let [x, y] = solve_tangential(&held.inverse_mass, [x, y]);
-                    held.contact.push(inertias, gained, [S::ZERO, -x, -y]);
-                    force = vec3::sub(force, [S::ZERO, x, y]);
-                }
-                held.contact.impulse = force;
-                held.trail.moved = vec3::sub(force, before);
-                left = left.max(vec3::norm(held.trail.moved));
-                scale = scale.max(vec3::norm(force));
-            }
-            if left <= fine::<S>(number) * scale {
-                return Ok(());
-            }
-            if (PLAIN..SWEEPS - 1).contains(&number) {
-                ahead.note(self.list);
-                ahead.go_on(self.list, inertias, gained);
-            }
-        }
-        // Where contacts are redundant, rounding keeps changing forces that cancel one another.
-        if left <= S::from_f64(LEFT).max(S::EPSILON.sqrt() * S::from_f64(1e-2)) * scale {
-            Ok(())
-        } else {
-            Err(Fault::Unbalanced)
-        }
+        Ok(hold(self.list, (true, noise), &*inertias, gained)?)
     }
 
     /// Adds the contact forces to those on the nodes and to the wrenches on the ports.

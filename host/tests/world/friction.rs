@@ -1,0 +1,135 @@
+//! Boxes that stand on four corners: they slide, ride and are shaken as closed forms say, with every law that locates
+//! events, alone and beside a flexible part.
+
+use super::rigid::G;
+use super::support::{json, number, scene};
+
+const LAWS: [&str; 3] = ["plastic", "stronge", "compensation"];
+
+/// An undamped cube far away, so that rigid parts are stepped as parts of any world are.
+const ELSEWHERE: &str =
+    "[parts.cube]\nshape = \"cube\"\nside = 0.1\nmass = 0.1\nK = 100\nstart = { position = [5, 5, 5] }\n";
+
+/// A box 0.3 x 0.2 x 0.1 m at rest on an incline.
+fn on_incline(degrees: f64, friction: f64, law: &str, more: &str) -> String {
+    let turn = format!("axis = [0, 1, 0], angle = \"{degrees}_deg\"");
+    let (sine, cosine) = degrees.to_radians().sin_cos();
+    format!(
+        "format = 2\n[parts.ground]\nrigid = \"half_space\"\nstart = {{ {turn} }}\n\
+         [parts.box]\nrigid = \"box\"\nsize = [0.3, 0.2, 0.1]\nmass = 2\n\
+         start = {{ position = [{:?}, 0, {:?}], {turn} }}\n{more}\
+         [[contacts]]\nbetween = [\"box\", \"ground\"]\nimpact = \"{law}\"\nfriction = {friction}\n\
+         [run]\nseconds = 0.5\nstep = \"1_ms\"\nevery = 100\n",
+        0.05 * sine,
+        0.05 * cosine
+    )
+}
+
+/// From rest, friction turns slip that is still slow a hundred times faster than a step of 1 ms can follow.
+#[test]
+fn a_box_slides_down_an_incline_from_rest_without_turning() {
+    for (more, name) in [("", "alone"), (ELSEWHERE, "beside")] {
+        for law in LAWS {
+            for degrees in [16.0_f64, 17.0, 17.3, 20.0] {
+                let text = on_incline(degrees, 0.3, law, more);
+                let done = json(&[&scene(&format!("incline_{name}_{law}_{degrees}"), &text)]);
+                let last = |what: &str| number(&done["last"][what]);
+                let (sine, cosine) = degrees.to_radians().sin_cos();
+                let expected = 0.125 * G * (sine - 0.3 * cosine).max(0.0);
+                let gone = (last("box.x") - 0.05 * sine).hypot(last("box.z") - 0.05 * cosine);
+                let name = format!("{name}, {law}, {degrees} degrees");
+                assert!((gone - expected).abs() < 1e-10, "{name}: {gone} against {expected}");
+                assert!(last("box.y").abs() < 1e-12, "{name}: {}", last("box.y"));
+                assert!(number(&done["imbalance"]).abs() < 1e-10, "{name}: {}", done["imbalance"]);
+                assert_eq!(
+                    done["warnings"].as_array().map(Vec::len),
+                    Some(0),
+                    "{name}: {}",
+                    done["warnings"]
+                );
+            }
+        }
+    }
+}
+
+/// A mechanism of one coordinate with a port, and a box that stands on it with friction.
+fn carried(
+    name: &str,
+    model: &str,
+    command: &str,
+    start: &str,
+    friction: f64,
+    law: &str,
+    step: f64,
+) -> String {
+    scene(&format!("friction_{name}"), &format!("format = 1\nname = \"friction_{name}\"\n{model}"));
+    let text = format!(
+        "format = 2\n[parts.mover]\nmechanism = \"friction_{name}\"\ncommand = {{ q = \"{command}\" }}\n\
+         [parts.plate]\nrigid = \"half_space\"\non = \"mover.top\"\n\
+         [parts.box]\nrigid = \"box\"\nsize = [0.1, 0.1, 0.04]\nmass = 1\nstart = {{ height = 0, {start} }}\n\
+         [[contacts]]\nbetween = [\"plate\", \"box\"]\nimpact = \"{law}\"\nfriction = {friction}\n\
+         [run]\nseconds = 0.5\nstep = {step}\nevery = 100\n"
+    );
+    scene(&format!("carried_{name}_{law}_{friction}_{step}"), &text)
+}
+
+const TURNTABLE: &str = "[coordinates]\nq = { unit = \"rad\" }\n[frames]\ntable = { rotations = [[\"z\", \"q\"]] }\n\
+    [bodies]\ntable = { centre = \"O\", frame = \"table\", mass = 3, inertia = { Izz = 0.1 } }\n\
+    [ports]\ntop = { frame = \"table\", point = \"O\" }\n";
+
+/// Twelve components of friction for three accelerations: no smaller step makes the forces of redundant contacts unique.
+#[test]
+fn a_box_that_stands_off_the_axis_rides_on_a_turntable() {
+    let start = "position = [0.2, 0.1, 0], velocity = [-0.1, 0.2, 0], spin = [0, 0, 1]";
+    for law in LAWS {
+        for step in [1e-3, 1e-4] {
+            let done = json(&[&carried("turntable", TURNTABLE, "t/1_s", start, 1.0, law, step)]);
+            let last = |what: &str| number(&done["last"][what]);
+            let (sine, cosine) = 0.5_f64.sin_cos();
+            let off =
+                (last("box.x") - 0.2 * cosine + 0.1 * sine).hypot(last("box.y") - 0.2 * sine - 0.1 * cosine);
+            assert!(off < 1e-10, "{law}, {step}: {off:e}");
+            assert!(number(&done["imbalance"]).abs() < 1e-10, "{law}, {step}: {}", done["imbalance"]);
+            assert_eq!(done["warnings"].as_array().map(Vec::len), Some(0), "{law}: {}", done["warnings"]);
+        }
+    }
+}
+
+const SLIDE: &str = "[coordinates]\nq = { unit = \"m\" }\n[points]\nP = \"q*N.x\"\n[bodies]\n\
+    slide = { centre = \"P\", mass = 3 }\n[ports]\ntop = { frame = \"N\", point = \"P\" }\n";
+
+/// Where a block on a plate at 0.05 m (1 - cos w t) is after 0.5 s: Coulomb's law in one dimension, in short steps.
+fn shaken(friction: f64) -> f64 {
+    let (w, h) = (4.0 * std::f64::consts::PI, 1e-6);
+    let (mut x, mut v) = (0.0, 0.0);
+    for k in 1..=500_000 {
+        let plate = 0.05 * w * (w * h * f64::from(k)).sin();
+        let change = (plate - v).clamp(-friction * G * h, friction * G * h);
+        x += h * (v + 0.5 * change);
+        v += change;
+    }
+    x
+}
+
+#[test]
+fn a_box_on_a_shaken_plate_sticks_or_slides_as_a_point_does() {
+    for friction in [1.2, 0.6] {
+        let ends = [1e-3, 5e-4].map(|step| {
+            let command = "0.05_m*(1 - cos(4*pi*t/1_s))";
+            let text = carried("slide", SLIDE, command, "position = [0, 0, 0]", friction, "stronge", step);
+            let done = json(&[&text]);
+            assert_eq!(
+                done["warnings"].as_array().map(Vec::len),
+                Some(0),
+                "{friction}: {}",
+                done["warnings"]
+            );
+            assert!(number(&done["imbalance"]).abs() < 1e-6, "{friction}: {}", done["imbalance"]);
+            number(&done["last"]["box.x"])
+        });
+        let expected = shaken(friction);
+        println!("mu = {friction}: {ends:?}, {expected}");
+        assert!((ends[1] - expected).abs() < 1e-9, "mu = {friction}: {} against {expected}", ends[1]);
+        assert!((ends[0] - ends[1]).abs() < 1e-8, "mu = {friction}: {ends:?}");
+    }
+}
