@@ -15,19 +15,17 @@ use super::anderson::Ahead;
 use super::contact::{Contact, Inertia, Twist, onto_disc};
 use super::impact::InverseMass;
 use super::several::rubbed;
-use super::sweeps::{PLAIN, Patience, fine, redundant};
+use super::sweeps::{LEFT, PLAIN, Patience, fine, may_be_left};
 use super::trail::{Swept, Trail};
 use crate::real::Scalar;
 use crate::vec3::{self, Vec3};
 
 /// Most sweeps.
 const SWEEPS: usize = 2000;
-/// Sweeps within which what is left halves at least; else it is rounding of redundant contacts.
-const PATIENCE: usize = 10;
-/// Contacts of a rigid body that may turn its slip together: the corners of two faces.
-pub(crate) const CORNERS: f64 = 8.0;
+/// Contacts of a rigid body that may turn its slip together: the corners of a face.
+pub(crate) const CORNERS: f64 = 4.0;
 /// Sweeps in which friction may turn; then it keeps its direction, so that sweeps end.
-const TURNS: usize = 60;
+const TURNS: usize = 300;
 /// A sliding contact whose normal force changes its own normal acceleration by less than this share of K_nn jams
 /// (Painleve).
 const JAMMED: f64 = 1e-3;
@@ -43,6 +41,16 @@ pub struct Slip<S> {
     pub horizon: S,
     /// Contacts that may turn it together.
     pub together: S,
+    /// Unit direction against which friction acts.
+    against: [S; 2],
+}
+
+impl<S: Scalar> Slip<S> {
+    /// A slip of this unit direction (0 without friction) and speed in a step of h, before friction turns it.
+    #[must_use]
+    pub fn new(direction: [S; 2], speed: S, horizon: S, together: S) -> Self {
+        Slip { direction, speed, horizon, together, against: direction }
+    }
 }
 
 /// A lasting contact.
@@ -90,8 +98,16 @@ impl<S: Scalar, T: AsMut<Held<S>>> Swept<S> for T {
     }
 }
 
-/// Computes the forces and adds their effect to the accelerations. With `pulls` normal forces may be negative, for
-/// callers that locate the time of release. `noise`: error of the biases (m/s^2), beside rounding.
+/// What forces are sought.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Sought {
+    /// Whether normal forces may be negative, for callers that locate the time of release.
+    pub pulls: bool,
+    /// Whether redundant contacts may contradict one another somewhat, because their accelerations are differences.
+    pub rough: bool,
+}
+
+/// Computes the forces and adds their effect to the accelerations.
 ///
 /// Sweeps start from the forces that the contacts have; `accelerations` must not contain these yet.
 ///
@@ -99,21 +115,22 @@ impl<S: Scalar, T: AsMut<Held<S>>> Swept<S> for T {
 /// [`Unheld`]; forces and accelerations are then those of the last sweep.
 pub fn hold<S: Scalar>(
     held: &mut [impl AsMut<Held<S>>],
-    (pulls, noise): (bool, S),
+    Sought { pulls, rough }: Sought,
     inertia: &(impl Inertia<S> + ?Sized),
     accelerations: &mut [Twist<S>],
 ) -> Result<(), Unheld> {
     // Scale of the forces, even where they nearly cancel: those that would stop the initial accelerations.
-    let (mut scale, mut heaviest) = (S::ZERO, S::ZERO);
+    let mut scale = S::ZERO;
     for h in held.iter_mut().map(AsMut::as_mut) {
         let acceleration = vec3::norm(h.contact.relative(accelerations)) + vec3::norm(h.bias);
         scale = scale.max(acceleration / h.inverse_mass[0][0]);
-        heaviest = heaviest.max(S::ONE / h.inverse_mass[0][0]);
     }
     for h in held.iter_mut().map(AsMut::as_mut) {
         h.contact.push(inertia, accelerations, h.contact.impulse);
     }
-    let (mut ends, mut ahead, mut patience) = (false, Ahead::new(), Patience::new(PATIENCE));
+    let tiers = if rough { LEFT.len() } else { 1 };
+    let (mut left, mut ahead, mut patience) =
+        (S::ZERO, Ahead::new(), LEFT.map(|(sweeps, _)| Patience::new(sweeps)));
     for number in 0..SWEEPS {
         let (mut moved, mut largest) = (S::ZERO, scale);
         for h in held.iter_mut().map(AsMut::as_mut) {
@@ -123,8 +140,12 @@ pub fn hold<S: Scalar>(
             moved = moved.max(vec3::norm(h.trail.moved));
             largest = largest.max(vec3::norm(h.contact.impulse));
         }
-        ends = moved <= redundant::<S>() * largest + noise * heaviest;
-        if moved <= fine::<S>(number) * largest || (patience.ends(number, moved / largest) && ends) {
+        left = moved / largest;
+        let mut stays = false;
+        for (patience, (_, allowed)) in patience.iter_mut().zip(LEFT).take(tiers) {
+            stays |= patience.ends(number, left) && left <= may_be_left(allowed);
+        }
+        if stays || moved <= fine::<S>(number) * largest {
             return Ok(());
         }
         if (PLAIN..SWEEPS - 1).contains(&number) {
@@ -132,7 +153,8 @@ pub fn hold<S: Scalar>(
             ahead.go_on(held, inertia, accelerations);
         }
     }
-    if ends { Ok(()) } else { Err(Unheld::Unbalanced) }
+    let (_, allowed) = LEFT[if rough { LEFT.len() - 1 } else { 0 }];
+    if left <= may_be_left(allowed) { Ok(()) } else { Err(Unheld::Unbalanced) }
 }
 
 impl<S: Scalar> Held<S> {
@@ -156,12 +178,10 @@ impl<S: Scalar> Held<S> {
         let ([k, kx, ky], [n, tx, ty]) = (self.inverse_mass[0], self.contact.impulse);
         let mu = self.contact.friction;
         // Sliding, friction on the rim changes the normal acceleration too.
-        let rim = mu * n;
-        let direction = self.slip.map(|slip| match rim.abs() > S::ZERO {
-            _ if turns => self.turned(&slip, [x, y]),
-            true => [-(tx / rim), -(ty / rim)],
-            false => slip.direction,
-        });
+        if let Some(slip) = self.slip.filter(|_| turns) {
+            self.slip = Some(Slip { against: self.turned(&slip, [x, y]), ..slip });
+        }
+        let direction = self.slip.map(|slip| slip.against);
         let yields = direction.map_or(k, |[x, y]| k - mu * (kx * x + ky * y));
         if k <= S::ZERO || yields <= S::from_f64(JAMMED) * k {
             return Err(Unheld::Jammed);

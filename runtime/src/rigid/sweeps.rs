@@ -13,11 +13,14 @@ pub(crate) fn fine<S: Scalar>(number: usize) -> S {
     S::from_f64(if number < PLAIN { 4.0 } else { 64.0 }) * S::EPSILON
 }
 
-/// Change of the forces by a sweep, relative to the largest, that may be left where contacts are redundant: accelerations
-/// are known to fewer digits than forces, so that no forces fit all contacts, and those that cancel one another change
-/// for ever.
-pub(crate) fn redundant<S: Scalar>() -> S {
-    S::from_f64(0.01) * S::EPSILON.sqrt()
+/// Sweeps without gain after which a change of the forces, relative to the largest, may be left: rounding soon, since forces
+/// of redundant contacts that cancel one another change for ever; more of it late, since contacts that contradict one
+/// another, by the error of their accelerations or because they are closed to some digits only, have no exact forces.
+pub(crate) const LEFT: [(usize, f64); 3] = [(10, 1e-10), (40, 1e-8), (160, 1e-6)];
+
+/// A change that may be left, in this precision.
+pub(crate) fn may_be_left<S: Scalar>(left: f64) -> S {
+    S::from_f64(left).max(S::from_f64(0.01) * S::EPSILON.sqrt())
 }
 
 /// Ends sweeps that gain nothing: what a sweep leaves has not halved within so many of them.

@@ -6,7 +6,7 @@ use super::touching::Touching;
 use crate::real::Scalar;
 use crate::rigid::RigidState;
 use crate::rigid::contact::{Twist, solve_tangential};
-use crate::rigid::hold::{CORNERS, Held, Slip, Unheld, hold};
+use crate::rigid::hold::{CORNERS, Held, Slip, Sought, Unheld, hold};
 use crate::rigid::motion;
 use crate::vec3::{self, Vec3};
 
@@ -50,12 +50,7 @@ impl<S: Scalar> RigidScene<'_, S> {
         for t in touching.iter_mut().take(held) {
             let ([_, x, y], speed) = vec3::direction([S::ZERO, t.velocity[1], t.velocity[2]]);
             let slides = speed > rounding.rate && t.held.contact.friction > S::ZERO;
-            t.held.slip = slides.then_some(Slip {
-                direction: [x, y],
-                speed,
-                horizon: h,
-                together: S::from_f64(CORNERS),
-            });
+            t.held.slip = slides.then_some(Slip::new([x, y], speed, h, S::from_f64(CORNERS)));
         }
         self.find_forces(memory, 0, held)?;
         Ok(Start { held, known })
@@ -77,7 +72,8 @@ impl<S: Scalar> RigidScene<'_, S> {
             };
         }
         let list = list.get_mut(..count).ok_or(Fault::TooManyContacts)?;
-        hold(list, (false, S::ZERO), &**mobilities, spare).map_err(|unheld| match unheld {
+        hold(list, Sought { pulls: false, rough: false }, &**mobilities, spare).map_err(|unheld| match unheld
+        {
             Unheld::Jammed => Fault::Jammed,
             Unheld::Unbalanced => Fault::Unbalanced,
         })
@@ -116,7 +112,7 @@ impl<S: Scalar> RigidScene<'_, S> {
                 let [_, x, y] = vec3::apply(&t.held.contact.axes, if slips { slip } else { first });
                 let ([_, x, y], speed) = vec3::direction([S::ZERO, x, y]);
                 let speed = if slips { speed } else { S::ZERO };
-                t.held.slip = Some(Slip { direction: [x, y], speed, ..known });
+                t.held.slip = Some(Slip::new([x, y], speed, known.horizon, known.together));
             }
         }
         Ok(count)

@@ -5,7 +5,7 @@ use crate::mechanism::Fault;
 use crate::ode::Ode;
 use crate::real::Scalar;
 use crate::rigid::contact::Twist;
-use crate::rigid::hold::hold;
+use crate::rigid::hold::{Sought, hold};
 use crate::vec3;
 use crate::world::carrier::Carrier;
 use crate::world::detect::Touch;
@@ -77,7 +77,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         }
         let dot = core::mem::take(&mut way.dots[0]);
         let (mut pressed, Sight { now: [x, _], .. }) = way.pressed(self);
-        let (prepared, noise) = (pressed.prepare(t, x, dot), pressed.noise());
+        let prepared = pressed.prepare(t, x, dot);
         way.dots[0] = dot;
         prepared?;
         let StepMemory { twists: [gained, ..], inertias, .. } = &mut *way.memory;
@@ -85,7 +85,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         let list = way.pressing.get_mut(..way.held).unwrap_or_default();
         // The foot of a deep overlap may be another one than was detected: keep the gap that projections will measure.
         list.iter_mut().filter(|own| own.kept < S::ZERO).for_each(|own| own.kept = own.gap.min(S::ZERO));
-        hold(list, (false, noise), &*inertias, gained)?;
+        hold(list, Sought { pulls: false, rough: true }, &*inertias, gained)?;
         let largest = list.iter().fold(S::ZERO, |most, own| most.max(own.held.contact.impulse[0]));
         let mut held = 0;
         for k in 0..list.len() {

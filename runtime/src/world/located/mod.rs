@@ -80,8 +80,6 @@ struct Rounding<S> {
     rate: S,
     /// Normal speed of a lasting contact (m/s): the same, or more where contacts have just come to rest.
     still: S,
-    /// Rounding error of a velocity (m/s).
-    noise: S,
 }
 
 /// Parts of a step beside its equations: the state so far, the trial state, the method's memory.
@@ -141,13 +139,7 @@ impl<'m, S: Scalar> LocatedMemory<'m, S> {
             known: 0,
             held: 0,
             h,
-            rounding: Rounding {
-                gap: S::ZERO,
-                drift: S::ZERO,
-                rate: S::ZERO,
-                still: S::ZERO,
-                noise: S::ZERO,
-            },
+            rounding: Rounding { gap: S::ZERO, drift: S::ZERO, rate: S::ZERO, still: S::ZERO },
         })
     }
 }
@@ -165,7 +157,7 @@ impl<'m, S: Scalar> PartialStep<'_, 'm, S> {
             list: self.pressing.get_mut(..self.held).unwrap_or_default(),
             spare: [a, b, c],
             h: self.h,
-            rounding: [self.rounding.drift, self.rounding.rate, self.rounding.noise],
+            rounding: [self.rounding.drift, self.rounding.rate],
             t: S::ZERO,
         };
         (pressed, Sight { now: [from, from_low], trial: [x, low], room: self.room })
@@ -274,7 +266,6 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
             drift: S::from_f64(DRIFT) * size,
             rate,
             still: rate,
-            noise: S::from_f64(4.0) * S::EPSILON * speed,
         };
         Ok(())
     }

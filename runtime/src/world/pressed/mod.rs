@@ -20,7 +20,7 @@ use crate::mechanism::Fault;
 use crate::ode::Ode;
 use crate::real::Scalar;
 use crate::rigid::contact::Twist;
-use crate::rigid::hold::{CORNERS, Held, Slip, Unheld, hold};
+use crate::rigid::hold::{CORNERS, Held, Slip, Sought, Unheld, hold};
 use crate::vec3::{self, Vec3};
 
 /// Half the interval of central differences relative to the step: balances errors of rounding and of curvature.
@@ -114,7 +114,7 @@ impl<S: Scalar> Pressing<S> {
         let rigid = self.held.contact.points().any(|(_, point)| point.body < ports);
         let together = if rigid { S::from_f64(CORNERS) } else { S::ONE };
         let speed = if slips { speed } else { S::ZERO };
-        Some(Slip { direction: [x, y], speed, horizon: h, together })
+        Some(Slip::new([x, y], speed, h, together))
     }
 }
 
@@ -136,9 +136,8 @@ pub(super) struct Pressed<'w, 'a, 'm, S, C> {
     pub(super) spare: [&'w mut [S]; 3],
     /// Step size (s): of the whole step, whose pieces follow the same equations.
     pub(super) h: S,
-    /// How far a contact may be from where it was detected (m), the speed that counts as zero and the rounding error of
-    /// velocities (m/s).
-    pub(super) rounding: [S; 3],
+    /// How far a contact may be from where it was detected (m), and the speed that counts as zero (m/s).
+    pub(super) rounding: [S; 2],
     /// Time of the next projection.
     pub(super) t: S,
 }
@@ -232,17 +231,11 @@ impl<S: Scalar, C: Carrier<S>> Pressed<'_, '_, '_, S, C> {
         Ok(pivot)
     }
 
-    /// Error of the biases (m/s^2): rounding of velocities, over the interval of the difference.
-    pub(super) fn noise(&self) -> S {
-        self.rounding[2] / (S::from_f64(SPAN) * self.h)
-    }
-
     /// Forces that keep every contact closed; they may pull, because the caller locates the time of release.
     fn balance(&mut self) -> Result<(), Fault> {
-        let noise = self.noise();
         let StepMemory { twists: [gained, ..], inertias, .. } = &mut *self.memory;
         gained.fill(Twist::zero());
-        Ok(hold(self.list, (true, noise), &*inertias, gained)?)
+        Ok(hold(self.list, Sought { pulls: true, rough: true }, &*inertias, gained)?)
     }
 
     /// Adds the contact forces to those on the nodes and to the wrenches on the ports.
