@@ -15,7 +15,7 @@ use super::anderson::Ahead;
 use super::contact::{Contact, Inertia, Twist, onto_disc};
 use super::impact::InverseMass;
 use super::several::rubbed;
-use super::sweeps::{LEFT, PLAIN, Patience, fine, may_be_left};
+use super::sweeps::{PLAIN, Patience, fine};
 use super::trail::{Swept, Trail};
 use crate::real::Scalar;
 use crate::vec3::{self, Vec3};
@@ -128,9 +128,7 @@ pub fn hold<S: Scalar>(
     for h in held.iter_mut().map(AsMut::as_mut) {
         h.contact.push(inertia, accelerations, h.contact.impulse);
     }
-    let tiers = if rough { LEFT.len() } else { 1 };
-    let (mut left, mut ahead, mut patience) =
-        (S::ZERO, Ahead::new(), LEFT.map(|(sweeps, _)| Patience::new(sweeps)));
+    let (mut left, mut ahead, mut patience) = (S::ZERO, Ahead::new(), Patience::of_forces(rough));
     for number in 0..SWEEPS {
         let (mut moved, mut largest) = (S::ZERO, scale);
         for h in held.iter_mut().map(AsMut::as_mut) {
@@ -141,10 +139,7 @@ pub fn hold<S: Scalar>(
             largest = largest.max(vec3::norm(h.contact.impulse));
         }
         left = moved / largest;
-        let mut stays = false;
-        for (patience, (_, allowed)) in patience.iter_mut().zip(LEFT).take(tiers) {
-            stays |= patience.ends(number, left) && left <= may_be_left(allowed);
-        }
+        let stays = patience.iter_mut().any(|patience| patience.ends(number, left));
         if stays || moved <= fine::<S>(number) * largest {
             return Ok(());
         }
@@ -153,8 +148,7 @@ pub fn hold<S: Scalar>(
             ahead.go_on(held, inertia, accelerations);
         }
     }
-    let (_, allowed) = LEFT[if rough { LEFT.len() - 1 } else { 0 }];
-    if left <= may_be_left(allowed) { Ok(()) } else { Err(Unheld::Unbalanced) }
+    if patience.iter().any(|patience| patience.accepts(left)) { Ok(()) } else { Err(Unheld::Unbalanced) }
 }
 
 impl<S: Scalar> Held<S> {

@@ -13,26 +13,29 @@ pub(crate) fn fine<S: Scalar>(number: usize) -> S {
     S::from_f64(if number < PLAIN { 4.0 } else { 64.0 }) * S::EPSILON
 }
 
-/// Sweeps without gain after which a change of the forces, relative to the largest, may be left: rounding soon, since forces
-/// of redundant contacts that cancel one another change for ever; more of it late, since contacts that contradict one
-/// another, by the error of their accelerations or because they are closed to some digits only, have no exact forces.
-pub(crate) const LEFT: [(usize, f64); 3] = [(10, 1e-10), (40, 1e-8), (160, 1e-6)];
-
-/// A change that may be left, in this precision.
-pub(crate) fn may_be_left<S: Scalar>(left: f64) -> S {
-    S::from_f64(left).max(S::from_f64(0.01) * S::EPSILON.sqrt())
-}
-
 /// Ends sweeps that gain nothing: what a sweep leaves has not halved within so many of them.
+#[derive(Clone, Copy)]
 pub(crate) struct Patience<S> {
     sweeps: usize,
+    /// What may be left then.
+    allowed: S,
     least: S,
 }
 
 impl<S: Scalar> Patience<S> {
     /// Before the first sweep.
-    pub(crate) fn new(sweeps: usize) -> Self {
-        Patience { sweeps, least: S::from_f64(f64::INFINITY) }
+    pub(crate) fn new(sweeps: usize, allowed: S) -> Self {
+        Patience { sweeps, allowed, least: S::from_f64(f64::INFINITY) }
+    }
+
+    /// For forces, of whose changes relative to the largest rounding may be left soon, since those of redundant contacts
+    /// that cancel one another change for ever. With `rough` more may be left late, since contacts that contradict one
+    /// another have no exact forces.
+    pub(crate) fn of_forces(rough: bool) -> [Self; 3] {
+        let rounding = S::from_f64(0.01) * S::EPSILON.sqrt();
+        let [some, more] = [S::from_f64(1e-8), S::from_f64(1e-6)].map(|allowed| allowed.max(rounding));
+        let [some, more] = if rough { [some, more] } else { [rounding; 2] };
+        [Patience::new(10, rounding), Patience::new(40, some), Patience::new(160, more)]
     }
 
     /// Whether sweeps should end, given the number of this one, from 0, and what it leaves.
@@ -42,6 +45,11 @@ impl<S: Scalar> Patience<S> {
         }
         let gains = left <= S::from_f64(0.5) * self.least;
         self.least = left;
-        !gains
+        !gains && self.accepts(left)
+    }
+
+    /// Whether so much may be left.
+    pub(crate) fn accepts(&self, left: S) -> bool {
+        left <= self.allowed
     }
 }

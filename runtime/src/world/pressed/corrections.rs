@@ -32,7 +32,7 @@ impl<S: Scalar, C: Carrier<S>> Pressed<'_, '_, '_, S, C> {
             (own.correction, own.held.contact.impulse) = (own.held.contact.impulse, vec3::zero());
             scale = scale.max(vec3::norm(wanted(own)));
         }
-        let (mut ahead, mut patience) = (Ahead::new(), Patience::new(PATIENCE));
+        let (mut ahead, mut patience) = (Ahead::new(), Patience::new(PATIENCE, S::from_f64(f64::INFINITY)));
         for number in 0..SWEEPS {
             let mut left = S::ZERO;
             for own in self.list.iter_mut() {
