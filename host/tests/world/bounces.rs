@@ -1,11 +1,7 @@
 //! Worlds that are not rigid alone, with touches located: bounces die out, implicit methods rub, impacts are booked.
 
 use super::rigid::G;
-use super::support::{json, number, rubbing, scene};
-
-/// An undamped cube far away, so that rigid parts are stepped as parts of any world are.
-const ELSEWHERE: &str =
-    "[parts.cube]\nshape = \"cube\"\nside = 0.1\nmass = 0.1\nK = 100\nstart = { position = [3, 3, 3] }\n";
+use super::support::{ELSEWHERE, json, number, rubbing, scene};
 
 fn ball(restitution: f64) -> String {
     format!(

@@ -1,6 +1,6 @@
 //! The cost of a step is proportional to the number of moving parts and contacts.
 
-use super::support::{parse, rubbing};
+use super::support::{ELSEWHERE, parse, rubbing};
 use smartbed::world::run::engine;
 use std::time::{Duration, Instant};
 
@@ -103,8 +103,7 @@ fn two_boxes_that_bounce_on_one_another_come_to_rest_in_a_short_time() {
         "format = 2\n[parts.ground]\nrigid = \"half_space\"\n".to_owned(),
         of_box("lower", 0.2, "height = 0.05, axis = [0, 1, 0], angle = 0.1"),
         of_box("upper", 0.15, "position = [0.01, 0.012, 0], height = 0.25"),
-        "[parts.cube]\nshape = \"cube\"\nside = 0.1\nmass = 0.1\nK = 100\nstart = { position = [3, 3, 3] }\n"
-            .to_owned(),
+        ELSEWHERE.to_owned(),
         rubbing("lower", "ground", 0.5),
         rubbing("upper", "lower", 0.5),
         "[run]\nseconds = 0.3\nstep = 1e-3\n".to_owned(),

@@ -1,24 +1,20 @@
-//! Boxes that stand on four corners: they slide, ride and are shaken as closed forms say, with every law that locates
-//! events, alone and beside a flexible part.
+//! Boxes that stand on four corners: they slide, ride and are shaken as closed forms say, with the laws that locate
+//! events and take friction, alone and beside a flexible part.
 
 use super::rigid::G;
-use super::support::{json, number, scene};
+use super::support::{ELSEWHERE, json, number, scene};
 
 const LAWS: [&str; 3] = ["plastic", "stronge", "compensation"];
 
-/// An undamped cube far away, so that rigid parts are stepped as parts of any world are.
-const ELSEWHERE: &str =
-    "[parts.cube]\nshape = \"cube\"\nside = 0.1\nmass = 0.1\nK = 100\nstart = { position = [5, 5, 5] }\n";
-
-/// A box 0.3 x 0.2 x 0.1 m at rest on an incline.
-fn on_incline(degrees: f64, friction: f64, law: &str, more: &str) -> String {
+/// A box 0.3 x 0.2 x 0.1 m at rest on an incline, mu = 0.3.
+fn on_incline(degrees: f64, law: &str, more: &str) -> String {
     let turn = format!("axis = [0, 1, 0], angle = \"{degrees}_deg\"");
     let (sine, cosine) = degrees.to_radians().sin_cos();
     format!(
         "format = 2\n[parts.ground]\nrigid = \"half_space\"\nstart = {{ {turn} }}\n\
          [parts.box]\nrigid = \"box\"\nsize = [0.3, 0.2, 0.1]\nmass = 2\n\
          start = {{ position = [{:?}, 0, {:?}], {turn} }}\n{more}\
-         [[contacts]]\nbetween = [\"box\", \"ground\"]\nimpact = \"{law}\"\nfriction = {friction}\n\
+         [[contacts]]\nbetween = [\"box\", \"ground\"]\nimpact = \"{law}\"\nfriction = 0.3\n\
          [run]\nseconds = 0.5\nstep = \"1_ms\"\nevery = 100\n",
         0.05 * sine,
         0.05 * cosine
@@ -31,7 +27,7 @@ fn a_box_slides_down_an_incline_from_rest_without_turning() {
     for (more, name) in [("", "alone"), (ELSEWHERE, "beside")] {
         for law in LAWS {
             for degrees in [16.0_f64, 17.0, 17.3, 20.0] {
-                let text = on_incline(degrees, 0.3, law, more);
+                let text = on_incline(degrees, law, more);
                 let done = json(&[&scene(&format!("incline_{name}_{law}_{degrees}"), &text)]);
                 let last = |what: &str| number(&done["last"][what]);
                 let (sine, cosine) = degrees.to_radians().sin_cos();

@@ -42,6 +42,10 @@ pub fn scene(name: &str, text: &str) -> String {
     file.display().to_string()
 }
 
+/// An undamped cube far away, so that rigid parts are stepped as parts of any world are.
+pub const ELSEWHERE: &str =
+    "[parts.cube]\nshape = \"cube\"\nside = 0.1\nmass = 0.1\nK = 100\nstart = { position = [3, 3, 3] }\n";
+
 /// Text of a contact of two parts that lose energy, with friction 0.3.
 pub fn rubbing(one: &str, other: &str, restitution: f64) -> String {
     format!(

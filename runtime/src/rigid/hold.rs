@@ -51,6 +51,20 @@ impl<S: Scalar> Slip<S> {
     pub fn new(direction: [S; 2], speed: S, horizon: S, together: S) -> Self {
         Slip { direction, speed, horizon, together, against: direction }
     }
+
+    /// The slip of a contact that has this relative velocity in N now; where no more than `least` of it is left along its
+    /// `first` direction it has reversed: at rest in that direction, so that its end is found.
+    pub(crate) fn now(
+        contact: &Contact<S>,
+        [velocity, first]: [Vec3<S>; 2],
+        least: S,
+        (horizon, together): (S, S),
+    ) -> Self {
+        let lasts = vec3::dot(velocity, first) > least;
+        let [_, x, y] = vec3::apply(&contact.axes, if lasts { velocity } else { first });
+        let ([_, x, y], speed) = vec3::direction([S::ZERO, x, y]);
+        Slip::new([x, y], if lasts { speed } else { S::ZERO }, horizon, together)
+    }
 }
 
 /// A lasting contact.
@@ -171,11 +185,11 @@ impl<S: Scalar> Held<S> {
         let [a, x, y] = vec3::add(self.contact.relative(accelerations), self.bias);
         let ([k, kx, ky], [n, tx, ty]) = (self.inverse_mass[0], self.contact.impulse);
         let mu = self.contact.friction;
-        // Sliding, friction on the rim changes the normal acceleration too.
         if let Some(slip) = self.slip.filter(|_| turns) {
             self.slip = Some(Slip { against: self.turned(&slip, [x, y]), ..slip });
         }
         let direction = self.slip.map(|slip| slip.against);
+        // Sliding, friction on the rim changes the normal acceleration too.
         let yields = direction.map_or(k, |[x, y]| k - mu * (kx * x + ky * y));
         if k <= S::ZERO || yields <= S::from_f64(JAMMED) * k {
             return Err(Unheld::Jammed);
@@ -183,25 +197,24 @@ impl<S: Scalar> Held<S> {
         let normal = n - a / yields;
         let normal = if pulls { normal } else { normal.max(S::ZERO) };
         let radius = mu * normal;
-        let Some([x, y]) = direction else {
-            let [x, y] = onto_disc([tx, ty], radius.max(S::ZERO));
+        let [x, y] = direction.map_or_else(
+            || onto_disc([tx, ty], radius.max(S::ZERO)),
+            |[x, y]| [-(radius * x), -(radius * y)],
+        );
+        self.set([normal, x, y], inertia, accelerations);
+        if direction.is_none() && radius > S::ZERO {
+            let [_, a, b] = vec3::add(self.contact.relative(accelerations), self.bias);
+            let [x, y] = rubbed(&self.inverse_mass, [x, y], [a, b], radius);
             self.set([normal, x, y], inertia, accelerations);
-            if radius > S::ZERO {
-                let [_, a, b] = vec3::add(self.contact.relative(accelerations), self.bias);
-                let [x, y] = rubbed(&self.inverse_mass, [x, y], [a, b], radius);
-                self.set([normal, x, y], inertia, accelerations);
-            }
-            return Ok(());
-        };
-        self.set([normal, -(radius * x), -(radius * y)], inertia, accelerations);
+        }
         Ok(())
     }
 
     /// Direction against which friction acts, given the tangential acceleration.
     ///
     /// Friction R turns slip of speed s at the rate `R k/s`, k the inverse mass across it: no explicit step follows a slow
-    /// slip. There the direction is that of the slip after tau = h - s/(j R k), with j contacts together, which limits the rate to about
-    /// 1/h; a slip fast enough, or on a straight line, keeps its own.
+    /// slip. There the direction is that of the slip after tau = h - s/(j R k), with j contacts together, which limits the
+    /// rate to about 1/h; a slip fast enough, or on a straight line, keeps its own.
     fn turned(&self, slip: &Slip<S>, [ax, ay]: [S; 2]) -> [S; 2] {
         let ([x, y], [_, [_, a, b], [_, _, c]]) = (slip.direction, self.inverse_mass);
         let [n, tx, ty] = self.contact.impulse;

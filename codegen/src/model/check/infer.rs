@@ -135,18 +135,15 @@ impl Checker<'_> {
             ExprKind::Divide(a, b) => {
                 let (x, y) = self.both(a, b)?;
                 self.scalar(b, y, "a divisor")?;
-                let unit = x.unit.map(|x| self.bounded(expr, x.per(y.known()))).transpose()?;
-                Type { vector: x.vector, unit }
+                Type { unit: self.changed(expr, x, |unit| unit.per(y.known()))?, ..x }
             }
             ExprKind::Power(a, n) => {
                 let x = self.infer(a)?;
                 self.scalar(a, x, "the base of a power")?;
-                // Any power of 0 but the zeroth fits every unit, as 0 does.
-                match x.unit.filter(|_| *n != 0) {
-                    Some(unit) => Type::scalar(self.bounded(expr, unit.power(*n, 1))?),
-                    None if *n == 0 => Type::scalar(Unit::NONE),
-                    None => x,
+                if *n == 0 {
+                    return Ok(Type::scalar(Unit::NONE));
                 }
+                Type { unit: self.changed(expr, x, |unit| unit.power(*n, 1))?, ..x }
             }
             ExprKind::Call(function, arguments) => self.call(expr, *function, arguments)?,
             ExprKind::Dot(a, b) | ExprKind::Cross(a, b) => {
@@ -247,6 +244,16 @@ impl Checker<'_> {
         Ok(Type { vector: x.vector || y.vector, unit: self.times(expr, x, y)? })
     }
 
+    /// Unit of a quantity after a change of its exponents: a 0 fits every unit, before and after.
+    fn changed(
+        &mut self,
+        expr: &Expr,
+        x: Type,
+        change: impl FnOnce(Unit) -> Option<Unit>,
+    ) -> Result<Option<Unit>, Reported> {
+        x.unit.map(|unit| self.bounded(expr, change(unit))).transpose()
+    }
+
     /// Unit of a product: 0 times anything is 0, which fits every unit.
     fn times(&mut self, expr: &Expr, x: Type, y: Type) -> Result<Option<Unit>, Reported> {
         let (Some(x), Some(y)) = (x.unit, y.unit) else { return Ok(None) };
@@ -262,10 +269,7 @@ impl Checker<'_> {
         let x = types[0];
         let pair = || Some((&arguments[0], x, arguments.get(1)?, *types.get(1)?));
         match function {
-            Function::Sqrt => {
-                let unit = x.unit.map(|x| self.bounded(expr, x.power(1, 2))).transpose()?;
-                Ok(Type { unit, ..x })
-            }
+            Function::Sqrt => Ok(Type { unit: self.changed(expr, x, |unit| unit.power(1, 2))?, ..x }),
             Function::Abs => Ok(x),
             Function::Sign => Ok(Type::scalar(Unit::NONE)),
             Function::Min | Function::Max => self.alike("compared", pair().ok_or(Reported)?),

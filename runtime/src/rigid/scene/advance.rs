@@ -6,7 +6,7 @@ use super::touching::Touching;
 use crate::real::Scalar;
 use crate::rigid::RigidState;
 use crate::rigid::contact::{Twist, solve_tangential};
-use crate::rigid::hold::{CORNERS, Held, Slip, Sought, Unheld, hold};
+use crate::rigid::hold::{CORNERS, Held, Slip, Sought, hold};
 use crate::rigid::motion;
 use crate::vec3::{self, Vec3};
 
@@ -72,11 +72,7 @@ impl<S: Scalar> RigidScene<'_, S> {
             };
         }
         let list = list.get_mut(..count).ok_or(Fault::TooManyContacts)?;
-        hold(list, Sought { pulls: false, rough: false }, &**mobilities, spare).map_err(|unheld| match unheld
-        {
-            Unheld::Jammed => Fault::Jammed,
-            Unheld::Unbalanced => Fault::Unbalanced,
-        })
+        Ok(hold(list, Sought { pulls: false, rough: false }, &**mobilities, spare)?)
     }
 
     /// Advances the states so far by a length of time into the trial states; returns the number of contacts in `along`.
@@ -105,14 +101,10 @@ impl<S: Scalar> RigidScene<'_, S> {
             let Some(before) = same(t) else { continue };
             t.held.contact.impulse = before.held.contact.impulse;
             if let Some(known) = before.held.slip {
-                // Slip in the middle; where it has reversed, that of the start, so that its end is found.
                 let slip = t.held.contact.to_inertial([S::ZERO, t.velocity[1], t.velocity[2]]);
                 let first = before.slip();
-                let slips = vec3::dot(slip, first) > S::ZERO;
-                let [_, x, y] = vec3::apply(&t.held.contact.axes, if slips { slip } else { first });
-                let ([_, x, y], speed) = vec3::direction([S::ZERO, x, y]);
-                let speed = if slips { speed } else { S::ZERO };
-                t.held.slip = Some(Slip::new([x, y], speed, known.horizon, known.together));
+                let step = (known.horizon, known.together);
+                t.held.slip = Some(Slip::now(&t.held.contact, [slip, first], S::ZERO, step));
             }
         }
         Ok(count)

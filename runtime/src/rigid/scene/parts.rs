@@ -3,6 +3,7 @@
 use crate::real::Scalar;
 use crate::rigid::attitude::Attitude;
 use crate::rigid::contact::Contact;
+use crate::rigid::hold::Unheld;
 use crate::rigid::law::Law;
 use crate::rigid::{RigidBody, RigidState};
 use crate::surface::{Frame, Shape};
@@ -50,6 +51,15 @@ pub enum Fault {
     Unbalanced,
     /// A part rotates too far in one step, or a state is not finite: take a shorter step.
     TooFast,
+}
+
+impl From<Unheld> for Fault {
+    fn from(unheld: Unheld) -> Fault {
+        match unheld {
+            Unheld::Jammed => Fault::Jammed,
+            Unheld::Unbalanced => Fault::Unbalanced,
+        }
+    }
 }
 
 impl<S: Scalar> RigidState<S> {

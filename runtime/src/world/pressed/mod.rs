@@ -104,17 +104,12 @@ impl<S: Scalar> Pressing<S> {
         self.held.missing(gained) / (own * vec3::norm(self.held.contact.impulse) + all * largest)
     }
 
-    /// Slip for the forces of a step of h; where it has reversed, its direction at the start of the piece.
+    /// Slip for the forces of a step of h.
     fn slides(&self, rate: S, h: S, ports: usize) -> Option<Slip<S>> {
-        let first = self.slip?;
-        let axes = &self.held.contact.axes;
-        let slips = vec3::dot(self.velocity, first) > rate;
-        let [_, x, y] = vec3::apply(axes, if slips { self.velocity } else { first });
-        let ([_, x, y], speed) = vec3::direction([S::ZERO, x, y]);
-        let rigid = self.held.contact.points().any(|(_, point)| point.body < ports);
+        let contact = &self.held.contact;
+        let rigid = contact.points().any(|(_, point)| point.body < ports);
         let together = if rigid { S::from_f64(CORNERS) } else { S::ONE };
-        let speed = if slips { speed } else { S::ZERO };
-        Some(Slip::new([x, y], speed, h, together))
+        Some(Slip::now(contact, [self.velocity, self.slip?], rate, (h, together)))
     }
 }
 
