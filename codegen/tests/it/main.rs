@@ -37,6 +37,7 @@ mod newcomer;
 mod parallel;
 mod reactions;
 mod reactions_in_plane;
+mod reactions_of_means;
 mod reactions_of_words;
 mod redundant;
 mod regular;
