@@ -91,6 +91,32 @@ fn a_box_that_stands_off_the_axis_rides_on_a_turntable() {
     }
 }
 
+/// Boxes of three shapes at many places, with as much friction as it takes to ride or much more.
+#[test]
+fn boxes_ride_anywhere_on_a_turntable() {
+    for n in 0..18 {
+        let share =
+            |k: usize| (f64::from(n + 1) * [0.618_033_988_7, 0.754_877_666_2, 0.569_840_291_0][k]).fract();
+        let (x, y, w) = (0.05 + 0.25 * share(0), 0.2 * share(1), 0.5 + 1.5 * share(2));
+        let needed = w * w * f64::hypot(x, y) / G;
+        let friction = if n % 2 == 0 { 1.2 * needed } else { 0.6 + share(0) };
+        let (law, step) = (LAWS[n as usize % 3], [1e-3, 1e-4, 5e-5][n as usize / 3 % 3]);
+        let start =
+            format!("position = [{x}, {y}, 0], velocity = [{}, {}, 0], spin = [0, 0, {w}]", -w * y, w * x);
+        let text =
+            carried(&format!("ride_{n}"), TURNTABLE, &format!("{w}*t/1_s"), &start, friction, law, step);
+        let text = std::fs::read_to_string(&text).expect("text");
+        let sizes = ["[0.2, 0.1, 0.3]", "[0.05, 0.3, 0.02]", "[0.1, 0.1, 0.04]"];
+        let text = text.replace("[0.1, 0.1, 0.04]", sizes[(n + n / 3) as usize % 3]);
+        let done = json(&[&scene(&format!("ride_box_{n}"), &text), "--seconds", "0.1"]);
+        let last = |what: &str| number(&done["last"][what]);
+        let (sine, cosine) = (0.1 * w).sin_cos();
+        let off = (last("box.x") - x * cosine + y * sine).hypot(last("box.y") - x * sine - y * cosine);
+        assert!(off < 1e-10, "{text}: {off:e}");
+        assert_eq!(done["warnings"].as_array().map(Vec::len), Some(0), "{text}: {}", done["warnings"]);
+    }
+}
+
 const SLIDE: &str = "[coordinates]\nq = { unit = \"m\" }\n[points]\nP = \"q*N.x\"\n[bodies]\n\
     slide = { centre = \"P\", mass = 3 }\n[ports]\ntop = { frame = \"N\", point = \"P\" }\n";
 

@@ -175,6 +175,12 @@ impl<S: Scalar> Held<S> {
         if size > S::ZERO { (x * x + y * y).sqrt() / size } else { S::ZERO }
     }
 
+    /// Force (N) that would end the normal acceleration with which the contact opens, given all accelerations with the
+    /// effect of the forces.
+    pub(crate) fn opens(&self, accelerations: &[Twist<S>]) -> S {
+        (self.contact.relative(accelerations)[0] + self.bias[0]) / self.inverse_mass[0][0]
+    }
+
     /// Changes the force so that it fits the contact, given those of all others.
     fn update(
         &mut self,

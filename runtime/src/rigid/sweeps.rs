@@ -13,39 +13,44 @@ pub(crate) fn fine<S: Scalar>(number: usize) -> S {
     S::from_f64(if number < PLAIN { 4.0 } else { 64.0 }) * S::EPSILON
 }
 
-/// Ends sweeps that gain nothing: what a sweep leaves has not halved within so many of them.
+/// Ends sweeps that gain nothing: the least that one leaves has not halved within so many of them. Extrapolation may
+/// have stirred the last one, so that one of the better ones ends them.
 #[derive(Clone, Copy)]
 pub(crate) struct Patience<S> {
     sweeps: usize,
     /// What may be left then.
     allowed: S,
-    least: S,
+    /// The least left before these sweeps, and by these.
+    least: [S; 2],
+    /// Whether the sweeps before these gained nothing.
+    stays: bool,
 }
 
 impl<S: Scalar> Patience<S> {
     /// Before the first sweep.
     pub(crate) fn new(sweeps: usize, allowed: S) -> Self {
-        Patience { sweeps, allowed, least: S::from_f64(f64::INFINITY) }
+        Patience { sweeps, allowed, least: [S::from_f64(f64::INFINITY); 2], stays: false }
     }
 
     /// For forces, of whose changes relative to the largest rounding may be left soon, since those of redundant contacts
     /// that cancel one another change for ever. With `rough` more may be left late, since contacts that contradict one
     /// another have no exact forces.
     pub(crate) fn of_forces(rough: bool) -> [Self; 3] {
-        let rounding = S::from_f64(0.01) * S::EPSILON.sqrt();
-        let [some, more] = [S::from_f64(1e-8), S::from_f64(1e-6)].map(|allowed| allowed.max(rounding));
-        let [some, more] = if rough { [some, more] } else { [rounding; 2] };
-        [Patience::new(10, rounding), Patience::new(40, some), Patience::new(160, more)]
+        let [soon, cancels] = [S::from_f64(64.0) * S::EPSILON, S::from_f64(0.01) * S::EPSILON.sqrt()];
+        let late = if rough { [1e-8, 1e-6].map(S::from_f64) } else { [S::ZERO; 2] };
+        let [some, more] = late.map(|allowed| allowed.max(cancels));
+        [Patience::new(10, soon.max(S::from_f64(1e-11))), Patience::new(40, some), Patience::new(160, more)]
     }
 
     /// Whether sweeps should end, given the number of this one, from 0, and what it leaves.
     pub(crate) fn ends(&mut self, number: usize, left: S) -> bool {
-        if number % self.sweeps != self.sweeps - 1 {
-            return false;
+        let [before, now] = &mut self.least;
+        *now = now.min(left);
+        if number % self.sweeps == self.sweeps - 1 {
+            self.stays = *now > S::from_f64(0.5) * *before;
+            (*before, *now) = (*now, S::from_f64(f64::INFINITY));
         }
-        let gains = left <= S::from_f64(0.5) * self.least;
-        self.least = left;
-        !gains && self.accepts(left)
+        self.stays && left <= S::from_f64(2.0) * *before && self.accepts(left)
     }
 
     /// Whether so much may be left.

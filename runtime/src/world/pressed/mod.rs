@@ -226,11 +226,20 @@ impl<S: Scalar, C: Carrier<S>> Pressed<'_, '_, '_, S, C> {
         Ok(pivot)
     }
 
-    /// Forces that keep every contact closed; they may pull, because the caller locates the time of release.
+    /// Forces that keep every contact closed. They pull only where pushing cannot do it, because the caller locates the
+    /// time of release; those of redundant contacts could pull and push against one another without an effect.
     fn balance(&mut self) -> Result<(), Fault> {
         let StepMemory { twists: [gained, ..], inertias, .. } = &mut *self.memory;
-        gained.fill(Twist::zero());
-        Ok(hold(self.list, Sought { pulls: true, rough: true }, &*inertias, gained)?)
+        for pulls in [false, true] {
+            gained.fill(Twist::zero());
+            hold(self.list, Sought { pulls, rough: true }, &*inertias, gained)?;
+            let largest = self.list.iter().fold(S::ZERO, |most, own| most.max(own.held.contact.impulse[0]));
+            let opens = |own: &Pressing<S>| own.held.opens(gained) > S::from_f64(MISSING_OF_ALL) * largest;
+            if !self.list.iter().any(opens) {
+                break;
+            }
+        }
+        Ok(())
     }
 
     /// Adds the contact forces to those on the nodes and to the wrenches on the ports.
