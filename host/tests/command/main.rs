@@ -18,6 +18,7 @@ mod guide;
 mod health;
 mod hostile_text;
 mod import;
+mod import_planar;
 mod kinds;
 mod new_user;
 mod nonsense;
