@@ -64,7 +64,8 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         set: arguments.set.clone(),
         ..run::Arguments::default()
     };
-    let settings = Settings::new(model, &asked)?;
+    let (model, settings) = Settings::new(model, &asked)?;
+    let model = &*model;
     let waiting = Waiting::deriving();
     let mut requests = vec![Request::new("linearisation")];
     if !model.laws.is_empty() {

@@ -129,7 +129,7 @@ fn evaluate<S: EngineScalar>(
         progress.at(number as f64 / states.len() as f64);
         let at =
             |message: String| Failure::Wrong(format!("{}: states[{number}]: {message}", arguments.states));
-        let given = state.resolve(program, names, &configurations).map_err(at)?;
+        let given = state.resolve(model, program, (names, &configurations)).map_err(at)?;
         let q = configurations.complete_at(state.t, &given.parameters, &given.q).map_err(|unreachable| {
             at(format!(
                 "the dependent coordinates cannot be found: {unreachable}; expected independent coordinates \

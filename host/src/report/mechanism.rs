@@ -62,7 +62,8 @@ impl Mechanism {
     pub fn with(arguments: &Arguments) -> Result<Self, Failure> {
         let (name, engine) = (&arguments.model, arguments.engine);
         let model = model_argument::read(name)?;
-        let settings = Settings::new(&model, arguments)?;
+        let (model, settings) = Settings::new(&model, arguments)?;
+        let model = model.into_owned();
         let wrong = |e| model_argument::wrong(&e);
         let program = program::derive(&model, &settings.choice).map_err(wrong)?;
         let observers = Observers::derive(&model, &settings.choice).map_err(wrong)?;

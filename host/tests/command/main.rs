@@ -8,6 +8,7 @@ mod bed_page;
 mod bed_supervised;
 mod browser;
 mod check_and_derive;
+mod derived_parameters;
 mod driven;
 mod edges;
 mod equilibrium;
