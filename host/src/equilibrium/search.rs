@@ -71,6 +71,8 @@ pub(super) struct Search<'p> {
     pub(super) state: Vec<Entry>,
     pub(super) q: Vec<f64>,
     pub(super) u: Vec<f64>,
+    /// Speeds at the start: those of a steady motion are searched for from there.
+    start_u: Vec<f64>,
     pub(super) inputs: Vec<f64>,
     pub(super) free_inputs: Vec<usize>,
     pub(super) has_laws: bool,
@@ -146,6 +148,7 @@ impl<'p> Search<'p> {
             state,
             q: q.to_vec(),
             u: vec![0.0; u.len()],
+            start_u: u.to_vec(),
             inputs: vec![0.0; program.inputs.len()],
             configurations,
             free_inputs,
@@ -173,6 +176,7 @@ impl<'p> Search<'p> {
         let Some(found) = self.state.iter().position(|entry| entry.name == name) else { return false };
         if self.state[found].is_speed && !self.is_motion() {
             self.state.iter_mut().filter(|entry| entry.is_speed).for_each(|entry| entry.is_held = false);
+            self.u.clone_from(&self.start_u);
         }
         let entry = &mut self.state[found];
         entry.is_held = true;
@@ -249,6 +253,11 @@ impl<'p> Search<'p> {
 
     fn not_found(&self, name: &str, value: f64) -> String {
         let advice = match self.unknown {
+            Unknown::State if self.is_euler_parameter(name) => {
+                "a body that turns changes its Euler parameters, and no motion of it is steady in them; describe its \
+                 attitude by rotations, such as [[\"z\", \"yaw\"], [\"x\", \"lean\"], [\"y\", \"spin\"]], and its speeds \
+                 along axes that do not spin with it"
+            }
             Unknown::State => {
                 "give a start nearer to it by --set, hold inputs by --input, or let them balance it by --trim"
             }

@@ -177,7 +177,7 @@ fn evaluate<S: EngineScalar>(
                 "{what} is not finite: the configuration is singular, or a number too large"
             )));
         }
-        warn::<S>(number, &evaluated, program);
+        warn::<S>(number, &evaluated, (program, &configurations));
         text.push_str(if number == 0 { "\n" } else { ",\n" });
         evaluated.write(program, names, &answers, &mut text);
     }
@@ -186,8 +186,22 @@ fn evaluate<S: EngineScalar>(
 }
 
 /// Warns of states whose answers are finite but doubtful.
-fn warn<S: EngineScalar>(number: usize, evaluated: &Evaluated, program: &Program) {
-    if evaluated.residual > VIOLATED * program.assembly.size() {
+fn warn<S: EngineScalar>(
+    number: usize,
+    evaluated: &Evaluated,
+    (program, configurations): (&Program, &Configurations),
+) {
+    let long = configurations.unit_vectors().iter().find_map(|places| {
+        let length = places.iter().map(|&i| evaluated.q[i]).fold(0.0, f64::hypot);
+        let names: Vec<&str> = places.iter().map(|&i| program.q[i].name.as_str()).collect();
+        ((length - 1.0).abs() > VIOLATED).then(|| (names.join(", "), length))
+    });
+    if let Some((names, length)) = long {
+        output::say(&format!(
+            "warning: states[{number}]: {names} are the components of a unit vector, but its length is {length:.6}; \
+             expected 1. Its accelerations have no meaning: give the components with length 1"
+        ));
+    } else if evaluated.residual > VIOLATED * program.assembly.size() {
         output::say(&format!(
             "warning: states[{number}]: the configuration does not satisfy the constraints: a residual of {:.1e} is \
              left, and its accelerations have no meaning",

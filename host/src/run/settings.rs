@@ -3,7 +3,7 @@
 use super::arguments::Arguments;
 use super::health::Range;
 use crate::failure::Failure;
-use crate::number::six_digits;
+use crate::number::{fewest_digits, six_digits};
 use crate::{model_argument, suggest};
 use clap::ValueEnum;
 use smartbed_codegen::ParameterChoice;
@@ -105,15 +105,19 @@ impl Settings {
         let wrong = |message: String| Err(Failure::Wrong(message));
         let positive = |x: f64| x > 0.0 && x.is_finite();
         if !(self.seconds >= 0.0 && self.seconds.is_finite()) {
-            return wrong(format!("--seconds {}: expected a time of 0 or more", self.seconds));
+            return wrong(format!("--seconds {}: expected a time of 0 or more", fewest_digits(self.seconds)));
         }
         if !positive(self.step) {
-            return wrong(format!("--step {}: expected a time above 0, for example 1e-3", self.step));
+            return wrong(format!(
+                "--step {}: expected a time above 0, for example 1e-3",
+                fewest_digits(self.step)
+            ));
         }
         if self.seconds / self.step > MOST_STEPS {
             return wrong(format!(
                 "{} s in steps of {} s are more than {MOST_STEPS:e} steps; take a larger --step",
-                self.seconds, self.step
+                fewest_digits(self.seconds),
+                fewest_digits(self.step)
             ));
         }
         if self.every == 0 {
@@ -129,7 +133,7 @@ impl Settings {
         if !positive(self.tolerance) {
             return wrong(format!(
                 "--tolerance {}: expected a number above 0, for example 1e-9",
-                self.tolerance
+                fewest_digits(self.tolerance)
             ));
         }
         Ok(())
@@ -139,7 +143,7 @@ impl Settings {
     #[must_use]
     pub fn note(&self) -> String {
         match self.method.fixed() {
-            Some(_) => format!("{}, step {} s", self.method.name(), six_digits(self.step)),
+            Some(_) => format!("{}, step {} s", self.method.name(), fewest_digits(six_digits(self.step))),
             None => format!("{}, tolerance {:e}", self.method.name(), self.tolerance),
         }
     }

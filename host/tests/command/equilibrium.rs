@@ -219,8 +219,32 @@ fn inputs_are_those_that_the_law_commands() {
     assert!(done.err.contains("warning: `drive` changes with time"), "{done:?}");
 }
 
+/// Heading, spin and place of a disc change for ever; its lean and speeds do not.
+#[test]
+fn a_disc_rolls_in_circles_as_its_closed_form_says() {
+    let (lean, yaw_rate, r, g) = (0.3_f64, 1.5_f64, 0.5, 9.81);
+    let u3 = yaw_rate * lean.cos();
+    let hold = [format!("lean={lean}"), format!("u3={u3}")];
+    // Moment of momentum about the contact: 6 u3 u2 = u3^2 tan(lean) - 4 g sin(lean)/r.
+    let u2 = (u3 * u3 * lean.tan() - 4.0 * g * lean.sin() / r) / (6.0 * u3);
+    let answer = found(&["rolling_disc", "--hold", &hold[0], "--hold", &hold[1]]);
+    close(number(&answer["speeds"]["u2"]), u2, 1e-12, "spin");
+    assert!(number(&answer["speeds"]["u1"]).abs() < 1e-12, "{answer}");
+    // With one of the two held the nearest to the start is found, not the disc that stands and turns.
+    let near = found(&["rolling_disc", "--hold", &hold[1]]);
+    close(number(&near["q"]["lean"]), lean, 1e-2, "lean");
+    // A run from there keeps the lean.
+    let start: Vec<String> =
+        ["u1", "u2", "u3"].iter().map(|u| format!("{u}={}", number(&answer["speeds"][u]))).collect();
+    let set: Vec<&str> = start.iter().flat_map(|change| ["--set", change]).collect();
+    let run = smartbed(&[&["run", "rolling_disc", "--json"][..], &set].concat()).json();
+    close(number(&run["last"]["lean"]), lean, 1e-9, "lean after 10 s");
+}
+
 #[test]
 fn what_cannot_be_is_refused() {
+    let turning = refused(&["spinning_top", "--hold", "tip_wz=200"]);
+    assert!(turning.message().contains("no motion of it is steady in them"), "{turning:?}");
     // Nothing holds its platform up.
     let tile = refused(&["tile"]);
     assert!(tile.message().contains("no equilibrium was found: the rate of `u_h"), "{tile:?}");
