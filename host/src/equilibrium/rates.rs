@@ -88,10 +88,10 @@ impl Search<'_> {
     pub(super) fn rows(&self, here: &Rates) -> Vec<usize> {
         let largest = here.slopes.a.amax();
         let mut rows: Vec<usize> = (0..self.state.len()).filter(|&i| self.state[i].is_speed).collect();
-        let vectors = if self.is_motion() { self.unit_vectors() } else { Vec::new() };
+        let vectors = if self.moves() { self.unit_vectors() } else { Vec::new() };
         // Rows are appended while they are gone through: each brings the coordinates that its rate depends on.
         let mut next = 0;
-        while self.is_motion() && next < rows.len() {
+        while self.moves() && next < rows.len() {
             let i = rows[next];
             let matters = |j: usize| here.slopes.a[(i, j)].abs() > NO_SLOPE * largest;
             let found: Vec<usize> = (0..self.state.len()).filter(|&j| matters(j)).collect();

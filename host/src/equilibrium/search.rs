@@ -189,6 +189,12 @@ impl<'p> Search<'p> {
         self.unknown = unknown;
     }
 
+    /// Can coordinates change although the independent speeds are 0 or balanced? If a constraint has a part without
+    /// speeds, as a motor or the memory of a controller has, they can even at rest.
+    pub(super) fn moves(&self) -> bool {
+        self.is_motion() || self.program.drive.is_some()
+    }
+
     /// Is a steady motion searched for? Then some speeds are free; if no speed is held, all are 0.
     pub(super) fn is_motion(&self) -> bool {
         self.state.iter().any(|entry| entry.is_speed && !entry.is_held) || self.u.iter().any(|u| *u != 0.0)
@@ -222,9 +228,11 @@ impl<'p> Search<'p> {
         if share > BALANCED {
             return Err(self.not_found(&name, value));
         }
+        let speeds = self.engine.speeds(&self.q, &self.u).map_err(|fault| fault.reason().to_owned())?;
+        let is_motion = self.is_motion() || speeds.iter().any(|u| u.abs() > BALANCED);
         Ok(Found {
             q: self.q.clone(),
-            speeds: self.engine.speeds(&self.q, &self.u).map_err(|fault| fault.reason().to_owned())?,
+            speeds,
             inputs: self.commanded()?,
             outputs: self
                 .engine
@@ -232,7 +240,7 @@ impl<'p> Search<'p> {
                 .map_err(|fault| fault.reason().to_owned())?,
             left: (name, value),
             slopes: here.slopes,
-            is_motion: self.is_motion(),
+            is_motion,
         })
     }
 
