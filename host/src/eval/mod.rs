@@ -10,6 +10,7 @@ use crate::configuration::Configurations;
 use crate::engine::{self, Engine, EngineKind, EngineScalar, ScalarKind, explain};
 use crate::failure::Failure;
 use crate::limits::{Angles, check_numbers, less_turns};
+use crate::number::fewest_digits;
 use crate::observers::Observers;
 use crate::progress::{Progress, Waiting};
 use crate::{answers, model_argument, output, speeds};
@@ -226,7 +227,9 @@ fn agree(names: &[(String, String)], given: &[Option<f64>], values: &[f64]) -> R
             && (given - value).abs() > ROUNDING * value.abs().max(1.0)
         {
             return Err(format!(
-                "q: `{name}` is {value:.6} by its closed form, but {given} is given; leave it out or correct it"
+                "q: `{name}` is {} by its closed form, but {} is given; leave it out or correct it",
+                fewest_digits(*value),
+                fewest_digits(*given)
             ));
         }
     }

@@ -159,6 +159,24 @@ fn floating_and_planar_joints_inside_a_tree_are_joints() {
     assert!((falling[1] + 9.81).abs() < 1e-13 && falling[0].abs() < 1e-13, "{falling:?}");
 }
 
+#[test]
+fn inertias_of_links_without_mass_add_up() {
+    let link = |name: &str, izz: &str| {
+        format!(
+            r#"<link name="{name}"><inertial><mass value="0"/><inertia ixx="0.2" iyy="0.2" izz="{izz}"/></inertial></link>"#
+        )
+    };
+    let robot = format!(
+        r#"<robot name="r"><link name="base"/>
+  <joint name="j" type="continuous"><parent link="base"/><child link="a"/><axis xyz="0 0 1"/></joint>
+  <joint name="f" type="fixed"><parent link="a"/><child link="b"/><origin xyz="1 0 0"/></joint>{}{}</robot>"#,
+        link("a", "0.2"),
+        link("b", "0.3")
+    );
+    let found = rates(&derived(&made(&robot, Base::Fixed)), |name| if name == "tau_j" { 1.0 } else { 0.0 });
+    assert!((found[0] - 2.0).abs() < 1e-15, "{found:?}");
+}
+
 /// Every name that a model makes of another one is a name in the robot too.
 #[test]
 fn names_that_models_make_are_not_taken_twice() {
