@@ -20,6 +20,12 @@ pub fn short(x: f64) -> String {
     if x == 0.0 || (1e-2..1e7).contains(&x.abs()) { format!("{x:.6}") } else { format!("{x:.6e}") }
 }
 
+/// The fewest digits that read back as the same number, with an exponent in place of many zeros.
+#[must_use]
+pub fn fewest_digits(x: f64) -> String {
+    if x == 0.0 || (1e-6..1e15).contains(&x.abs()) { format!("{x}") } else { format!("{x:e}") }
+}
+
 /// `{"name": value, ...}` in the given order; a value that is not finite becomes `null`.
 pub fn json_object<'a>(entries: impl IntoIterator<Item = (&'a str, f64)>) -> String {
     let mut text = String::from("{");

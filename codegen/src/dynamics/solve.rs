@@ -111,6 +111,31 @@ impl Factors {
 /// A pivot below this share of its diagonal entry means that no mass is moved.
 pub(super) const NO_INERTIA: f64 = 1e-12;
 
+/// Why a pivot of the mass matrix is no inertia.
+enum Fault {
+    /// It has no value at this sample.
+    Undefined(usize),
+    /// It is below 0 by more than rounding.
+    Negative,
+    /// It is 0.
+    Zero,
+}
+
+impl Fault {
+    /// The fault of a pivot with these values, compared with its diagonal entry.
+    fn of(values: &[f64], diagonal: &[f64]) -> Option<Self> {
+        if let Some(sample) = values.iter().position(|d| !d.is_finite()) {
+            return Some(Self::Undefined(sample));
+        }
+        let mut pairs = values.iter().zip(diagonal);
+        if pairs.clone().all(|(d, m)| *d > NO_INERTIA * m.abs()) {
+            return None;
+        }
+        let is_negative = pairs.any(|(d, m)| *d < -NO_INERTIA * m.abs() || *m < 0.0);
+        Some(if is_negative { Self::Negative } else { Self::Zero })
+    }
+}
+
 /// u' and the pivots that are not constants.
 pub(super) fn ldl(
     alg: &mut Algebra,
@@ -127,8 +152,8 @@ pub(super) fn ldl(
     let factors = Factors::checked(dag, mass, |dag, i, entry| {
         let reference = table.values(dag, mass[i][i]).to_vec();
         let values = table.values(dag, entry);
-        if !values.iter().zip(&reference).all(|(d, m)| *d > NO_INERTIA * m.abs()) {
-            return Err(order[i]);
+        if let Some(fault) = Fault::of(values, &reference) {
+            return Err((order[i], fault));
         }
         dag.label(entry, Label::named(Section::Results, format!("pivot_{}", order[i])));
         if !dag.is_constant(entry) {
@@ -138,7 +163,7 @@ pub(super) fn ldl(
     });
     let factors = match factors {
         Ok(factors) => factors,
-        Err(index) => return Err(without_inertia(model, k, index)),
+        Err((index, fault)) => return Err(without_inertia(alg, model, k, (index, fault))),
     };
     let u_dot = factors.solve(&mut alg.dag, forcing);
     Ok((absolute.relative(&mut alg.dag, &u_dot), pivots))
@@ -154,19 +179,48 @@ pub(super) fn still_masses(model: &Model) -> Diagnostics {
     Diagnostics { source: model.source.clone(), items: vec![error] }
 }
 
-fn without_inertia(model: &Model, k: &Kinematics, index: usize) -> Diagnostics {
+fn without_inertia(
+    alg: &Algebra,
+    model: &Model,
+    k: &Kinematics,
+    (index, fault): (usize, Fault),
+) -> Diagnostics {
     let independent: Vec<_> = model.speeds.iter().filter(|s| s.independent).collect();
-    let mut error = Diagnostic::error(format!(
-        "the mass matrix is singular: some motion of `{}` moves no mass",
-        independent.get(index).map_or("?", |s| s.name.as_str())
-    ))
-    .help(if model.bodies.is_empty() {
-        "the model has no bodies: add `[bodies]` with masses, or derive what needs none (`--form kinematic`)"
-    } else {
-        "give a mass or an inertia to every body that this coordinate moves"
-    });
+    let name = independent.get(index).map_or("?", |s| s.name.as_str());
+    let (message, help) = match fault {
+        Fault::Undefined(sample) => (
+            format!(
+                "the inertia that `{name}` moves has no finite value at {}",
+                place(alg, model, k, sample)
+            ),
+            "look for atan2(0, 0), a norm or root of 0, or a division by 0 in frames, points or inertias there; if \
+             only this configuration has none, give another `nominal` or `range`",
+        ),
+        Fault::Negative => (
+            format!("the mass matrix is not positive: some motion of `{name}` has a negative inertia"),
+            "no mass moves in that way: correct the inertias, whose products (Ixy and its like) may be too large for \
+             their moments",
+        ),
+        Fault::Zero => (
+            format!("the mass matrix is singular: some motion of `{name}` moves no mass"),
+            match model.bodies.is_empty() {
+                true => {
+                    "the model has no bodies: add `[bodies]` with masses, or derive what needs none (`--form kinematic`)"
+                }
+                false => "give a mass or an inertia to every body that this coordinate moves",
+            },
+        ),
+    };
+    let mut error = Diagnostic::error(message).help(help);
     if let Some(speed) = independent.get(index) {
         error = error.label(speed.span, format!("speed {} of {}", index + 1, k.unknowns.len()));
     }
     Diagnostics { source: model.source.clone(), items: vec![error] }
+}
+
+/// A sampled configuration in words.
+fn place(alg: &Algebra, model: &Model, k: &Kinematics, sample: usize) -> String {
+    let states = model.coordinates.ids().filter(|&c| k.coordinate_symbol(&alg.dag, c).is_some());
+    let values = states.zip(&k.samples[sample]);
+    values.map(|(c, q)| format!("{} = {q:.4}", model.coordinates[c].name)).collect::<Vec<_>>().join(", ")
 }

@@ -5,6 +5,7 @@
 
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::Model;
+use std::borrow::Cow;
 use std::collections::BTreeMap;
 
 /// How the derivation treats parameters.
@@ -12,7 +13,7 @@ use std::collections::BTreeMap;
 pub struct ParameterChoice {
     /// Names of fixed parameters that shall stay fields of the generated code.
     pub keep: Vec<String>,
-    /// Other default values, by name.
+    /// Other default values, by name; what the model states as an expression of these parameters follows.
     pub values: BTreeMap<String, f64>,
 }
 
@@ -37,5 +38,17 @@ impl ParameterChoice {
             }
         }
         if found.has_errors() { Err(found) } else { Ok(()) }
+    }
+
+    /// The model with these values, and with what follows from them.
+    ///
+    /// # Errors
+    /// As [`ParameterChoice::check`]; also what has no finite value then, and parameters that leave their ranges.
+    pub fn applied<'m>(&self, model: &'m Model) -> Result<Cow<'m, Model>, Diagnostics> {
+        self.check(model)?;
+        if self.values.is_empty() {
+            return Ok(Cow::Borrowed(model));
+        }
+        model.with_values(&self.values).map(Cow::Owned)
     }
 }

@@ -8,7 +8,8 @@
 
 use super::linear_form::LinearForm;
 use super::quantities::{Direction, Kinematics, Motion, Place, Rate, Row, Value};
-use super::{lifted, lower, orientation, rank, rate};
+use super::unknowns::UnknownId;
+use super::{lifted, lower, orientation, rank, rate, sampling};
 use crate::expr::ExprId;
 use crate::model::{Axis, FrameId, Model, PointId, SpeedMeaning};
 use crate::vector::{Algebra, Components, TriadId, Vector, cross_components, dot_components};
@@ -99,15 +100,34 @@ fn rows(alg: &mut Algebra, model: &Model, k: &Kinematics, found: &mut Configurat
     rows
 }
 
-/// Adds rows for the derivatives of closed forms, if the constraints do not determine all dependent speeds.
+/// Adds rows for the derivatives of closed forms, if the constraints do not determine all dependent speeds, or determine
+/// them otherwise.
 pub(super) fn complete(alg: &mut Algebra, model: &Model, mut k: Kinematics) -> Kinematics {
-    if k.is_state.iter().all(|&state| state) || rank::determined(alg, model, &k) {
+    if k.is_state.iter().all(|&state| state)
+        || (rank::determined(alg, model, &k) && !contradicts_closed_forms(alg, model, &k))
+    {
         return k;
     }
     let rows = speeds_in_closed_form(alg, model, &k);
     k.rows.extend(rows);
     k.rows.sort_by_key(|row| row.cost);
     k
+}
+
+/// Do motion constraints say something else of the speed of a coordinate than its closed form? Configuration constraints
+/// have been compared with the forms themselves.
+fn contradicts_closed_forms(alg: &Algebra, model: &Model, k: &Kinematics) -> bool {
+    if model.motion_constraints.is_empty() {
+        return false;
+    }
+    // A copy, so that rows needed for numbers alone leave no nodes in the program's DAG.
+    let mut alg = alg.clone();
+    let mut rows = k.rows.clone();
+    let unknowns: Vec<UnknownId> = k.unknowns.moving().into_iter().chain(k.unknowns.clock()).collect();
+    let mut table = sampling::sample_table(&alg, model, k);
+    let without = rank::ranks(&alg, &mut table, &rows, &unknowns);
+    rows.extend(speeds_in_closed_form(&mut alg, model, k));
+    rank::ranks(&alg, &mut table, &rows, &unknowns) != without
 }
 
 /// u_c - d/dt(closed form) = 0 for a speed that is the rate of a coordinate in closed form.

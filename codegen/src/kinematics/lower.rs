@@ -43,7 +43,7 @@ pub(super) fn symbols(alg: &mut Algebra, model: &Model, choice: &ParameterChoice
         closed_forms: Vec::new(),
         inputs,
         parameters: model.parameters.iter().map(|_| zero).collect(),
-        parameter_values: model.parameter_defaults(),
+        parameter_values: model.parameter_values(&choice.values),
         unknowns,
         frame_triad: model.frames.iter().map(|_| inertial).collect(),
         positions: model.points.iter().map(|_| Vector::zero()).collect(),
@@ -74,9 +74,6 @@ fn parameters(alg: &mut Algebra, model: &Model, choice: &ParameterChoice, mut k:
         let Entity::Parameter(id) = *entity else { continue };
         let parameter = &model.parameters[id];
         let set = choice.values.get(&parameter.name).copied();
-        if let Some(value) = set {
-            k.parameter_values[id] = value;
-        }
         let kept = parameter.tunable || choice.keep.contains(&parameter.name);
         k.parameters[id] = match (kept, set) {
             (true, _) => alg.dag.parameter(&parameter.name),

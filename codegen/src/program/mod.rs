@@ -102,6 +102,7 @@ fn derive_stages(
     let settings = Settings { optimise, ..settings };
     let effort = settings.effort;
     let own_inputs = model.inputs.len();
+    let model = &*choice.applied(model)?;
     let model = &*answer::with_wrenches(model, requests)?;
     stage::begin(Stage::Kinematics);
     let (mut alg, k) = kinematics::derive(model, choice, optimise)?;

@@ -64,7 +64,8 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         set: arguments.set.clone(),
         ..run::Arguments::default()
     };
-    let settings = Settings::new(model, &asked)?;
+    let (model, settings) = Settings::new(model, &asked)?;
+    let model = &*model;
     let waiting = Waiting::deriving();
     let mut requests = vec![Request::new("linearisation")];
     if !model.laws.is_empty() {
@@ -76,7 +77,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         .map_err(|e| model_argument::wrong(&e))?;
     drop(waiting);
     model_argument::print_warnings(&program);
-    if program.drive.is_some() {
+    if model.is_moved_by_time() {
         return Err(Failure::Wrong(format!(
             "{}: a mechanism with prescribed motion has no equilibrium; give the prescribed coordinates constant \
              values",

@@ -83,13 +83,34 @@ impl Search<'_> {
         Ok(near[near.len() - self.inputs.len()..].to_vec())
     }
 
-    /// Rates that have to vanish: accelerations, and rates of coordinates on which anything depends.
+    /// Rates that have to vanish: accelerations, and rates of coordinates on which these rates depend. The heading of a
+    /// disc moves its place, but neither of them its accelerations: both may change.
     pub(super) fn rows(&self, here: &Rates) -> Vec<usize> {
         let largest = here.slopes.a.amax();
-        let matters = |j: usize| here.slopes.a.column(j).amax() > NO_SLOPE * largest;
-        (0..self.state.len())
-            .filter(|&i| self.state[i].is_speed || (self.is_motion() && matters(i)))
-            .collect()
+        let mut rows: Vec<usize> = (0..self.state.len()).filter(|&i| self.state[i].is_speed).collect();
+        let vectors = if self.moves() { self.unit_vectors() } else { Vec::new() };
+        // Rows are appended while they are gone through: each brings the coordinates that its rate depends on.
+        let mut next = 0;
+        while self.moves() && next < rows.len() {
+            let i = rows[next];
+            let matters = |j: usize| here.slopes.a[(i, j)].abs() > NO_SLOPE * largest;
+            let found: Vec<usize> = (0..self.state.len()).filter(|&j| matters(j)).collect();
+            // What depends on one Euler parameter to first order depends on all four a little further on.
+            let whole = vectors.iter().filter(|v| v.iter().any(|j| found.contains(j))).flatten();
+            for &j in found.iter().chain(whole) {
+                if !rows.contains(&j) {
+                    rows.push(j);
+                }
+            }
+            next += 1;
+        }
+        rows.sort_unstable();
+        rows
+    }
+
+    /// Is it one of the Euler parameters?
+    pub(super) fn is_euler_parameter(&self, name: &str) -> bool {
+        self.unit_vectors().iter().flatten().any(|&j| self.state[j].name == name)
     }
 
     /// The Jacobian J: rows of the rates that have to vanish, columns of the unknowns, scaled.

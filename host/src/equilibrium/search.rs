@@ -71,6 +71,8 @@ pub(super) struct Search<'p> {
     pub(super) state: Vec<Entry>,
     pub(super) q: Vec<f64>,
     pub(super) u: Vec<f64>,
+    /// Speeds at the start: those of a steady motion are searched for from there.
+    start_u: Vec<f64>,
     pub(super) inputs: Vec<f64>,
     pub(super) free_inputs: Vec<usize>,
     pub(super) has_laws: bool,
@@ -146,6 +148,7 @@ impl<'p> Search<'p> {
             state,
             q: q.to_vec(),
             u: vec![0.0; u.len()],
+            start_u: u.to_vec(),
             inputs: vec![0.0; program.inputs.len()],
             configurations,
             free_inputs,
@@ -173,6 +176,7 @@ impl<'p> Search<'p> {
         let Some(found) = self.state.iter().position(|entry| entry.name == name) else { return false };
         if self.state[found].is_speed && !self.is_motion() {
             self.state.iter_mut().filter(|entry| entry.is_speed).for_each(|entry| entry.is_held = false);
+            self.u.clone_from(&self.start_u);
         }
         let entry = &mut self.state[found];
         entry.is_held = true;
@@ -183,6 +187,12 @@ impl<'p> Search<'p> {
 
     pub fn look_for(&mut self, unknown: Unknown) {
         self.unknown = unknown;
+    }
+
+    /// Can coordinates change although the independent speeds are 0 or balanced? If a constraint has a part without
+    /// speeds, as a motor or the memory of a controller has, they can even at rest.
+    pub(super) fn moves(&self) -> bool {
+        self.is_motion() || self.program.drive.is_some()
     }
 
     /// Is a steady motion searched for? Then some speeds are free; if no speed is held, all are 0.
@@ -218,9 +228,11 @@ impl<'p> Search<'p> {
         if share > BALANCED {
             return Err(self.not_found(&name, value));
         }
+        let speeds = self.engine.speeds(&self.q, &self.u).map_err(|fault| fault.reason().to_owned())?;
+        let is_motion = self.is_motion() || speeds.iter().any(|u| u.abs() > BALANCED);
         Ok(Found {
             q: self.q.clone(),
-            speeds: self.engine.speeds(&self.q, &self.u).map_err(|fault| fault.reason().to_owned())?,
+            speeds,
             inputs: self.commanded()?,
             outputs: self
                 .engine
@@ -228,7 +240,7 @@ impl<'p> Search<'p> {
                 .map_err(|fault| fault.reason().to_owned())?,
             left: (name, value),
             slopes: here.slopes,
-            is_motion: self.is_motion(),
+            is_motion,
         })
     }
 
@@ -249,6 +261,11 @@ impl<'p> Search<'p> {
 
     fn not_found(&self, name: &str, value: f64) -> String {
         let advice = match self.unknown {
+            Unknown::State if self.is_euler_parameter(name) => {
+                "a body that turns changes its Euler parameters, and no motion of it is steady in them; describe its \
+                 attitude by rotations, such as [[\"z\", \"yaw\"], [\"x\", \"lean\"], [\"y\", \"spin\"]], and its speeds \
+                 along axes that do not spin with it"
+            }
             Unknown::State => {
                 "give a start nearer to it by --set, hold inputs by --input, or let them balance it by --trim"
             }

@@ -10,6 +10,7 @@ use crate::configuration::Configurations;
 use crate::engine::{self, Engine, EngineKind, EngineScalar, ScalarKind, explain};
 use crate::failure::Failure;
 use crate::limits::{Angles, check_numbers, less_turns};
+use crate::number::fewest_digits;
 use crate::observers::Observers;
 use crate::progress::{Progress, Waiting};
 use crate::{answers, model_argument, output, speeds};
@@ -129,7 +130,7 @@ fn evaluate<S: EngineScalar>(
         progress.at(number as f64 / states.len() as f64);
         let at =
             |message: String| Failure::Wrong(format!("{}: states[{number}]: {message}", arguments.states));
-        let given = state.resolve(program, names, &configurations).map_err(at)?;
+        let given = state.resolve(model, program, (names, &configurations)).map_err(at)?;
         let q = configurations.complete_at(state.t, &given.parameters, &given.q).map_err(|unreachable| {
             at(format!(
                 "the dependent coordinates cannot be found: {unreachable}; expected independent coordinates \
@@ -177,7 +178,7 @@ fn evaluate<S: EngineScalar>(
                 "{what} is not finite: the configuration is singular, or a number too large"
             )));
         }
-        warn::<S>(number, &evaluated, program);
+        warn::<S>(number, &evaluated, (program, &configurations));
         text.push_str(if number == 0 { "\n" } else { ",\n" });
         evaluated.write(program, names, &answers, &mut text);
     }
@@ -186,8 +187,22 @@ fn evaluate<S: EngineScalar>(
 }
 
 /// Warns of states whose answers are finite but doubtful.
-fn warn<S: EngineScalar>(number: usize, evaluated: &Evaluated, program: &Program) {
-    if evaluated.residual > VIOLATED * program.assembly.size() {
+fn warn<S: EngineScalar>(
+    number: usize,
+    evaluated: &Evaluated,
+    (program, configurations): (&Program, &Configurations),
+) {
+    let long = configurations.unit_vectors().iter().find_map(|places| {
+        let length = places.iter().map(|&i| evaluated.q[i]).fold(0.0, f64::hypot);
+        let names: Vec<&str> = places.iter().map(|&i| program.q[i].name.as_str()).collect();
+        ((length - 1.0).abs() > VIOLATED).then(|| (names.join(", "), length))
+    });
+    if let Some((names, length)) = long {
+        output::say(&format!(
+            "warning: states[{number}]: {names} are the components of a unit vector, but its length is {length:.6}; \
+             expected 1. Its accelerations have no meaning: give the components with length 1"
+        ));
+    } else if evaluated.residual > VIOLATED * program.assembly.size() {
         output::say(&format!(
             "warning: states[{number}]: the configuration does not satisfy the constraints: a residual of {:.1e} is \
              left, and its accelerations have no meaning",
@@ -212,7 +227,9 @@ fn agree(names: &[(String, String)], given: &[Option<f64>], values: &[f64]) -> R
             && (given - value).abs() > ROUNDING * value.abs().max(1.0)
         {
             return Err(format!(
-                "q: `{name}` is {value:.6} by its closed form, but {given} is given; leave it out or correct it"
+                "q: `{name}` is {} by its closed form, but {} is given; leave it out or correct it",
+                fewest_digits(*value),
+                fewest_digits(*given)
             ));
         }
     }

@@ -160,9 +160,9 @@ impl State {
     /// A name that does not belong to its group; an omitted independent coordinate.
     pub fn resolve(
         &self,
+        model: &Model,
         program: &Program,
-        closed: &[(String, String)],
-        configurations: &Configurations,
+        (closed, configurations): (&[(String, String)], &Configurations),
     ) -> Result<Given, String> {
         let states = program.q.iter().map(|q| q.name.as_str());
         let all: Vec<&str> = states.chain(closed.iter().map(|(name, _)| name.as_str())).collect();
@@ -202,11 +202,30 @@ impl State {
                 &program.inputs,
             ),
             u_dot: or_default(u_dot, &program.u_dot),
-            parameters: or_default(
-                place(&self.parameters, &names(&program.parameters), "parameters", "parameter")?,
-                &program.parameters,
-            ),
+            parameters: self.values_of_parameters(model, program)?,
         })
+    }
+
+    /// Values of the program's parameters: those that the model states as expressions of given ones follow.
+    fn values_of_parameters(&self, model: &Model, program: &Program) -> Result<Vec<f64>, String> {
+        if self.parameters.is_empty() {
+            return Ok(program.parameters.iter().map(|p| p.value).collect());
+        }
+        let changed = model.with_values(&self.parameters.iter().cloned().collect()).map_err(|found| {
+            let all: Vec<&str> = found.items.iter().map(|item| item.message.as_str()).collect();
+            format!("parameters: {}", all.join("; "))
+        })?;
+        let values: BTreeMap<&str, f64> = changed
+            .parameters
+            .iter()
+            .map(|p| p.name.as_str())
+            .zip(changed.parameter_defaults().iter().copied())
+            .collect();
+        Ok(program
+            .parameters
+            .iter()
+            .map(|p| values.get(p.name.as_str()).copied().unwrap_or(p.value))
+            .collect())
     }
 }
 

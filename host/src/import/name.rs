@@ -24,17 +24,26 @@ impl Names {
     /// A name for a joint, link or robot (`what`) as near to `wanted` as possible; if it is in use, with that word or a
     /// number appended.
     pub fn take(&mut self, wanted: &str, what: &str) -> String {
+        self.take_with(wanted, what, &[])
+    }
+
+    /// The same, together with the names that the model makes of it: in each of `made` a `*` stands for the name.
+    pub fn take_with(&mut self, wanted: &str, what: &str, made: &[String]) -> String {
         let ending = format!("_{what}");
         let letter = |c: char| if c.is_ascii_alphanumeric() { c } else { '_' };
         let mut word: String = wanted.chars().map(letter).take(LONGEST).collect();
         if !word.starts_with(|c: char| c.is_ascii_alphabetic()) {
             word = format!("{what}_{word}");
         }
-        let free = |name: &String| !self.taken.contains(name) && !is_keyword(name);
+        let with = |name: &str| -> Vec<String> {
+            made.iter().map(|pattern| pattern.replace('*', name)).chain([name.to_owned()]).collect()
+        };
+        let free =
+            |name: &String| !is_keyword(name) && with(name).iter().all(|name| !self.taken.contains(name));
         let others =
             std::iter::once(format!("{word}{ending}")).chain((2..).map(|n| format!("{word}{ending}{n}")));
         let name = std::iter::once(word.clone()).chain(others).find(free).unwrap_or(word);
-        self.taken.insert(name.clone());
+        self.taken.extend(with(&name));
         if name != wanted {
             self.changed.push(format!("{what} `{wanted}` is named `{name}`"));
         }

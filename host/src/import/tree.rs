@@ -140,12 +140,13 @@ fn together(parts: &[Inertial]) -> Option<Inertial> {
     if let [one] = parts {
         return Some(*one);
     }
+    let first = parts.first()?;
     let mass: f64 = parts.iter().map(|p| p.mass).sum();
-    if mass == 0.0 {
-        return None;
-    }
-    let xyz: Vector =
-        std::array::from_fn(|i| parts.iter().map(|p| p.mass * p.origin.xyz[i]).sum::<f64>() / mass);
+    // Where nothing weighs, inertias are the same about every point.
+    let xyz: Vector = match mass == 0.0 {
+        true => first.origin.xyz,
+        false => std::array::from_fn(|i| parts.iter().map(|p| p.mass * p.origin.xyz[i]).sum::<f64>() / mass),
+    };
     let mut inertia = [0.0; 6];
     for part in parts {
         let away = std::array::from_fn(|i| part.origin.xyz[i] - xyz[i]);

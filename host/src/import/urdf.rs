@@ -302,6 +302,10 @@ fn joint(node: Node<'_, '_>, left_out: &mut BTreeMap<&'static str, usize>) -> Re
     let limited = has_limits && (limit.0 < limit.1 || stated);
     let dynamics = child(node, "dynamics");
     let damping = number_or(dynamics, "damping", 0.0)?;
+    if damping != 0.0 && matches!(kind, Kind::Planar | Kind::Floating) {
+        // One number in N s/m and N m s at once: URDF does not say along and about which axes it acts.
+        *left_out.entry("damping of planar and floating joints").or_default() += 1;
+    }
     if number_or(dynamics, "friction", 0.0)? != 0.0 {
         *left_out.entry("dry frictions of joints").or_default() += 1;
     }

@@ -76,21 +76,49 @@ pub fn write(path: &str, robot: &Robot, tree: &Tree, base: Base) -> Imported {
 }
 
 fn name(names: &mut Names, robot: &Robot, tree: &Tree, base: Base) -> Words {
-    let joint = |names: &mut Names, joint: &Joint| match joint.kind {
+    let joint = |names: &mut Names, (n, joint): (usize, &Joint)| match joint.kind {
         Kind::Fixed => String::new(),
-        _ => names.take(&joint.name, "joint"),
+        // A joint that follows another one has no coordinate: nothing is called after it.
+        _ if tree.leaders[n].is_some() => joint.name.clone(),
+        _ => names.take_with(&joint.name, "joint", &made_of(joint.kind, "*")),
     };
-    let joints = robot.joints.iter().map(|j| joint(names, j)).collect();
-    let carrier = |names: &mut Names, carrier: &Carrier| match (carrier.joint, base) {
-        (None, Base::Fixed) => ("N".to_owned(), "O".to_owned()),
-        _ => {
-            let name = names.take(&robot.links[carrier.link].name, "link");
-            (name.clone(), name)
-        }
+    let joints = robot.joints.iter().enumerate().map(|j| joint(names, j)).collect();
+    let carrier = |names: &mut Names, carrier: &Carrier| {
+        let mut made = match (carrier.joint, base) {
+            (None, Base::Fixed) => return ("N".to_owned(), "O".to_owned()),
+            (None, Base::Floating) => made_of(Kind::Floating, "*_base"),
+            (None, Base::Planar) => made_of(Kind::Planar, "*_base"),
+            _ => Vec::new(),
+        };
+        made.extend(is_off_centre(carrier).then(|| "*_centre".to_owned()));
+        let name = names.take_with(&robot.links[carrier.link].name, "link", &made);
+        (name.clone(), name)
     };
     let carriers = tree.carriers.iter().map(|c| carrier(names, c)).collect();
     let ends = tree.ends.iter().map(|&l| names.take(&robot.links[l].name, "link")).collect();
     Words { carriers, joints, ends }
+}
+
+/// Names that a model makes of the name `joint` of a joint.
+fn made_of(kind: Kind, joint: &str) -> Vec<String> {
+    let patterns: &[&str] = match kind {
+        Kind::Fixed => &[],
+        Kind::Revolute | Kind::Continuous => &["u_*", "tau_*"],
+        Kind::Prismatic => &["u_*", "tau_*", "*_base"],
+        Kind::Planar => {
+            &["*_base", "*_x", "*_y", "*_z", "*_turn", "u_*_x", "u_*_y", "u_*_z", "u_*_turn", "*_plane"]
+        }
+        Kind::Floating => &[
+            "*_base", "*_x", "*_y", "*_z", "*_e0", "*_e1", "*_e2", "*_e3", "u_*_x", "u_*_y", "u_*_z", "*_w0",
+            "*_wx", "*_wy", "*_wz", "*_unit",
+        ],
+    };
+    patterns.iter().map(|pattern| pattern.replace('*', joint)).collect()
+}
+
+/// Does a carrier's body need a point of its own for its mass centre?
+fn is_off_centre(carrier: &Carrier) -> bool {
+    carrier.inertial.is_some_and(|i| i.origin.xyz != [0.0; 3])
 }
 
 /// A number by its shortest digits, never with an exponent.
@@ -123,6 +151,24 @@ fn steps([roll, pitch, yaw]: Vector) -> Vec<String> {
         .filter(|(_, by)| *by != 0.0)
         .map(|(axis, by)| format!("[\"{axis}\", \"{}\"]", angle(by)))
         .collect()
+}
+
+/// Azimuth and angle from z of an axis.
+fn directed([x, y, z]: Vector) -> (f64, f64) {
+    (libm::atan2(y, x), libm::atan2(x.hypot(y), z))
+}
+
+/// Rotations that take z to an axis.
+fn onto(axis: Vector) -> Vec<String> {
+    let (azimuth, polar) = directed(axis);
+    steps([0.0, polar, azimuth])
+}
+
+/// The same rotations, undone.
+fn back(axis: Vector) -> Vec<String> {
+    let (azimuth, polar) = directed(axis);
+    let undone = [("y", -polar), ("z", -azimuth)].into_iter().filter(|(_, by)| *by != 0.0);
+    undone.map(|(axis, by)| format!("[\"{axis}\", \"{}\"]", angle(by))).collect()
 }
 
 /// The coordinate axis along which a vector lies, if any: its index, and whether it points the other way.
@@ -212,25 +258,23 @@ impl Sections {
         };
         self.dof += dof;
         let mut fields = vec![format!("kind = \"{kind}\"")];
+        let mut moved = child.clone();
         match joint.kind {
             Kind::Floating => {}
-            Kind::Planar => {
-                // The plane is given by a coordinate axis: z is rotated to its normal.
-                let [x, y, z] = joint.axis;
-                let onto = [0.0, libm::atan2(x.hypot(y), z), libm::atan2(y, x)];
-                match letter(joint.axis) {
-                    Some((n, false)) => fields.push(format!("axis = \"{}\"", LETTERS[n])),
-                    _ => {
-                        turned.extend(steps(onto));
-                        fields.push("axis = \"z\"".to_owned());
-                    }
+            Kind::Planar => match letter(joint.axis) {
+                Some((n, false)) => fields.push(format!("axis = \"{}\"", LETTERS[n])),
+                _ => {
+                    turned.extend(onto(joint.axis));
+                    fields.push("axis = \"z\"".to_owned());
+                    moved = format!("{name}_plane");
+                    self.turned_back(child, &moved, joint.axis);
                 }
-            }
+            },
             _ => fields.push(format!("axis = {}", axis(joint.axis))),
         }
         fields.extend([
             format!("parent = \"{parent}\""),
-            format!("child = \"{child}\""),
+            format!("child = \"{moved}\""),
             format!("at = \"{at}\""),
         ]);
         if !turned.is_empty() {
@@ -289,19 +333,23 @@ impl Sections {
                     turned.push(format!("[\"{}\", \"{}({by})\"]", LETTERS[n], if back { "-" } else { "" }));
                 }
                 None => {
-                    // Rotates z to the axis, turns about it, and rotates back.
-                    let [x, y, z] = unit_axis;
-                    let (a, b) = (libm::atan2(y, x), libm::atan2(x.hypot(y), z));
-                    turned.extend(steps([0.0, b, a]));
+                    turned.extend(onto(joint.axis));
                     turned.push(format!("[\"z\", \"{by}\"]"));
-                    turned.push(format!("[\"y\", \"{}\"]", angle(-b)));
-                    turned.push(format!("[\"z\", \"{}\"]", angle(-a)));
+                    turned.extend(back(joint.axis));
                 }
             }
         }
         let rotations = turned.join(", ");
         self.add("frames", &format!("{child} = {{ parent = \"{parent}\", rotations = [{rotations}] }}"));
         self.add("points", &format!("{child} = \"{position}\""));
+    }
+
+    /// Adds the link of a planar joint, whose plane is normal to z of the frame `plane`, along the axes that it has in
+    /// the robot: z was rotated to the joint's axis, and is rotated back.
+    fn turned_back(&mut self, link: &str, plane: &str, axis: Vector) {
+        let rotations = back(axis).join(", ");
+        self.add("frames", &format!("{link} = {{ parent = \"{plane}\", rotations = [{rotations}] }}"));
+        self.add("points", &format!("{link} = \"{plane}\""));
     }
 
     /// Adds the body of a carrier.

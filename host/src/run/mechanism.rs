@@ -29,20 +29,21 @@ const ROUNDING: f64 = 1e-12;
 pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let clock = Progress::new("run");
     let model = model_argument::read(&arguments.model)?;
-    let settings = Settings::new(&model, arguments)?;
+    let (model, settings) = Settings::new(&model, arguments)?;
+    let model = &*model;
     let wrong = |e| model_argument::wrong(&e);
     let waiting = Waiting::deriving();
-    let program = program::derive(&model, &settings.choice).map_err(wrong)?;
+    let program = program::derive(model, &settings.choice).map_err(wrong)?;
     drop(waiting);
     model_argument::print_warnings(&program);
-    let observers = Observers::derive(&model, &settings.choice).map_err(wrong)?;
-    let start = start(&model, &program, &settings)?;
+    let observers = Observers::derive(model, &settings.choice).map_err(wrong)?;
+    let start = start(model, &program, &settings)?;
     let setup = Setup { program: &program, observers: &observers, settings: &settings, start: &start };
     let (summary, film) = match arguments.scalar {
-        ScalarKind::F32 => record::<f32>(arguments, &model, setup)?,
-        ScalarKind::F64 => record::<f64>(arguments, &model, setup)?,
+        ScalarKind::F32 => record::<f32>(arguments, model, setup)?,
+        ScalarKind::F64 => record::<f64>(arguments, model, setup)?,
     };
-    let text = report(arguments, &model, setup, &summary, clock.seconds());
+    let text = report(arguments, model, setup, &summary, clock.seconds());
     Ok(Outcome { text, film, findings: summary.health.findings() })
 }
 

@@ -3,12 +3,13 @@
 use super::arguments::Arguments;
 use super::health::Range;
 use crate::failure::Failure;
-use crate::number::six_digits;
+use crate::number::{fewest_digits, six_digits};
 use crate::{model_argument, suggest};
 use clap::ValueEnum;
 use smartbed_codegen::ParameterChoice;
 use smartbed_codegen::model::{Model, StartRef};
 use smartbed_runtime::ode::Method as FixedMethod;
+use std::borrow::Cow;
 use std::collections::BTreeMap;
 
 /// Most steps of a run.
@@ -70,20 +71,23 @@ pub struct Settings {
 }
 
 impl Settings {
-    /// The model's settings with those of the command line.
+    /// The model's settings with those of the command line, and the model with the parameters that `--set` changes.
     ///
     /// # Errors
-    /// [`Failure::Wrong`] for a number out of range or an unknown name.
-    pub fn new(model: &Model, arguments: &Arguments) -> Result<Self, Failure> {
+    /// [`Failure::Wrong`] for a number out of range or an unknown name; [`Failure::Found`] for what follows from a
+    /// parameter and has no value then.
+    pub fn new<'m>(model: &'m Model, arguments: &Arguments) -> Result<(Cow<'m, Model>, Self), Failure> {
+        let (choice, starts) = changes(model, &arguments.set)?;
+        let model = choice.applied(model).map_err(|found| model_argument::wrong(&found))?;
         let mut settings = Self {
             seconds: arguments.seconds.unwrap_or(model.run.seconds),
             step: arguments.step.unwrap_or(model.run.step),
-            method: method(model, arguments)?,
+            method: method(&model, arguments)?,
             every: arguments.every.unwrap_or(model.run.every),
             tolerance: arguments.tolerance.unwrap_or(TOLERANCE),
             start: BTreeMap::new(),
-            choice: ParameterChoice::default(),
-            ranges: ranges(model),
+            choice,
+            ranges: ranges(&model),
         };
         settings.check(arguments.tolerance)?;
         for (owner, value) in &model.start {
@@ -91,42 +95,29 @@ impl Settings {
                 StartRef::Coordinate(id) => &model.coordinates[*id].name,
                 StartRef::Speed(id) => &model.speeds[*id].name,
             };
-            settings.set_start(model, name, *value)?;
+            starts_at(&model, name)?;
+            settings.start.insert(name.clone(), *value);
         }
-        let mut names = Vec::new();
-        for change in &arguments.set {
-            let (name, value) = model_argument::assignment("--set", change)?;
-            if names.contains(&name) {
-                return Err(Failure::Wrong(format!(
-                    "--set {change}: `{name}` is set twice; leave one of them out"
-                )));
-            }
-            names.push(name.clone());
-            if let Some(message) = model.refuses(&name, value) {
-                return Err(Failure::Wrong(format!("--set {change}: {message}")));
-            }
-            if model.parameters.iter().any(|p| p.name == name) {
-                settings.choice.values.insert(name, value);
-            } else {
-                settings.set_start(model, &name, value)?;
-            }
-        }
-        Ok(settings)
+        settings.start.extend(starts);
+        Ok((model, settings))
     }
-
     fn check(&self, tolerance: Option<f64>) -> Result<(), Failure> {
         let wrong = |message: String| Err(Failure::Wrong(message));
         let positive = |x: f64| x > 0.0 && x.is_finite();
         if !(self.seconds >= 0.0 && self.seconds.is_finite()) {
-            return wrong(format!("--seconds {}: expected a time of 0 or more", self.seconds));
+            return wrong(format!("--seconds {}: expected a time of 0 or more", fewest_digits(self.seconds)));
         }
         if !positive(self.step) {
-            return wrong(format!("--step {}: expected a time above 0, for example 1e-3", self.step));
+            return wrong(format!(
+                "--step {}: expected a time above 0, for example 1e-3",
+                fewest_digits(self.step)
+            ));
         }
         if self.seconds / self.step > MOST_STEPS {
             return wrong(format!(
                 "{} s in steps of {} s are more than {MOST_STEPS:e} steps; take a larger --step",
-                self.seconds, self.step
+                fewest_digits(self.seconds),
+                fewest_digits(self.step)
             ));
         }
         if self.every == 0 {
@@ -142,31 +133,17 @@ impl Settings {
         if !positive(self.tolerance) {
             return wrong(format!(
                 "--tolerance {}: expected a number above 0, for example 1e-9",
-                self.tolerance
+                fewest_digits(self.tolerance)
             ));
         }
         Ok(())
-    }
-
-    fn set_start(&mut self, model: &Model, name: &str, value: f64) -> Result<(), Failure> {
-        let coordinates = model.coordinates.iter().filter(|c| c.closed_form.is_none()).map(|c| &c.name);
-        // Dependent ones too: if the independent ones have a dead point, all are state.
-        let speeds = model.speeds.iter().map(|s| &s.name);
-        let mut starts = coordinates.chain(speeds).map(String::as_str);
-        if starts.clone().any(|s| s == name) {
-            self.start.insert(name.to_owned(), value);
-            return Ok(());
-        }
-        let known = model.parameters.iter().map(|p| p.name.as_str()).chain(&mut starts);
-        let help = suggest::help(name, known);
-        Err(Failure::Wrong(format!("`{}` has no parameter or start value `{name}`{help}", model.name)))
     }
 
     /// Method and step in words.
     #[must_use]
     pub fn note(&self) -> String {
         match self.method.fixed() {
-            Some(_) => format!("{}, step {} s", self.method.name(), six_digits(self.step)),
+            Some(_) => format!("{}, step {} s", self.method.name(), fewest_digits(six_digits(self.step))),
             None => format!("{}, tolerance {:e}", self.method.name(), self.tolerance),
         }
     }
@@ -185,6 +162,43 @@ impl Settings {
     pub fn row_interval(&self) -> f64 {
         self.step * self.every as f64
     }
+}
+
+/// What `--set` changes: parameters, and start values by name.
+fn changes(model: &Model, set: &[String]) -> Result<(ParameterChoice, BTreeMap<String, f64>), Failure> {
+    let (mut choice, mut starts) = (ParameterChoice::default(), BTreeMap::new());
+    for change in set {
+        let (name, value) = model_argument::assignment("--set", change)?;
+        if choice.values.contains_key(&name) || starts.contains_key(&name) {
+            return Err(Failure::Wrong(format!(
+                "--set {change}: `{name}` is set twice; leave one of them out"
+            )));
+        }
+        if let Some(message) = model.refuses(&name, value) {
+            return Err(Failure::Wrong(format!("--set {change}: {message}")));
+        }
+        let is_parameter = model.parameters.iter().any(|p| p.name == name);
+        if !is_parameter {
+            starts_at(model, &name)?;
+        }
+        let list = if is_parameter { &mut choice.values } else { &mut starts };
+        list.insert(name, value);
+    }
+    Ok((choice, starts))
+}
+
+/// Checks that a motion starts at a value of this name.
+fn starts_at(model: &Model, name: &str) -> Result<(), Failure> {
+    let coordinates = model.coordinates.iter().filter(|c| c.closed_form.is_none()).map(|c| &c.name);
+    // Dependent ones too: if the independent ones have a dead point, all are state.
+    let speeds = model.speeds.iter().map(|s| &s.name);
+    let mut starts = coordinates.chain(speeds).map(String::as_str);
+    if starts.clone().any(|s| s == name) {
+        return Ok(());
+    }
+    let known = model.parameters.iter().map(|p| p.name.as_str()).chain(&mut starts);
+    let help = suggest::help(name, known);
+    Err(Failure::Wrong(format!("`{}` has no parameter or start value `{name}`{help}", model.name)))
 }
 
 fn ranges(model: &Model) -> BTreeMap<String, Range> {

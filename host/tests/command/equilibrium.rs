@@ -219,8 +219,88 @@ fn inputs_are_those_that_the_law_commands() {
     assert!(done.err.contains("warning: `drive` changes with time"), "{done:?}");
 }
 
+/// Heading, spin and place of a disc change for ever; its lean and speeds do not.
+#[test]
+fn a_disc_rolls_in_circles_as_its_closed_form_says() {
+    let (lean, yaw_rate, r, g) = (0.3_f64, 1.5_f64, 0.5, 9.81);
+    let u3 = yaw_rate * lean.cos();
+    let hold = [format!("lean={lean}"), format!("u3={u3}")];
+    // Moment of momentum about the contact: 6 u3 u2 = u3^2 tan(lean) - 4 g sin(lean)/r.
+    let u2 = (u3 * u3 * lean.tan() - 4.0 * g * lean.sin() / r) / (6.0 * u3);
+    let answer = found(&["rolling_disc", "--hold", &hold[0], "--hold", &hold[1]]);
+    close(number(&answer["speeds"]["u2"]), u2, 1e-12, "spin");
+    assert!(number(&answer["speeds"]["u1"]).abs() < 1e-12, "{answer}");
+    // With one of the two held the nearest to the start is found, not the disc that stands and turns.
+    let near = found(&["rolling_disc", "--hold", &hold[1]]);
+    close(number(&near["q"]["lean"]), lean, 1e-2, "lean");
+    // A run from there keeps the lean.
+    let start: Vec<String> =
+        ["u1", "u2", "u3"].iter().map(|u| format!("{u}={}", number(&answer["speeds"][u]))).collect();
+    let set: Vec<&str> = start.iter().flat_map(|change| ["--set", change]).collect();
+    let run = smartbed(&[&["run", "rolling_disc", "--json"][..], &set].concat()).json();
+    close(number(&run["last"]["lean"]), lean, 1e-9, "lean after 10 s");
+}
+
+/// A pendulum held by a controller with an integral and a filtered rate, both written as motion constraints.
+const CONTROLLED: &str = r#"
+format = 1
+name = "controlled"
+gravity = "-g*N.z"
+[parameters]
+m = { value = 1, unit = "kg" }
+l = { value = 1, unit = "m" }
+g = { value = 9.81, unit = "m/s^2" }
+[inputs]
+M = { unit = "N m" }
+[coordinates]
+q = { unit = "rad", independent = true }
+sum = { unit = "s", independent = true, speed = { independent = false } }
+slow = { unit = "rad", independent = true, speed = { independent = false } }
+[constraints.motion]
+integral = "u_sum - (0.5 - q)"
+filter = "u_slow - (u_q*1_s - slow)/0.02_s"
+[frames]
+rod = { rotations = [["x", "q"]] }
+[points]
+P = "-l*rod.z"
+[bodies]
+bob = { centre = "P", mass = "m" }
+[torques]
+motor = { frame = "rod", torque = "M*N.x" }
+[law]
+M = "40_J*(0.5 - q) - 5_J/1_s*(slow*1_s) + 30_W*sum"
+"#;
+
+#[test]
+fn constraints_that_are_memory_have_equilibria() {
+    let answer = found(&[&written("controlled.toml", CONTROLLED)]);
+    close(number(&answer["q"]["q"]), 0.5, 1e-12, "the angle aimed at");
+    close(number(&answer["q"]["sum"]), 9.81 * 0.5_f64.sin() / 30.0, 1e-12, "what holds the weight");
+    assert!(number(&answer["q"]["slow"]).abs() < 1e-12, "{answer}");
+    assert_eq!(answer["steady_motion"], false, "{answer}");
+    // Each eigenvalue is a root of ((s^2 + 40 + g cos q) s + 30) (0.02 s + 1) + 5 s^2.
+    let (times, plus) = (
+        |a: [f64; 2], b: [f64; 2]| [a[0] * b[0] - a[1] * b[1], a[0] * b[1] + a[1] * b[0]],
+        |a: [f64; 2], b: f64| [a[0] + b, a[1]],
+    );
+    let values = eigenvalues(&answer);
+    for &s in &values {
+        let stiff = plus(times(s, s), 40.0 + 9.81 * 0.5_f64.cos());
+        let held = times(plus(times(stiff, s), 30.0), plus([0.02 * s[0], 0.02 * s[1]], 1.0));
+        let rest = [held[0] + 5.0 * times(s, s)[0], held[1] + 5.0 * times(s, s)[1]];
+        let size = 1.0 + s[0].hypot(s[1]).powi(3);
+        assert!(rest[0].hypot(rest[1]) < 1e-11 * size, "{s:?}: {rest:?}");
+    }
+    assert_eq!(values.len(), 3, "a pair counts once: {answer}");
+    // A motor that turns for ever lets the crank change, on which the pendulum's weight depends.
+    let turning = refused(&["driven_pendulum"]);
+    assert!(turning.message().contains("no equilibrium was found: the rate of `crank`"), "{turning:?}");
+}
+
 #[test]
 fn what_cannot_be_is_refused() {
+    let turning = refused(&["spinning_top", "--hold", "tip_wz=200"]);
+    assert!(turning.message().contains("no motion of it is steady in them"), "{turning:?}");
     // Nothing holds its platform up.
     let tile = refused(&["tile"]);
     assert!(tile.message().contains("no equilibrium was found: the rate of `u_h"), "{tile:?}");

@@ -53,6 +53,19 @@ fn a_complete_configuration_is_never_altered() {
 }
 
 #[test]
+fn euler_parameters_of_another_length_are_told_of_by_name() {
+    let of = |e0: &str| {
+        let text =
+            format!(r#"{{"states": [{{"q": {{"tip_e0": {e0}, "tip_e1": 0, "tip_e2": 0, "tip_e3": 0}}}}]}}"#);
+        eval("euler_parameters.json", "spinning_top", &text, &[])
+    };
+    let said = "tip_e0, tip_e1, tip_e2, tip_e3 are the components of a unit vector, but its length is 2.000000; expected 1";
+    let long = of("2");
+    assert!(long.status == 0 && long.err.contains(said), "{long:?}");
+    assert_eq!(of("1").err, "");
+}
+
+#[test]
 fn a_singular_place_is_told_of_whatever_is_asked() {
     // A disc that lies on its side: yaw and spin are one turn there, and cos(pi/2) is 6e-17.
     let lying =

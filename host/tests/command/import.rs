@@ -160,6 +160,78 @@ fn floating_and_planar_joints_inside_a_tree_are_joints() {
 }
 
 #[test]
+fn inertias_of_links_without_mass_add_up() {
+    let link = |name: &str, izz: &str| {
+        format!(
+            r#"<link name="{name}"><inertial><mass value="0"/><inertia ixx="0.2" iyy="0.2" izz="{izz}"/></inertial></link>"#
+        )
+    };
+    let robot = format!(
+        r#"<robot name="r"><link name="base"/>
+  <joint name="j" type="continuous"><parent link="base"/><child link="a"/><axis xyz="0 0 1"/></joint>
+  <joint name="f" type="fixed"><parent link="a"/><child link="b"/><origin xyz="1 0 0"/></joint>{}{}</robot>"#,
+        link("a", "0.2"),
+        link("b", "0.3")
+    );
+    let found = rates(&derived(&made(&robot, Base::Fixed)), |name| if name == "tau_j" { 1.0 } else { 0.0 });
+    assert!((found[0] - 2.0).abs() < 1e-15, "{found:?}");
+}
+
+/// Every name that a model makes of another one is a name in the robot too.
+#[test]
+fn names_that_models_make_are_not_taken_twice() {
+    let joint = |name: &str, kind: &str, from: &str, to: &str| {
+        format!(
+            r#"<joint name="{name}" type="{kind}"><parent link="{from}"/><child link="{to}"/><axis xyz="0 0 -1"/>
+  <limit lower="-1" upper="1" effort="1" velocity="1"/></joint>
+<link name="{to}"><inertial><origin xyz="0.1 0 0"/><mass value="1"/><inertia ixx="1" iyy="1" izz="1"/></inertial></link>"#
+        )
+    };
+    let names = [
+        "u_sin",
+        "sin",
+        "tau_sin",
+        "sin_centre",
+        "slide",
+        "slide_base",
+        "u_slide",
+        "plane",
+        "plane_plane",
+        "plane_x",
+        "plane_turn",
+        "ball",
+        "ball_e0",
+        "ball_wx",
+        "ball_unit",
+        "root_base",
+        "root_base_x",
+        "root_base_wz",
+    ];
+    let kinds = |name: &str| match name {
+        "slide" => "prismatic",
+        "plane" => "planar",
+        "ball" => "floating",
+        _ => "revolute",
+    };
+    // Joints named by the list with links named otherwise; links named by the list with joints named otherwise.
+    for swapped in [false, true] {
+        let mut text = String::from("<robot name=\"r\"><link name=\"root\"/>");
+        let mut from = "root".to_owned();
+        for (n, name) in names.iter().enumerate() {
+            let other = format!("part{n}");
+            let (called, to) = if swapped { (other.as_str(), *name) } else { (*name, other.as_str()) };
+            text += &joint(called, kinds(name), &from, to);
+            from = to.to_owned();
+        }
+        text += "</robot>";
+        for base in [Base::Fixed, Base::Floating, Base::Planar] {
+            let robot = read(&made(&text, base));
+            assert!(robot.coordinates.len() >= names.len(), "{}", robot.coordinates.len());
+        }
+    }
+}
+
+#[test]
 fn what_is_not_carried_over_is_said() {
     let panda = imported("odd");
     let all = panda.left_out.join("; ");

@@ -223,6 +223,55 @@ fn an_error_asked_for_is_kept() {
     }
 }
 
+/// A pendulum whose friction has kinks at +-w.
+const KINKS: &str = r#"format = 1
+name = "kinks"
+gravity = "-g*N.z"
+[parameters]
+m = { value = 1, unit = "kg" }
+l = { value = 1, unit = "m" }
+c = { value = 1, unit = "N m" }
+w = { value = 0.05, unit = "rad/s" }
+g = { value = 9.81, unit = "m/s^2" }
+[coordinates]
+q = { unit = "rad" }
+[frames]
+rod = { rotations = [["x", "q"]] }
+[points]
+P = "-l*rod.z"
+[bodies]
+bob = { centre = "P", mass = "m" }
+[torques]
+friction = { frame = "rod", torque = "-c*max(-1, min(1, u_q/w))*N.x" }
+[start]
+q = 1.5
+[run]
+seconds = 4
+step = 1e-3
+every = 400
+"#;
+
+/// At a kink the error depends on where steps end: what a calibration tells is that of the very steps of the run.
+#[test]
+fn the_error_told_is_that_of_the_run_where_forces_have_kinks() {
+    let model = written("kinks.toml", KINKS);
+    let places = |more: &[&str]| {
+        let done = smartbed(&[&["run", &model, "--csv", "-"], more].concat());
+        assert_eq!(done.status, 0, "{}", done.err);
+        let place = |row: &str| row.split(',').nth(1).and_then(|q| q.parse::<f64>().ok()).expect("a number");
+        (done.out.lines().skip(1).take(11).map(place).collect::<Vec<f64>>(), done.err)
+    };
+    // Steps of 1e-5 s meet each kink within 1e-5 s: some 1e-10 rad.
+    let (exact, _) = places(&["--method", "rk4", "--step", "1e-5", "--every", "40000"]);
+    for asked in ["1e-5", "1e-6", "1e-7"] {
+        let (found, said) = places(&["--error", asked, "--method", "dormand-prince"]);
+        let error = found.iter().zip(&exact).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+        let told = said.split_once(": error ").and_then(|(_, rest)| rest.split(',').next());
+        let told: f64 = told.and_then(|x| x.parse().ok()).unwrap_or_else(|| panic!("{said}"));
+        assert!((told / error - 1.0).abs() < 0.05, "{told:e} told of {error:e}: {said}");
+    }
+}
+
 #[test]
 fn a_budget_picks_the_most_exact_that_fits() {
     let done = smartbed(&["run", "sleigh", "--budget", "10ms"]);

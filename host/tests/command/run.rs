@@ -364,3 +364,10 @@ share = "(z - 1_m)/k"
     let done = run("k=2");
     assert!(done.err.is_empty(), "{done:?}");
 }
+
+#[test]
+fn a_tiny_step_is_refused_in_few_words() {
+    let tiny = smartbed(&["run", "pendulum", "--step", "1e-300"]);
+    assert!(tiny.message().contains("10 s in steps of 1e-300 s are more than 1e9 steps"), "{tiny:?}");
+    assert!(tiny.err.len() < 120, "{tiny:?}");
+}

@@ -24,9 +24,20 @@ impl Model {
     #[must_use]
     pub fn is_driven(&self) -> bool {
         let known = self.known_definitions();
+        let has_free_part = |(role, e): (Role, &Expr)| {
+            matches!(role, Role::MotionConstraint | Role::StatedVelocity(_)) && known.free_part_in(e)
+        };
+        self.is_moved_by_time() || self.expressions().into_iter().any(has_free_part)
+    }
+
+    /// Does time itself, not only a constant, prescribe any part of the motion?
+    #[must_use]
+    pub fn is_moved_by_time(&self) -> bool {
+        let known = self.known_definitions();
         self.expressions().into_iter().any(|(role, e)| match role {
-            Role::MotionConstraint | Role::StatedVelocity(_) => known.time_in(e) || known.free_part_in(e),
-            Role::ClosedForm(_)
+            Role::MotionConstraint
+            | Role::StatedVelocity(_)
+            | Role::ClosedForm(_)
             | Role::Speed(_)
             | Role::Orientation(..)
             | Role::FixedVector(..)

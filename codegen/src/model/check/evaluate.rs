@@ -8,9 +8,10 @@ use crate::model::data::*;
 use crate::model::draft::Draft;
 use crate::model::expression::{Expr, ExprKind, Function};
 use crate::model::ids::*;
-use crate::model::unit::Unit;
+use crate::model::unit::{self, Unit};
 use crate::source::Span;
 use smartbed_runtime::real::Real;
+use std::collections::BTreeMap;
 
 /// Values of everything constant.
 #[derive(Debug)]
@@ -24,6 +25,11 @@ pub struct Constants {
 impl Constants {
     /// Values of the model's own defaults.
     pub fn of(model: &Model) -> Self {
+        Self::set(model, &BTreeMap::new())
+    }
+
+    /// Values with these parameters set, by name; what is an expression of them follows.
+    fn set(model: &Model, set: &BTreeMap<String, f64>) -> Self {
         let mut constants = Self {
             parameters: model.parameters.iter().map(|_| f64::NAN).collect(),
             definitions: model.definitions.iter().map(|_| f64::NAN).collect(),
@@ -31,7 +37,9 @@ impl Constants {
         for entity in &model.order {
             match *entity {
                 Entity::Parameter(id) => {
-                    constants.parameters[id] = constants.value(&model.parameters[id].value);
+                    let parameter = &model.parameters[id];
+                    let given = set.get(&parameter.name).copied();
+                    constants.parameters[id] = given.unwrap_or_else(|| constants.value(&parameter.value));
                 }
                 Entity::Definition(id) => {
                     constants.definitions[id] = constants.value(&model.definitions[id].value);
@@ -80,7 +88,12 @@ impl Constants {
 /// Fills in all numbers, after everything has been checked.
 pub fn evaluate(draft: Draft, found: &mut Diagnostics) -> Model {
     let mut model = draft.model;
-    let constants = Constants::of(&model);
+    fill_in(&mut model, found);
+    model
+}
+
+fn fill_in(model: &mut Model, found: &mut Diagnostics) {
+    let constants = Constants::of(model);
     for (id, value) in constants.parameters.enumerate() {
         let parameter = &model.parameters[id];
         finite(*value, parameter.value.span, found);
@@ -97,7 +110,8 @@ pub fn evaluate(draft: Draft, found: &mut Diagnostics) -> Model {
         let [nominal, low, high] = &model.coordinates[id].written;
         let nominal = nominal.as_ref().map_or(0.0, &mut value);
         // Default range: one full turn for angles, one unit to either side for everything else.
-        let reach = if draft.units.coordinates[id].unit == Unit::NONE { std::f64::consts::PI } else { 1.0 };
+        let is_angle = unit::parse(&model.coordinates[id].unit).is_ok_and(|scale| scale.unit == Unit::NONE);
+        let reach = if is_angle { std::f64::consts::PI } else { 1.0 };
         let low = low.as_ref().map_or(nominal - reach, &mut value);
         let high = high.as_ref().map_or(nominal + reach, &mut value);
         let coordinate = &mut model.coordinates[id];
@@ -107,7 +121,6 @@ pub fn evaluate(draft: Draft, found: &mut Diagnostics) -> Model {
         configuration.values = configuration.written.iter().map(|(id, expr)| (*id, value(expr))).collect();
     }
     model.start = model.start_written.iter().map(|(of, expr)| (*of, value(expr))).collect();
-    model
 }
 
 fn finite(value: f64, span: Span, found: &mut Diagnostics) -> f64 {
@@ -166,6 +179,30 @@ impl Model {
     #[must_use]
     pub fn refuses(&self, name: &str, value: f64) -> Option<String> {
         self.parameters.iter().find(|parameter| parameter.name == name)?.refuses(value)
+    }
+
+    /// The model with other values of parameters (SI), by name. What it states as expressions of them follows: other
+    /// parameters, nominal values, ranges, configurations and the start.
+    ///
+    /// # Errors
+    /// What has no finite value then, and parameters that leave their ranges.
+    pub fn with_values(&self, values: &BTreeMap<String, f64>) -> Result<Self, Diagnostics> {
+        let mut model = self.clone();
+        for id in self.parameters.ids() {
+            let Parameter { name, value, .. } = &mut model.parameters[id];
+            if let Some(number) = values.get(name) {
+                value.kind = ExprKind::Number(*number);
+            }
+        }
+        let mut found = Diagnostics::new(self.source.clone());
+        fill_in(&mut model, &mut found);
+        if found.has_errors() { Err(found) } else { Ok(model) }
+    }
+
+    /// Values of all parameters (SI) with some of them set, by name: those that are expressions of others follow.
+    #[must_use]
+    pub fn parameter_values(&self, set: &BTreeMap<String, f64>) -> IdVec<ParameterId, f64> {
+        Constants::set(self, set).parameters
     }
 
     /// Default value of every parameter, SI.

@@ -28,9 +28,10 @@ impl Model {
                         .help("a mass is 0 or more: correct the expression or its parameters"),
                 );
             }
-            let moments: [Option<f64>; 3] =
+            let entries: [Option<f64>; 6] =
                 std::array::from_fn(|i| body.inertia[i].as_ref().map(|e| constants.value(e)));
-            found.extend(wrong_moments(body, moments));
+            let [x, y, z, ..] = entries;
+            found.extend(wrong_moments(body, [x, y, z]).or_else(|| wrong_products(body, entries)));
         }
         found
     }
@@ -49,6 +50,38 @@ fn outside(coordinate: &Coordinate) -> Option<Diagnostic> {
             )
             .help("give a nominal value within `range`: configurations are sampled there")
     })
+}
+
+/// Finds products of inertia with which the moment about some axis is below 0: a principal minor of the matrix is.
+fn wrong_products(body: &Body, entries: [Option<f64>; 6]) -> Option<Diagnostic> {
+    const NAMES: [&str; 3] = ["Iyz", "Ixz", "Ixy"];
+    let moment = |i: usize| entries[i].unwrap_or(f64::NAN);
+    let product = |i: usize| entries[3 + i].unwrap_or(0.0);
+    // The minor without row i. Moments that are left out have no effect, nor has what stands beside them.
+    let others = |i: usize| moment((i + 1) % 3) * moment((i + 2) % 3);
+    let worst = (0..3).find(|&i| product(i).powi(2) > others(i) * (1.0 + ROUNDING));
+    let (i, what) = match worst {
+        Some(i) => {
+            (i, format!("{} = {} kg m^2 is too large for the two moments beside it", NAMES[i], product(i)))
+        }
+        None => {
+            let taken: f64 = (0..3).map(|i| moment(i) * product(i).powi(2)).sum();
+            let whole = moment(0) * others(0) + 2.0 * product(0) * product(1) * product(2);
+            let size = moment(0) * others(0);
+            let is_negative = whole - taken < -ROUNDING * size;
+            if !is_negative {
+                return None;
+            }
+            let i = (0..3).max_by(|&i, &j| product(i).abs().total_cmp(&product(j).abs()))?;
+            (i, "the products are too large for the moments".to_owned())
+        }
+    };
+    let span = body.inertia[3 + i].as_ref().map_or(body.span, |e| e.span);
+    Some(
+        Diagnostic::error(format!("the moment of inertia of `{}` about some axis is negative", body.name))
+            .label(span, what)
+            .help("a matrix of inertia is positive, such as Ixy^2 <= Ixx Iyy: correct the products, or their moments"),
+    )
 }
 
 /// Finds moments below 0, or larger than the sum of the two others.
