@@ -134,6 +134,43 @@ fn what_is_wrong_in_a_world_is_said_with_its_place() {
     }
 }
 
+/// A ball above the ground, its height seen by a sensor.
+fn seen(more: &str) -> String {
+    format!(
+        "{GROUND}{BALL}start = {{ height = 1 }}\n[sensors.high]\nof = \"ball.z\"\n{more}\n[run]\nseconds = 0.01\n"
+    )
+}
+
+#[test]
+fn sensors_and_controllers_name_a_unit_of_what_they_read() {
+    for unit in ["m", "mm", "km"] {
+        super::support::run(&[
+            "run",
+            &scene("unit", &seen(&format!("unit = \"{unit}\"\nresolution = \"1_mm\""))),
+        ]);
+    }
+    let said = |more: &str| fails(&["run", &scene("unit", &seen(more))]);
+    let found = said("unit = \"N\"\nresolution = \"1_mN\"");
+    assert!(found.contains("sensors.high: `unit` is that of a number in N, but `ball.z` is in m"), "{found}");
+    assert!(found.contains("expected unit = \"m\""), "{found}");
+    let found = said("unit = \"meter\"");
+    assert!(found.contains("did you mean `m`?") && found.contains(":11:"), "{found}");
+    let controlled = |unit: &str| {
+        let held =
+            include_str!("../../../docs/scenes.md").split("toml file=held.toml\n").nth(1).expect("a scene");
+        let held = held.split("```").next().expect("its text");
+        held.replacen(
+            "drives = \"bladder.valves\"\nunit = \"Pa\"",
+            &format!("drives = \"bladder.valves\"\nunit = \"{unit}\""),
+            1,
+        )
+    };
+    let found = fails(&["run", &scene("held_unit", &controlled("m").replace("_kPa\"]", "_m\"]"))]);
+    assert!(found.contains("controllers.air: `unit` is that of a number in m"), "{found}");
+    assert!(found.contains("`sensors.pressure` is in Pa"), "{found}");
+    super::support::run(&["run", &scene("held_unit", &controlled("kPa")), "--seconds", "0.01"]);
+}
+
 #[test]
 fn laws_that_locate_touches_and_moreau_are_not_mixed() {
     let contact = |impact: &str, part: &str| {
