@@ -172,6 +172,24 @@ fn sensors_and_controllers_name_a_unit_of_what_they_read() {
 }
 
 #[test]
+fn a_run_that_is_refused_leaves_the_rows_of_an_earlier_one() {
+    let rows = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("earlier.csv");
+    let file = rows.display().to_string();
+    let kept = |text: &str, options: &[&str]| {
+        std::fs::write(&rows, "earlier\n").expect("a file");
+        let said = fails(&[&["run", &scene("refused", text), "--csv", &file][..], options].concat());
+        assert_eq!(std::fs::read_to_string(&rows).expect("a file"), "earlier\n", "{said}");
+        said
+    };
+    let said = kept(&seen("period = \"1.5_ms\""), &[]);
+    assert!(said.contains("is no whole number of steps"), "{said}");
+    let said = kept(&(seen("") + "start = \"settled\"\n"), &[]);
+    assert!(said.contains("settle"), "{said}");
+    super::support::run(&["run", &scene("fine", &seen("")), "--csv", &file]);
+    assert!(std::fs::read_to_string(&rows).expect("a file").starts_with("t,ball.x"));
+}
+
+#[test]
 fn laws_that_locate_touches_and_moreau_are_not_mixed() {
     let contact = |impact: &str, part: &str| {
         format!("[[contacts]]\nbetween = [\"{part}\", \"ground\"]\nimpact = \"{impact}\"\n")
