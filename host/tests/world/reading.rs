@@ -122,6 +122,25 @@ fn what_is_wrong_in_a_world_is_said_with_its_place() {
             8,
         ),
         (format!("{TILE}{SHEET}gas = {{ gauge = \"4_kg\" }}"), "`gauge` must be", 9),
+        (
+            format!(
+                "{TILE}{SHEET}gas = {{ gauge = \"4_kPa\", sealed = true, ambient = 0, vent = {{ conductance = 1e-8 }} }}"
+            ),
+            "`ambient` must be above 0 where there is a `vent`",
+            9,
+        ),
+        (
+            format!("{GROUND}[parts.ball]\nrigid = \"sphere\"\nradius = 1\nfixed = true\nmass = 1"),
+            "`ball` has `mass`, but it is fixed in space",
+            8,
+        ),
+        (
+            format!(
+                "{TILE}[parts.ball]\nrigid = \"sphere\"\nradius = 1\ninertia = [1, 1, 1]\non = \"tile.platform\""
+            ),
+            "`ball` has `inertia`, but it is only the surface of what carries it",
+            7,
+        ),
         (format!("{TILE}grid = {{ count = [0, 4], pitch = [1, 1] }}"), "is repeated 0 x 4 times", 4),
         (format!("{GROUND}[view]\nhide = [\"grund\"]"), "there is no part `grund`", 5),
         (format!("{GROUND}[view]\nsurfaces = \"strain\""), "unknown colouring of surfaces `strain`", 5),
