@@ -47,6 +47,9 @@ pub struct Ported<S = f64> {
     counts: [usize; 3],
     /// Names and units of q and u.
     pub names: Vec<(String, String)>,
+    closed_forms: Interpreted<S>,
+    /// Names and units of the coordinates in closed form, commanded ones among them.
+    pub closed: Vec<(String, String)>,
 }
 
 /// The start of a mechanism.
@@ -121,6 +124,8 @@ impl<S: Scalar> Ported<S> {
                 model.bodies.len(),
             ],
             names: quantities.map(|x| (x.name.clone(), x.unit.clone())).collect(),
+            closed_forms: Interpreted::new(&observers.closed_forms()),
+            closed: observers.closed,
         };
         Ok((ported, start))
     }
@@ -278,6 +283,19 @@ impl<S: Scalar> Ported<S> {
     pub fn energy(&mut self, t: S, q: &[S], u: &[S]) -> Result<(S, S), Fault> {
         self.engine.set_time(t);
         self.engine.energy(q, u)
+    }
+
+    /// Values of the coordinates in closed form.
+    ///
+    /// # Errors
+    /// The engine's.
+    pub fn closed_forms(&mut self, t: S, q: &[S], u: &[S]) -> Result<Vec<S>, Fault> {
+        if self.closed.is_empty() {
+            return Ok(Vec::new());
+        }
+        // A rate follows each value.
+        let values = self.closed_forms.outputs(t, q, u, &self.inputs[..self.own])?;
+        Ok(values.into_iter().step_by(2).collect())
     }
 
     /// Energies and powers at a state under wrenches.

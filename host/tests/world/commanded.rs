@@ -22,8 +22,24 @@ fn one_coordinate_of_an_open_chain_is_commanded() {
     for (q, u) in q.iter().zip(&u) {
         assert!((energy(*q, *u) - energy(q_start(), 0.0)).abs() < 1e-9, "{q} {u}");
     }
+    assert!(column(&rows, "arm.q1").iter().all(|q| *q == 0.0));
 }
 
 fn q_start() -> f64 {
     50_f64.to_radians()
+}
+
+#[test]
+fn commanded_coordinates_have_columns() {
+    let text = |sensor: &str| {
+        format!(
+            "format = 2\n[parts.arm]\nmechanism = \"pendulum\"\ncommand = {{ q = \"0.2*sin(t/0.1_s)\" }}\n{sensor}[run]\nseconds = 0.1\n"
+        )
+    };
+    let sensor = "[sensors.angle]\nof = \"arm.q\"\nunit = \"deg\"\n";
+    let rows = rows(&[&scene("columns", &text(sensor))]);
+    let seen = column(&rows, "sensors.angle");
+    for ((t, q), seen) in column(&rows, "t").iter().zip(column(&rows, "arm.q")).zip(seen) {
+        assert!((q - 0.2 * (10.0 * t).sin()).abs() < 1e-15 && q == seen, "{t}: {q} {seen}");
+    }
 }

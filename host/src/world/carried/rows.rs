@@ -26,6 +26,9 @@ impl<S: Settle> Engine for CarriedWorld<S> {
                         for (n, (own, unit)) in ported.names.iter().enumerate() {
                             add(format!("{name}.{own}"), unit, n < n_q);
                         }
+                        for (own, unit) in &ported.closed {
+                            add(format!("{name}.{own}"), unit, false);
+                        }
                     }
                     HostCarrier::Floating(_) => {
                         crate::world::rigid::NUMBERS.iter().for_each(|(own, unit)| {
@@ -68,7 +71,7 @@ impl<S: Settle> Engine for CarriedWorld<S> {
         let n_q = self.split();
         let (mut q, mut u, mut values) = (0, n_q, Vec::new());
         let mut rows: Vec<Vec<S>> = Vec::new();
-        for carrier in &self.carriers {
+        for carrier in &mut self.carriers {
             let (own_q, own_u) = (&x[q..q + carrier.n_q()], &x[u..u + carrier.n_u()]);
             rows.push(match carrier {
                 HostCarrier::Floating(floating) => {
@@ -76,7 +79,10 @@ impl<S: Settle> Engine for CarriedWorld<S> {
                     let spin = floating.body.angular_velocity(&state);
                     [own_q, &own_u[..3], &spin[..]].concat()
                 }
-                _ => [own_q, own_u].concat(),
+                HostCarrier::Mechanism(own) => {
+                    [own_q, own_u, &own.closed_forms(t, own_q, own_u).map_err(words)?].concat()
+                }
+                HostCarrier::Still(_) => Vec::new(),
             });
             (q, u) = (q + carrier.n_q(), u + carrier.n_u());
         }
