@@ -1,7 +1,7 @@
 //! Mechanisms of which the scene commands some coordinates, or all.
 
 use super::rigid::G;
-use super::support::{rows, scene};
+use super::support::{fails, rows, scene};
 
 /// The numbers of a column.
 fn column((names, rows): &(Vec<String>, Vec<Vec<f64>>), name: &str) -> Vec<f64> {
@@ -41,5 +41,20 @@ fn commanded_coordinates_have_columns() {
     let seen = column(&rows, "sensors.angle");
     for ((t, q), seen) in column(&rows, "t").iter().zip(column(&rows, "arm.q")).zip(seen) {
         assert!((q - 0.2 * (10.0 * t).sin()).abs() < 1e-15 && q == seen, "{t}: {q} {seen}");
+    }
+}
+
+#[test]
+fn commands_that_are_not_finite_are_refused_by_name_and_time() {
+    // Infinite speed at the start; no speed there, but infinite acceleration; infinite speed later.
+    for (law, time) in
+        [("sqrt(t/1_s)", "0.000000"), ("sqrt(t/1_s)*t/1_s", "0.000000"), ("sqrt(0.01 - t/1_s)", "0.01")]
+    {
+        let text = format!(
+            "format = 2\n[parts.arm]\nmechanism = \"pendulum\"\ncommand = {{ q = \"{law}\" }}\n[run]\nseconds = 0.02\n"
+        );
+        let said = fails(&["run", &scene("infinite", &text), "--csv", "-"]);
+        assert!(said.contains(&format!("t = {time}")), "{law}: {said}");
+        assert!(said.contains("`arm` has an energy or a power that is not finite"), "{law}: {said}");
     }
 }
