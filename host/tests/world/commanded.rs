@@ -1,7 +1,7 @@
 //! Mechanisms of which the scene commands some coordinates, or all.
 
 use super::rigid::G;
-use super::support::{fails, rows, scene};
+use super::support::{fails, json, number, rows, scene, times};
 
 /// The numbers of a column.
 fn column((names, rows): &(Vec<String>, Vec<Vec<f64>>), name: &str) -> Vec<f64> {
@@ -56,5 +56,79 @@ fn commands_that_are_not_finite_are_refused_by_name_and_time() {
         let said = fails(&["run", &scene("infinite", &text), "--csv", "-"]);
         assert!(said.contains(&format!("t = {time}")), "{law}: {said}");
         assert!(said.contains("`arm` has an energy or a power that is not finite"), "{law}: {said}");
+    }
+}
+
+/// A block of 2 kg on a slope of 0.5 rad that is commanded along x; its plate is the port `top`.
+const WEDGE: &str = r#"
+format = 1
+name = "wedge"
+gravity = "-g*N.z"
+parameters = { g = { value = 9.81, unit = "m/s^2" }, k = { value = 200, unit = "N/m" } }
+coordinates.s = { unit = "m", independent = true }
+coordinates.r = { unit = "m", independent = true }
+frames.slope = { rotations = [["y", -0.5]] }
+points = { C = "s*N.x", B = "C + r*slope.x" }
+bodies = { cart = { centre = "C", mass = "5_kg" }, block = { centre = "B", mass = "2_kg" } }
+springs.holds = { coordinate = "r", stiffness = "k", rest = 0 }
+ports.top = { point = "B", frame = "N" }
+"#;
+
+/// What stands or hangs on the commanded wedge.
+fn on_wedge(name: &str, parts: &str) -> String {
+    scene("wedge_model", WEDGE);
+    let command = "command = { s = \"0.3_m*t/1_s + 0.05_m*sin(6*t/1_s)\" }\nstart = { r = \"-0.02_m\" }\n";
+    let plate = "[parts.plate]\nrigid = \"box\"\nsize = [1, 1, 0.02]\non = \"cart.top\"\nstart = { position = [0, 0, -0.01] }\n";
+    let run = "[run]\nseconds = 0.3\n";
+    scene(
+        name,
+        &format!("format = 2\n[parts.cart]\nmechanism = \"wedge_model\"\n{command}{plate}{parts}{run}"),
+    )
+}
+
+/// A ball that loses nothing strikes the block. By Newton's law for cart and block along x, and for the block along its
+/// slope, the drive has the impulse -J sin a cos a.
+#[test]
+fn an_impact_on_a_mechanism_commanded_in_part_books_the_work_of_its_drive() {
+    let ball = "[parts.ball]\nrigid = \"sphere\"\nradius = 0.05\nmass = 1.3\nstart = { height = 0.1, position = [0.1, 0, 0] }\n\
+                [[contacts]]\nbetween = [\"ball\", \"plate\"]\nimpact = \"stronge\"\nrestitution = 1\n";
+    let file = on_wedge("struck_wedge", ball);
+    let done = json(&[&file]);
+    assert!(number(&done["last"]["impact"]).abs() < 1e-12, "{}", done["last"]["impact"]);
+    assert!(number(&done["imbalance"]).abs() < 2e-5, "{}", done["imbalance"]);
+    let (time, impulse) = (times(&done)[0], number(&done["events"][0]["impulse"]));
+    let work = -impulse * 0.5_f64.sin() * 0.5_f64.cos() * (0.3 + 0.3 * (6.0 * time).cos());
+    let drive = column(&rows(&[&file]), "drive");
+    let (at, change) = ((time / 1e-3) as usize, |n: usize| drive[n + 1] - drive[n]);
+    let jump = change(at) - 0.5 * (change(at - 1) + change(at + 1));
+    assert!(work < -0.6 && (jump - work).abs() < 5e-3, "{jump} {work}");
+}
+
+/// Accounts close to order 2 under lasting contacts and mean forces.
+#[test]
+fn loads_on_a_mechanism_commanded_in_part_book_the_work_of_its_drive() {
+    let slider = |law: &str| {
+        format!(
+            "[parts.block]\nrigid = \"box\"\nsize = [0.1, 0.1, 0.1]\nmass = 1.3\n\
+             start = {{ height = -0.00958851, position = [0.1, 0, 0] }}\n\
+             [[contacts]]\nbetween = [\"block\", \"plate\"]\nimpact = \"{law}\"\nfriction = 0.2\n"
+        )
+    };
+    let rod = "[parts.rod]\npoints = [[0, 0, 0], [0.1, 0, -0.3]]\nsprings = [[0, 1]]\nmass = 0.7\nK = 300\n\
+               attach = [{ nodes = [0], to = \"cart.top\" }]\n";
+    let worlds = [
+        (on_wedge("plastic_wedge", &slider("plastic")), None),
+        (on_wedge("moreau_wedge", &slider("moreau")), None),
+        (on_wedge("mean_wedge", rod), Some("energy_momentum")),
+    ];
+    for (file, method) in &worlds {
+        let imbalance = |step: &str| {
+            let method: Vec<&str> = method.iter().flat_map(|method| ["--method", method]).collect();
+            let done = json(&[&[file, "--step", step][..], &method].concat());
+            assert!(number(&done["last"]["drive"]) < -1.0, "{file}: {}", done["last"]["drive"]);
+            number(&done["imbalance"]).abs()
+        };
+        let (coarse, fine) = (imbalance("2e-3"), imbalance("1e-3"));
+        assert!(coarse < 5e-5 && fine < coarse / 3.0, "{file}: {coarse:e} {fine:e}");
     }
 }
