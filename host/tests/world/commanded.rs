@@ -132,3 +132,67 @@ fn loads_on_a_mechanism_commanded_in_part_book_the_work_of_its_drive() {
         assert!(coarse < 5e-5 && fine < coarse / 3.0, "{file}: {coarse:e} {fine:e}");
     }
 }
+
+/// A piston that starts from rest throws a ball of 1.3 kg.
+struct Piston;
+
+impl Piston {
+    const W: f64 = 8.0 * std::f64::consts::PI;
+    const T: f64 = 0.02;
+
+    fn place(t: f64) -> f64 {
+        0.2 + 0.05 * (Self::W * t).sin() - 0.05 * Self::W * t * (-t / Self::T).exp()
+    }
+
+    fn speed(t: f64) -> f64 {
+        0.05 * Self::W * ((Self::W * t).cos() - (1.0 - t / Self::T) * (-t / Self::T).exp())
+    }
+
+    /// Force on the ball while it rests (N).
+    fn force(t: f64) -> f64 {
+        let fades = (2.0 - t / Self::T) / Self::T * (-t / Self::T).exp();
+        1.3 * (G - 0.05 * Self::W * (Self::W * (Self::W * t).sin() - fades))
+    }
+
+    fn world() -> String {
+        let model = "format = 1\nname = \"piston\"\ncoordinates.s = { unit = \"m\" }\npoints.C = \"s*N.z\"\n\
+                     bodies.head = { centre = \"C\", mass = \"40_kg\" }\nports.top = { point = \"C\", frame = \"N\" }\n";
+        scene("piston_model", model);
+        let command = "0.2_m + 0.05_m*sin(8*pi*t/1_s) - 0.05_m*8*pi*t/1_s*exp(-t/0.02_s)";
+        scene(
+            "piston",
+            &format!(
+                "format = 2\n[parts.piston]\nmechanism = \"piston_model\"\ncommand = {{ s = \"{command}\" }}\n\
+                 [parts.top]\nrigid = \"box\"\nsize = [0.3, 0.3, 0.02]\non = \"piston.top\"\nstart = {{ position = [0, 0, -0.01] }}\n\
+                 [parts.ball]\nrigid = \"sphere\"\nradius = 0.05\nmass = 1.3\nstart = {{ height = 0.2 }}\n\
+                 [[contacts]]\nbetween = [\"ball\", \"top\"]\nimpact = \"plastic\"\nfriction = 0.3\n\
+                 [run]\nseconds = 0.5\nmethod = \"rk4\"\n"
+            ),
+        )
+    }
+}
+
+/// The zero of a function that falls from `low` to `high`.
+fn falls(mut low: f64, mut high: f64, of: impl Fn(f64) -> f64) -> f64 {
+    for _ in 0..100 {
+        let middle = 0.5 * (low + high);
+        if of(middle) > 0.0 { low = middle } else { high = middle }
+    }
+    low
+}
+
+#[test]
+fn a_thrown_ball_leaves_its_piston_when_the_force_passes_zero() {
+    let leaves = falls(0.02, 0.035, Piston::force);
+    let flown = |t: f64| {
+        let late = t - leaves;
+        Piston::place(leaves) + Piston::speed(leaves) * late - 0.5 * G * late * late
+    };
+    let lands = falls(0.2, 0.3, |t| flown(t) - Piston::place(t));
+    let file = Piston::world();
+    for step in ["4e-3", "1e-3", "7e-4"] {
+        let done = json(&[&file, "--step", step]);
+        let struck = times(&done)[0];
+        assert!((struck - lands).abs() < 1e-9, "{step}: {struck} {lands}");
+    }
+}
