@@ -196,3 +196,12 @@ fn a_thrown_ball_leaves_its_piston_when_the_force_passes_zero() {
         assert!((struck - lands).abs() < 1e-9, "{step}: {struck} {lands}");
     }
 }
+
+#[test]
+fn rows_show_the_force_of_a_located_contact_at_their_time() {
+    let rows = rows(&[&Piston::world(), "--seconds", "0.04"]);
+    for (t, force) in column(&rows, "t").into_iter().zip(column(&rows, "ball-top.normal")) {
+        let expected = Piston::force(t).max(0.0);
+        assert!((force - expected).abs() < 1e-6, "{t}: {force} {expected}");
+    }
+}
