@@ -102,10 +102,29 @@ pub fn read(argument: &str) -> Result<Model, Failure> {
 /// [`Failure::Found`] with all errors in it; [`Failure::Wrong`] if there is no such file.
 #[cfg(feature = "whole")]
 pub fn open_world(path: &Path, settings: &[String]) -> Result<Assembly, Failure> {
+    world_by(world::read::parse, path, settings)
+}
+
+/// The same for a scene that is settled first.
+///
+/// # Errors
+/// As [`open_world`].
+#[cfg(feature = "whole")]
+pub fn open_world_to_settle(path: &Path, settings: &[String]) -> Result<Assembly, Failure> {
+    world_by(world::read::parse_to_settle, path, settings)
+}
+
+/// Reads a scene by one of the two functions that parse its text.
+#[cfg(feature = "whole")]
+fn world_by(
+    parse: fn(&str, &str, &[String], world::read::Find<'_>) -> Result<Assembly, Diagnostics>,
+    path: &Path,
+    settings: &[String],
+) -> Result<Assembly, Failure> {
     let name = path.display().to_string();
     let find = |model: &str| find(model).map_err(|failure| failure.to_string());
     let text = input::text(&name)?;
-    world::read::parse(&name, &text, settings, &find).map_err(|found| wrong(&found))
+    parse(&name, &text, settings, &find).map_err(|found| wrong(&found))
 }
 
 /// Findings as a failure.

@@ -1,9 +1,10 @@
 //! `smartbed settle`: the static equilibrium of a scene of format 2.
 
 use crate::failure::Failure;
+use crate::file_kind::FileKind;
+use crate::model_argument;
 use crate::number::{json_number, json_object, json_string, short};
 use crate::output;
-use crate::run;
 use crate::world::run::engine;
 use std::fmt::Write as _;
 
@@ -31,14 +32,9 @@ pub struct Arguments {
 /// # Errors
 /// Status 1 for a wrong scene, and for one that does not come to rest.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let asked = run::Arguments {
-        model: arguments.scene.clone(),
-        set: arguments.set.clone(),
-        ..run::Arguments::default()
-    };
-    let mut assembly = run::world(&asked)?;
-    // Parts may overlap at a start that is settled.
-    assembly.run.settled = true;
+    let path = model_argument::find(&arguments.scene)?;
+    FileKind::expect(&path, &[FileKind::World])?;
+    let assembly = model_argument::open_world_to_settle(&path, &arguments.set)?;
     let mut engine = engine(&assembly).map_err(Failure::Wrong)?;
     let settled = engine.settle().map_err(Failure::Wrong)?;
     let columns = engine.columns();

@@ -21,29 +21,27 @@ pub(super) struct Rows {
 }
 
 impl Rows {
-    /// Opens the file.
+    /// Opens the file and, before it, the accounts.
     ///
     /// # Errors
-    /// If it cannot be created, or if `csv` goes to standard output too.
-    pub(super) fn open(file: &str, csv: Option<&str>) -> Result<Rows, Failure> {
+    /// If it cannot be created, if `csv` goes to standard output too, or if the engine keeps no accounts of this world.
+    pub(super) fn open(file: &str, csv: Option<&str>, engine: &mut dyn Engine) -> Result<Rows, Failure> {
         if file == "-" && csv == Some("-") {
             return Err(Failure::Wrong(
                 "--accounts - and --csv -: only one of them can go to standard output; name a file for the other".to_owned(),
             ));
         }
+        engine.keep_accounts().map_err(Failure::Wrong)?;
         let csv = Output::open(file)?;
         Ok(Rows { csv, start: Vec::new(), last: Vec::new(), imbalance: 0.0, of: String::new() })
     }
 
-    /// Writes a row; the first one opens the accounts.
+    /// Writes a row.
     ///
     /// # Errors
     /// The engine's, or if it cannot be written.
     pub(super) fn push(&mut self, t: f64, engine: &mut dyn Engine) -> Result<(), Failure> {
         let is_first = self.last.is_empty();
-        if is_first {
-            engine.keep_accounts().map_err(Failure::Wrong)?;
-        }
         let accounts = engine.accounts().map_err(Failure::Wrong)?;
         if is_first {
             self.start = accounts.totals();

@@ -21,6 +21,7 @@ use std::collections::BTreeMap;
 
 /// What takes the rows of a run.
 pub(super) struct Records<'a> {
+    arguments: &'a Arguments,
     assembly: &'a Assembly,
     columns: Vec<Column>,
     shown: Vec<usize>,
@@ -48,33 +49,27 @@ pub(super) struct Kept {
 }
 
 impl<'a> Records<'a> {
-    /// Opens the files.
+    /// Files are opened with the first row: what is refused before it leaves those of an earlier run as they are.
     ///
     /// # Errors
-    /// If one cannot be created, or `--show` names no column.
+    /// If `--show` names no column.
     pub(super) fn open(
-        arguments: &Arguments,
+        arguments: &'a Arguments,
         assembly: &'a Assembly,
         columns: Vec<Column>,
     ) -> Result<Self, Failure> {
         let names = names(assembly, &columns);
         let shown = shown(&columns, arguments.show.as_deref())?;
-        let mut csv = arguments.csv.as_deref().map(Output::open).transpose()?;
-        if let Some(csv) = &mut csv {
-            csv.write(&csv::header(&names))?;
-            interrupt::watch();
-        }
-        let csv_file = arguments.csv.as_deref();
-        let accounts = arguments.accounts.as_deref().map(|file| Rows::open(file, csv_file)).transpose()?;
         let epsilon = match arguments.scalar {
             ScalarKind::F64 => f64::EPSILON,
             ScalarKind::F32 => f64::from(f32::EPSILON),
         };
         Ok(Self {
+            arguments,
             assembly,
             shown,
-            csv,
-            accounts,
+            csv: None,
+            accounts: None,
             recording: arguments.plot.as_ref().map(|_| Recording::new(names.len())),
             sides: arguments.plot.as_ref().map(|_| Sides::new(stage::stage(assembly))),
             film: arguments.view.as_ref().map(|_| Film::new(stage::stage(assembly), series(&columns))),
@@ -91,11 +86,27 @@ impl<'a> Records<'a> {
         })
     }
 
+    /// Opens the files.
+    fn begin(&mut self, engine: &mut dyn Engine) -> Result<(), Failure> {
+        let csv_file = self.arguments.csv.as_deref();
+        let open = |file: &str| Rows::open(file, csv_file, engine);
+        self.accounts = self.arguments.accounts.as_deref().map(open).transpose()?;
+        self.csv = csv_file.map(Output::open).transpose()?;
+        if let Some(csv) = &mut self.csv {
+            csv.write(&csv::header(&self.kept.names))?;
+            interrupt::watch();
+        }
+        Ok(())
+    }
+
     /// Takes a row.
     ///
     /// # Errors
-    /// If it cannot be written, or the engine has no picture or accounts of its state.
+    /// If a file cannot be created or the row not be written, or the engine has no picture or accounts of its state.
     pub(super) fn push(&mut self, row: &Row<'_>, engine: &mut dyn Engine) -> Result<(), Failure> {
+        if self.kept.rows == 0 {
+            self.begin(engine)?;
+        }
         let values = values(row);
         if let Some(csv) = &mut self.csv {
             csv.write(&line(&values))?;
@@ -151,7 +162,7 @@ impl<'a> Records<'a> {
         note: &str,
         events: &[Event],
     ) -> Result<(Kept, Option<String>), Failure> {
-        let Self { assembly, columns, shown, csv, accounts, recording, sides, film, mut kept } = self;
+        let Self { assembly, columns, shown, csv, accounts, recording, sides, film, mut kept, .. } = self;
         csv.map_or(Ok(()), Output::finish)?;
         kept.accounts = accounts.map(Rows::finish).transpose()?;
         if let (Some(file), Some(recording)) = (&arguments.plot, &recording) {

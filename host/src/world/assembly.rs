@@ -5,6 +5,7 @@
 use crate::hash::hash;
 use crate::scene::Lists;
 use smartbed_codegen::model::Model;
+use smartbed_codegen::model::unit::Unit;
 use smartbed_runtime::gas::Line;
 use smartbed_runtime::rigid::law;
 use smartbed_runtime::rigid::{RigidBody, RigidState};
@@ -193,6 +194,8 @@ pub struct Sensing {
     pub name: String,
     /// The column that it reads.
     pub of: String,
+    /// Unit of the scene's numbers in quotes; `None` if it names none.
+    pub unit: Option<Unit>,
     /// The transformation of the quantity before it is sampled.
     pub transducer: Transducer,
     /// Sampling period (s); `None` for one step.
@@ -220,6 +223,8 @@ pub struct Controlling {
     pub name: String,
     /// The column, or `sensors.NAME`, that it reads.
     pub reads: String,
+    /// Unit of the scene's targets in quotes; `None` if it names none.
+    pub unit: Option<Unit>,
     /// The input that it drives.
     pub drives: String,
     /// Sampling period (s).

@@ -74,14 +74,11 @@ impl<S: Scalar> Carrier<S> for HostCarrier<S> {
     }
 
     fn drive_power(&mut self, frames: &[Frame<S>], wrenches: &[Wrench<S>]) -> Option<S> {
-        // What drives a mechanism that time alone moves gives what is taken at its ports; its own share is in its
-        // account.
-        let taken = frames
-            .iter()
-            .zip(wrenches)
-            .map(|(frame, wrench)| wrench.power(frame))
-            .fold(S::ZERO, |sum, power| sum + power);
-        matches!(self, Self::Mechanism(own) if own.n_u() == 0).then_some(-taken)
+        // Its own share is in its account.
+        match self {
+            Self::Mechanism(own) => own.drive_against(frames, wrenches),
+            Self::Floating(_) | Self::Still(_) => None,
+        }
     }
 
     fn frames(&mut self, t: S, q: &[S], u: &[S], frames: &mut [Frame<S>]) -> Result<(), Fault> {

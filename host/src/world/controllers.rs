@@ -8,9 +8,9 @@
 //! ```
 //! They act through inputs alone: valves of gas, and inputs of mechanisms for which the model has no law.
 
-use super::assembly::{Assembly, Controlling};
+use super::assembly::{Assembly, Controlling, Transducer};
 use super::engine::{Column, Engine};
-use super::sensors::{unread, whole_steps};
+use super::sensors::{agree, unread, whole_steps};
 
 /// The value that a controller reads.
 #[derive(Clone, Copy, Debug)]
@@ -50,6 +50,7 @@ impl Controllers {
         for own in &assembly.controllers {
             let name = &own.name;
             let source = source(own, assembly, columns)?;
+            agree(&format!("controllers.{name}"), own.unit, &own.reads, unit(source, assembly, columns))?;
             let input = inputs.iter().position(|input| *input == own.drives).ok_or_else(|| {
                 let known = match inputs.is_empty() {
                     true => "; give gas lines (supply, vent), or a mechanism an input that no law gives"
@@ -145,6 +146,19 @@ impl Controller {
         }
         output(self.integral).clamp(low, high)
     }
+}
+
+/// The unit of what it reads; a switch reads 0 or 1.
+fn unit<'c>(source: Source, assembly: &Assembly, columns: &'c [Column]) -> &'c str {
+    let column = match source {
+        Source::Column(column) => Some(&columns[column]),
+        Source::Sensor(sensor) => {
+            let sensor = &assembly.sensors[sensor];
+            let is_switch = matches!(sensor.transducer, Transducer::Switch { .. });
+            columns.iter().find(|column| !is_switch && column.name == sensor.of)
+        }
+    };
+    column.map_or("", |column| column.unit.as_str())
 }
 
 /// The source of its reading: a value of the rows, or a sensor.

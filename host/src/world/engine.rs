@@ -143,7 +143,7 @@ pub trait Engine {
     /// A message if there is none or it is not found.
     fn settle(&mut self) -> Result<Settled, String> {
         Err("settle: scenes of rigid parts alone are not supported; `run` it until it rests, with impact = \
-             \"plastic\" against bouncing"
+             \"plastic\" against bouncing, or take impact = \"moreau\""
             .to_owned())
     }
     /// Keeps accounts of each part and each seam from here on.

@@ -43,10 +43,16 @@ pub struct Ported<S = f64> {
     projections: u8,
     reads_time: bool,
     is_driven: bool,
+    /// Time, coordinates and speeds at which rates or inverse inertias were asked for last, if only some of its motion is
+    /// prescribed.
+    last: (S, Vec<S>, Vec<S>),
     /// Number of points without the origin, of bodies with frames, and of bodies.
     counts: [usize; 3],
     /// Names and units of q and u.
     pub names: Vec<(String, String)>,
+    closed_forms: Interpreted<S>,
+    /// Names and units of the coordinates in closed form, commanded ones among them.
+    pub closed: Vec<(String, String)>,
 }
 
 /// The start of a mechanism.
@@ -115,12 +121,15 @@ impl<S: Scalar> Ported<S> {
             projections: u8::from(!program.correction.is_empty()),
             reads_time: model.is_driven() || model.reads_time(),
             is_driven: model.is_driven(),
+            last: (S::ZERO, Vec::new(), Vec::new()),
             counts: [
                 model.points.len() - 1,
                 model.bodies.iter().filter(|body| body.frame.is_some()).count(),
                 model.bodies.len(),
             ],
             names: quantities.map(|x| (x.name.clone(), x.unit.clone())).collect(),
+            closed_forms: Interpreted::new(&observers.closed_forms()),
+            closed: observers.closed,
         };
         Ok((ported, start))
     }
@@ -165,6 +174,42 @@ impl<S: Scalar> Ported<S> {
             self.inputs[first + 3..first + 6].copy_from_slice(&wrench.moment);
         }
         Ok(())
+    }
+
+    /// Keeps the state at which wrenches act, for [`Ported::drive_against`].
+    fn remember(&mut self, t: S, q: &[S], u: &[S]) {
+        if self.is_driven_in_part() {
+            let (time, own_q, own_u) = &mut self.last;
+            *time = t;
+            for (to, from) in [(own_q, q), (own_u, u)] {
+                to.clear();
+                to.extend_from_slice(from);
+            }
+        }
+    }
+
+    /// Power (W) that its drives give because of these wrenches at the ports, or work of impulses (J), at the state at
+    /// which rates or inverse inertias were asked for last; `None` if nothing is commanded.
+    ///
+    /// What a drive gives is affine in the wrenches: the force at a port acts on the commanded motion directly, and
+    /// through the accelerations of the rest that it causes.
+    pub(super) fn drive_against(&mut self, frames: &[Frame<S>], wrenches: &[Wrench<S>]) -> Option<S> {
+        if self.n_u() == 0 {
+            let taken = frames.iter().zip(wrenches).map(|(frame, wrench)| wrench.power(frame));
+            return Some(-taken.fold(S::ZERO, |sum, power| sum + power));
+        }
+        if !self.is_driven_in_part() {
+            return None;
+        }
+        let (t, q, u) = std::mem::replace(&mut self.last, (S::ZERO, Vec::new(), Vec::new()));
+        let mut drive = |wrenches: &[Wrench<S>]| {
+            self.command(t, &q, &u, wrenches)?;
+            self.engine.drive(t, &q, &u, &self.inputs)
+        };
+        let loaded = drive(wrenches);
+        let free = drive(&vec![Wrench::zero(); wrenches.len()]);
+        self.last = (t, q, u);
+        Some(loaded.ok()? - free.ok()?)
     }
 
     /// All answers of all ports.
@@ -223,6 +268,7 @@ impl<S: Scalar> Ported<S> {
         wrenches: &[Wrench<S>],
         (q_dot, u_dot): (&mut [S], &mut [S]),
     ) -> Result<S, Fault> {
+        self.remember(t, q, u);
         self.command(t, q, u, wrenches)?;
         self.engine.rates(t, q, u, &self.inputs, q_dot, u_dot)
     }
@@ -238,6 +284,7 @@ impl<S: Scalar> Ported<S> {
         u: &[S],
         [seen, at]: [usize; 2],
     ) -> Result<InverseInertia<S>, Fault> {
+        self.remember(t, q, u);
         let answers = self.asked(t, q, u)?;
         let [.., inverse, jacobian] = *self.first.get(seen).ok_or(Fault::Shape)?;
         if seen == at {
@@ -278,6 +325,19 @@ impl<S: Scalar> Ported<S> {
     pub fn energy(&mut self, t: S, q: &[S], u: &[S]) -> Result<(S, S), Fault> {
         self.engine.set_time(t);
         self.engine.energy(q, u)
+    }
+
+    /// Values of the coordinates in closed form.
+    ///
+    /// # Errors
+    /// The engine's.
+    pub fn closed_forms(&mut self, t: S, q: &[S], u: &[S]) -> Result<Vec<S>, Fault> {
+        if self.closed.is_empty() {
+            return Ok(Vec::new());
+        }
+        // A rate follows each value.
+        let values = self.closed_forms.outputs(t, q, u, &self.inputs[..self.own])?;
+        Ok(values.into_iter().step_by(2).collect())
     }
 
     /// Energies and powers at a state under wrenches.

@@ -5,6 +5,7 @@
 
 use super::assembly::{Assembly, Sensing, Transducer};
 use super::engine::{ACCOUNTS, Column};
+use smartbed_codegen::model::unit::{self, Unit};
 use smartbed_runtime::sensor::kinds::{Lvdt, Membrane, Switch};
 use smartbed_runtime::sensor::{Channel, ChannelFault, Remembered, Sensor};
 
@@ -56,6 +57,23 @@ pub(super) fn unread(name: &str) -> Option<String> {
     })
 }
 
+/// Checks the dimension of the `unit` that a sensor or controller names against the unit of the value `read`.
+///
+/// # Errors
+/// Both units, if they are of different dimensions.
+pub(super) fn agree(of: &str, own: Option<Unit>, read: &str, unit: &str) -> Result<(), String> {
+    // A column's unit that cannot be read says nothing against any other.
+    let (Some(own), Ok(column)) = (own, unit::parse(unit.trim())) else { return Ok(()) };
+    if own == column.unit {
+        return Ok(());
+    }
+    let (is, wanted) = match column.unit == Unit::NONE {
+        true => ("without unit".to_owned(), "leave `unit` out".to_owned()),
+        false => (format!("in {unit}"), format!("expected unit = \"{unit}\" or another of this dimension")),
+    };
+    Err(format!("{of}: `unit` is that of a number in {own}, but `{read}` is {is}; {wanted}"))
+}
+
 /// The message for a channel that is refused.
 fn refused(fault: ChannelFault, channel: &Channel<f64>) -> String {
     match fault {
@@ -87,6 +105,7 @@ impl Probes {
                 format!("sensors.{}: no number `{}` in the rows{help}", own.name, own.of)
             })?;
             let name = format!("sensors.{}", own.name);
+            agree(&name, own.unit, &own.of, &columns[column].unit)?;
             let ticks = |what: &str, seconds: f64| whole_steps(&name, what, seconds, assembly.run.step);
             let channel = Channel {
                 period: ticks("period", own.period.unwrap_or(assembly.run.step))?,

@@ -76,7 +76,8 @@ fn every_refusal_of_a_scene_has_its_cause_and_cure() {
         rigid("size = [1, 1, 0]"),
         rigid("size = [1, 1, 1]\ninertia = [1, 1, 3]"),
         rigid("size = [1, 1, 1]\nstart = { axis = [0, 0, 0], angle = 1 }"),
-        rigid("size = [1, 1, 1]\nfixed = true\nstart = { velocity = [1, 0, 0] }"),
+        "[parts.a]\nrigid = \"box\"\nsize = [1, 1, 1]\nfixed = true\nstart = { velocity = [1, 0, 0] }"
+            .to_owned(),
         rigid("size = [1, 1, 1]\ngrid = { count = [0, 4], pitch = [1, 1] }"),
         format!("{GROUND}{BALL}"),
         format!("{TILE}[parts.skin]\nrigid = \"sphere\"\nradius = 1\non = \"tile.top\""),
@@ -140,6 +141,13 @@ fn every_refusal_of_a_scene_has_its_cause_and_cure() {
         "[parts.cube]\nshape = \"cube\"\nstart = { velocity = [1, 0, 0] }\n[run]\nstart = \"settled\""
             .to_owned(),
         format!("{BALL}[sensors.s]\nof = \"ball.w\""),
+        format!("{BALL}[sensors.s]\nof = \"ball.z\"\nunit = \"meter\""),
+        format!("{BALL}[sensors.s]\nof = \"ball.z\"\nunit = \"N\""),
+        format!("{DRIVEN}[controllers.a]\n{HELD}period = 0.001\nunit = \"m\""),
+        "[parts.arm]\nmechanism = \"pendulum\"\ncommand = { q = \"sqrt(t/1_s)\" }".to_owned(),
+        "[parts.a]\nrigid = \"sphere\"\nradius = 1\nfixed = true\nmass = 1".to_owned(),
+        format!("{BLADDER}, ambient = 0, vent = {{ conductance = 1e-8 }} }}\n")
+            .replace("gauge = 0", "gauge = 9"),
         format!("{BALL}[sensors.s]\nof = \"ball.z\"\nperiod = \"1.5_ms\""),
         format!("{BALL}[sensors.s]\nof = \"ball.z\"\ndelay = \"0.1_s\""),
         format!(

@@ -5,6 +5,7 @@ mod aims;
 mod air;
 mod bounces;
 mod carried;
+mod commanded;
 mod conserving;
 mod costs;
 mod friction;

@@ -122,6 +122,25 @@ fn what_is_wrong_in_a_world_is_said_with_its_place() {
             8,
         ),
         (format!("{TILE}{SHEET}gas = {{ gauge = \"4_kg\" }}"), "`gauge` must be", 9),
+        (
+            format!(
+                "{TILE}{SHEET}gas = {{ gauge = \"4_kPa\", sealed = true, ambient = 0, vent = {{ conductance = 1e-8 }} }}"
+            ),
+            "`ambient` must be above 0 where there is a `vent`",
+            9,
+        ),
+        (
+            format!("{GROUND}[parts.ball]\nrigid = \"sphere\"\nradius = 1\nfixed = true\nmass = 1"),
+            "`ball` has `mass`, but it is fixed in space",
+            8,
+        ),
+        (
+            format!(
+                "{TILE}[parts.ball]\nrigid = \"sphere\"\nradius = 1\ninertia = [1, 1, 1]\non = \"tile.platform\""
+            ),
+            "`ball` has `inertia`, but it is only the surface of what carries it",
+            7,
+        ),
         (format!("{TILE}grid = {{ count = [0, 4], pitch = [1, 1] }}"), "is repeated 0 x 4 times", 4),
         (format!("{GROUND}[view]\nhide = [\"grund\"]"), "there is no part `grund`", 5),
         (format!("{GROUND}[view]\nsurfaces = \"strain\""), "unknown colouring of surfaces `strain`", 5),
@@ -132,6 +151,61 @@ fn what_is_wrong_in_a_world_is_said_with_its_place() {
     for (text, words, line) in cases {
         refused(&text, words, line);
     }
+}
+
+/// A ball above the ground, its height seen by a sensor.
+fn seen(more: &str) -> String {
+    format!(
+        "{GROUND}{BALL}start = {{ height = 1 }}\n[sensors.high]\nof = \"ball.z\"\n{more}\n[run]\nseconds = 0.01\n"
+    )
+}
+
+#[test]
+fn sensors_and_controllers_name_a_unit_of_what_they_read() {
+    for unit in ["m", "mm", "km"] {
+        super::support::run(&[
+            "run",
+            &scene("unit", &seen(&format!("unit = \"{unit}\"\nresolution = \"1_mm\""))),
+        ]);
+    }
+    let said = |more: &str| fails(&["run", &scene("unit", &seen(more))]);
+    let found = said("unit = \"N\"\nresolution = \"1_mN\"");
+    assert!(found.contains("sensors.high: `unit` is that of a number in N, but `ball.z` is in m"), "{found}");
+    assert!(found.contains("expected unit = \"m\""), "{found}");
+    let found = said("unit = \"meter\"");
+    assert!(found.contains("did you mean `m`?") && found.contains(":11:"), "{found}");
+    let controlled = |unit: &str| {
+        let held =
+            include_str!("../../../docs/scenes.md").split("toml file=held.toml\n").nth(1).expect("a scene");
+        let held = held.split("```").next().expect("its text");
+        held.replacen(
+            "drives = \"bladder.valves\"\nunit = \"Pa\"",
+            &format!("drives = \"bladder.valves\"\nunit = \"{unit}\""),
+            1,
+        )
+    };
+    let found = fails(&["run", &scene("held_unit", &controlled("m").replace("_kPa\"]", "_m\"]"))]);
+    assert!(found.contains("controllers.air: `unit` is that of a number in m"), "{found}");
+    assert!(found.contains("`sensors.pressure` is in Pa"), "{found}");
+    super::support::run(&["run", &scene("held_unit", &controlled("kPa")), "--seconds", "0.01"]);
+}
+
+#[test]
+fn a_run_that_is_refused_leaves_the_rows_of_an_earlier_one() {
+    let rows = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("earlier.csv");
+    let file = rows.display().to_string();
+    let kept = |text: &str, options: &[&str]| {
+        std::fs::write(&rows, "earlier\n").expect("a file");
+        let said = fails(&[&["run", &scene("refused", text), "--csv", &file][..], options].concat());
+        assert_eq!(std::fs::read_to_string(&rows).expect("a file"), "earlier\n", "{said}");
+        said
+    };
+    let said = kept(&seen("period = \"1.5_ms\""), &[]);
+    assert!(said.contains("is no whole number of steps"), "{said}");
+    let said = kept(&(seen("") + "start = \"settled\"\n"), &[]);
+    assert!(said.contains("settle"), "{said}");
+    super::support::run(&["run", &scene("fine", &seen("")), "--csv", &file]);
+    assert!(std::fs::read_to_string(&rows).expect("a file").starts_with("t,ball.x"));
 }
 
 #[test]

@@ -152,3 +152,34 @@ fn flat_faces_slide_without_jitter() {
         assert!(slid > 0.5, "{law}: {slid}");
     }
 }
+
+/// Two free balls that overlap are moved apart along the line of their centres, each by half the overlap.
+#[test]
+fn free_parts_that_overlap_are_moved_apart() {
+    let ball = |name: &str, x: f64| {
+        format!(
+            "[parts.{name}]\nrigid = \"sphere\"\nradius = 0.1\nmass = 1\nstart = {{ height = 0, position = [{x}, 0, 0] }}\n"
+        )
+    };
+    let touch = |pair: &str| format!("[[contacts]]\nbetween = {pair}\nimpact = \"moreau\"\n");
+    let contacts = ["[\"a\", \"g\"]", "[\"b\", \"g\"]", "[\"a\", \"b\"]"].map(touch).concat();
+    let text = format!(
+        "format = 2\n[parts.g]\nrigid = \"half_space\"\n{}{}{contacts}",
+        ball("a", 0.0),
+        ball("b", 0.15)
+    );
+    let run = "[run]\nseconds = 0.01\n";
+    let file = scene("overlapping", &(text.clone() + run));
+    let said = fails(&["run", &file]);
+    assert!(
+        said.contains("overlap by 5.000e-2 m") && said.contains("start = \"settled\" under [run]"),
+        "{said}"
+    );
+    let begun = scene("moved_apart", &(text + run + "start = \"settled\"\n"));
+    for done in [settled(&[&file]), json(&[&begun])] {
+        for (name, x) in [("a.x", -0.025), ("b.x", 0.175), ("a.z", 0.1)] {
+            let found = number(&done["last"][name]);
+            assert!((found - x).abs() < 1e-6, "{name}: {found}");
+        }
+    }
+}

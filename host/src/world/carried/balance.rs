@@ -14,7 +14,7 @@ pub(super) type Motion = [Vec<f64>; 2];
 
 impl<S: Scalar> CarriedWorld<S> {
     /// Can every account be kept? In steps with contacts or mean forces, what the drives of a mechanism that is commanded
-    /// in part give against the wrenches at its ports is not known.
+    /// in part give against the wrenches at its ports is known for all mechanisms together only.
     pub(super) fn can_keep_books(&self) -> Result<(), String> {
         for (name, place) in self.names.iter().zip(&self.places) {
             let Place::Carrier(number, _) = place else { continue };
@@ -22,7 +22,7 @@ impl<S: Scalar> CarriedWorld<S> {
             if self.steps_as_world() && own.is_driven_in_part() && own.n_ports() > 0 {
                 return Err(format!(
                     "--accounts: `{name}` is commanded in part, and the work of its drives against contacts (or against mean forces) \
-                     is not booked; command all of its coordinates or none, or leave the contacts out"
+                     is not booked by part; command all of its coordinates or none, or leave the contacts out"
                 ));
             }
         }

@@ -26,6 +26,9 @@ impl<S: Settle> Engine for CarriedWorld<S> {
                         for (n, (own, unit)) in ported.names.iter().enumerate() {
                             add(format!("{name}.{own}"), unit, n < n_q);
                         }
+                        for (own, unit) in &ported.closed {
+                            add(format!("{name}.{own}"), unit, false);
+                        }
                     }
                     HostCarrier::Floating(_) => {
                         crate::world::rigid::NUMBERS.iter().for_each(|(own, unit)| {
@@ -68,7 +71,7 @@ impl<S: Settle> Engine for CarriedWorld<S> {
         let n_q = self.split();
         let (mut q, mut u, mut values) = (0, n_q, Vec::new());
         let mut rows: Vec<Vec<S>> = Vec::new();
-        for carrier in &self.carriers {
+        for carrier in &mut self.carriers {
             let (own_q, own_u) = (&x[q..q + carrier.n_q()], &x[u..u + carrier.n_u()]);
             rows.push(match carrier {
                 HostCarrier::Floating(floating) => {
@@ -76,7 +79,10 @@ impl<S: Settle> Engine for CarriedWorld<S> {
                     let spin = floating.body.angular_velocity(&state);
                     [own_q, &own_u[..3], &spin[..]].concat()
                 }
-                _ => [own_q, own_u].concat(),
+                HostCarrier::Mechanism(own) => {
+                    [own_q, own_u, &own.closed_forms(t, own_q, own_u).map_err(words)?].concat()
+                }
+                HostCarrier::Still(_) => Vec::new(),
             });
             (q, u) = (q + carrier.n_q(), u + carrier.n_u());
         }
@@ -116,14 +122,20 @@ impl<S: Settle> Engine for CarriedWorld<S> {
             impact: self.impact,
             friction: self.friction,
         };
-        self.each_mechanism(&x, |_, ported, q, u, wrenches| {
-            let [kinetic, gravity, spring] = ported.account(t, q, u, wrenches)?.stored.map(S::to_f64);
+        let mut endless = None;
+        self.each_mechanism(&x, |carrier, ported, q, u, wrenches| {
+            let account = ported.account(t, q, u, wrenches)?;
+            let [kinetic, gravity, spring] = account.stored.map(S::to_f64);
+            if !(kinetic.is_finite() && account.driven.to_f64().is_finite()) {
+                endless = Some(carrier);
+            }
             energies.kinetic += kinetic;
             energies.gravity += gravity;
             energies.spring += spring;
             Ok(())
         })
         .map_err(words)?;
+        endless.map_or(Ok(()), |carrier| Err(self.endless(carrier)))?;
         let n_q = self.split();
         let (mut q, mut u) = (0, n_q);
         for carrier in &mut self.carriers {
@@ -266,5 +278,19 @@ impl<S: Settle> Engine for CarriedWorld<S> {
                 )
             }
         }
+    }
+}
+
+impl<S: Settle> CarriedWorld<S> {
+    /// The message for a mechanism whose energy or power is no number.
+    fn endless(&self, carrier: usize) -> String {
+        let is_it = |place: &Place<S>| matches!(place, Place::Carrier(number, _) if *number == carrier);
+        let part = self.places.iter().position(is_it).unwrap_or_default();
+        format!(
+            "`{}` has an energy or a power that is not finite here; expected `command` and `law` whose values, rates and \
+             second rates are finite at every time from 0 on: sqrt(t) starts with infinite speed, \
+             1 - cos(w*t) from rest",
+            self.names[part]
+        )
     }
 }

@@ -1,8 +1,8 @@
 //! Reads `[controllers.NAME]`: the value read, the input driven, the period, and the target.
 //!
-//! Targets in quotes are in the unit named by `unit`; plain ones, gains and outputs are in SI units.
+//! Targets in quotes have the dimension of `unit`; plain ones, gains and outputs are in SI units.
 
-use super::value::{Bound, list, needed, number, scalar};
+use super::value::{Bound, list, named_unit, needed, number, scalar};
 use crate::world::assembly::Controlling;
 use smartbed_codegen::diagnostic::{Diagnostic, Diagnostics};
 use smartbed_codegen::model::Fields;
@@ -20,7 +20,7 @@ pub(super) fn read(key: &Key, value: &Value, found: &mut Diagnostics) -> Option<
     let fields = Fields::of(&key.name, key.span, table);
     let reads = word(&fields, "reads", "\"bladder.gauge\"", found)?;
     let drives = word(&fields, "drives", "\"bladder.valves\"", found)?;
-    let unit = fields.text("unit", found).map_or_else(String::new, |text| text.text.clone());
+    let (unit, dimension) = named_unit(&fields, found)?;
     let target = targets(fields.need("target", "\"4_kPa\"", found)?, &unit, found)?;
     let period = needed(&fields, "period", ("s", "\"10_ms\""), found)?;
     let mut get = |name: &'static str| number(&fields, name, "", Bound::Any, found).unwrap_or(0.0);
@@ -39,7 +39,8 @@ pub(super) fn read(key: &Key, value: &Value, found: &mut Diagnostics) -> Option<
         );
         return None;
     }
-    Some(Controlling { name: key.name.clone(), reads, drives, period, target, gain, integral, bias, limits })
+    let (name, unit) = (key.name.clone(), dimension);
+    Some(Controlling { name, reads, unit, drives, period, target, gain, integral, bias, limits })
 }
 
 /// A required name in quotes.

@@ -259,7 +259,16 @@ fn gas(table: &Table, lists: &Lists, found: &mut Diagnostics) -> Option<Filled> 
         let temperature = number(&fields, "temperature", "K", Bound::Positive, found).unwrap_or(ROOM);
         let volume = given.unwrap_or(enclosed);
         supply = fields.table("supply", found).and_then(|table| line(table, true, ambient, found));
-        vent = fields.table("vent", found).and_then(|table| line(table, false, ambient, found));
+        vent = fields.table("vent", found).and_then(|table| {
+            if ambient > 0.0 {
+                return line(table, false, ambient, found);
+            }
+            let place = fields.get("ambient").map_or(table.span, Value::span);
+            let error = Diagnostic::error("`ambient` must be above 0 where there is a `vent`");
+            let label = "a vent leads to the air outside, which has this absolute pressure";
+            found.push(error.label(place, label).help("give its pressure, or leave `vent` out"));
+            None
+        });
         let chamber = Chamber { gas: Gas::air(), exponent, reference_volume: volume, ambient };
         let state = chamber.filled(Source { pressure: ambient + gauge, temperature }, volume);
         Content::Sealed { chamber, state }

@@ -7,7 +7,7 @@ use super::value::{list, one_of};
 use crate::world::assembly::Mechanism;
 use smartbed_codegen::diagnostic::{Diagnostic, Diagnostics};
 use smartbed_codegen::model::document::{Value, wrong_kind};
-use smartbed_codegen::model::{self, Fields, Model};
+use smartbed_codegen::model::{self, Fields, Model, Speed, SpeedMeaning};
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
@@ -71,6 +71,8 @@ fn changes(fields: &Fields<'_>, base: &Model, found: &mut Diagnostics) -> Option
             commanded += usize::from(coordinate.independent);
             let _ = writeln!(text, "{name} = {{ closed_form = {:?}, independent = false }}", law.text);
         }
+        let is_commanded = |name: &str| table.entries.iter().any(|(key, _)| key.name == name);
+        text += &still_independent(base, is_commanded);
     }
     for section in ["parameters", "law", "start"] {
         let table = match section {
@@ -104,6 +106,36 @@ fn changes(fields: &Fields<'_>, base: &Model, found: &mut Diagnostics) -> Option
     Some(if text.is_empty() { text } else { dof + &text })
 }
 
+/// Marks what remains independent beside commanded coordinates: in a model without constraints all coordinates are
+/// so without a mark, in one with a closed form none is. Coordinates of joints cannot be marked from outside.
+fn still_independent(base: &Model, is_commanded: impl Fn(&str) -> bool) -> String {
+    let mut text = String::new();
+    if has_joints(base) {
+        return text;
+    }
+    for coordinate in base.coordinates.iter().filter(|c| c.independent && !is_commanded(&c.name)) {
+        let _ = writeln!(text, "{} = {{ independent = true }}", coordinate.name);
+    }
+    let of_its_own = |s: &&Speed| s.independent && matches!(s.meaning, SpeedMeaning::Combination(_));
+    let speeds: Vec<&Speed> = base.speeds.iter().filter(of_its_own).collect();
+    if !speeds.is_empty() {
+        text += "[speeds]\n";
+    }
+    for speed in speeds {
+        let _ = writeln!(text, "{} = {{ independent = true }}", speed.name);
+    }
+    text
+}
+
+/// Does the model's text have joints, whose coordinates are declared by the joint?
+fn has_joints(base: &Model) -> bool {
+    let opens = |line: &str| {
+        let section = line.trim_start().strip_prefix('[').unwrap_or_default();
+        section.split(']').next().unwrap_or_default().split('.').any(|word| word.trim() == "joints")
+    };
+    base.source.files.iter().any(|file| file.text.lines().any(opens))
+}
+
 fn extended(fields: &Fields<'_>, path: &Path, changed: &str, found: &mut Diagnostics) -> Option<Model> {
     let file = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
     let name: String = fields.name.chars().map(|c| if c.is_alphanumeric() { c } else { '_' }).collect();
@@ -112,7 +144,14 @@ fn extended(fields: &Fields<'_>, path: &Path, changed: &str, found: &mut Diagnos
     match model::parse(&shown.display().to_string(), &text) {
         Ok(model) => Some(model),
         Err(wrong) => {
-            let help = "the keys of `command`, `law`, `set` and `start` are those of the model";
+            // A command is a closed form, beside which coordinates are dependent unless they say otherwise.
+            let help = match fields.get("command") {
+                Some(_) => {
+                    "the keys of `command`, `law`, `set` and `start` are those of the model; beside commanded ones, what stays \
+                     free has `independent = true` in the model, each of its joints too"
+                }
+                None => "the keys of `law`, `set` and `start` are those of the model",
+            };
             let error =
                 Diagnostic::error(format!("what `{}` changes in its model is wrong: {wrong}", fields.name));
             found.push(error.label(fields.span, "this part").help(help));

@@ -38,6 +38,30 @@ const MOST_STEPS: f64 = 1e9;
 /// # Errors
 /// All errors in it.
 pub fn parse(path: &str, text: &str, settings: &[String], find: Find<'_>) -> Result<Assembly, Diagnostics> {
+    parse_for(path, text, settings, find, false)
+}
+
+/// Reads a scene that is settled first, whatever its `[run]` says: parts may overlap.
+///
+/// # Errors
+/// All errors in it.
+pub fn parse_to_settle(
+    path: &str,
+    text: &str,
+    settings: &[String],
+    find: Find<'_>,
+) -> Result<Assembly, Diagnostics> {
+    let assembly = parse_for(path, text, settings, find, true)?;
+    Ok(Assembly { run: Run { settled: true, ..assembly.run }, ..assembly })
+}
+
+fn parse_for(
+    path: &str,
+    text: &str,
+    settings: &[String],
+    find: Find<'_>,
+    to_settle: bool,
+) -> Result<Assembly, Diagnostics> {
     let source = Source::new(path, text);
     let mut found = Diagnostics::new(source.clone());
     if is_too_much(text) {
@@ -53,7 +77,7 @@ pub fn parse(path: &str, text: &str, settings: &[String], find: Find<'_>) -> Res
     };
     let table = settings::apply(table, settings, &mut found);
     let find = |name: &str| model_beside(Path::new(path), name).map_or_else(|| find(name), Ok);
-    let assembly = read(path, &table, &find, &mut found);
+    let assembly = read(path, &table, &find, to_settle, &mut found);
     match assembly {
         Some(assembly) => found.finish(assembly),
         None => Err(found),
@@ -67,7 +91,13 @@ fn model_beside(scene: &Path, name: &str) -> Option<PathBuf> {
     files.into_iter().find(|file| file.is_file() && file != scene)
 }
 
-fn read(path: &str, table: &Table, find: Find<'_>, found: &mut Diagnostics) -> Option<Assembly> {
+fn read(
+    path: &str,
+    table: &Table,
+    find: Find<'_>,
+    to_settle: bool,
+    found: &mut Diagnostics,
+) -> Option<Assembly> {
     let scene = Fields::of("scene", table.span, table);
     match scene.get("format") {
         Some(Value::Number(2.0, _)) => {}
@@ -109,7 +139,10 @@ fn read(path: &str, table: &Table, find: Find<'_>, found: &mut Diagnostics) -> O
         let own = name.split('[').next().unwrap_or(name);
         named.and_then(|t| t.entries.iter().find(|(key, _)| key.name == own)).map(|(key, _)| key.span)
     };
-    overlap::check(&assembly, spans, found);
+    // Rest is searched for by a step that moves parts apart; rigid parts alone have none.
+    if assembly.is_rigid() || !(to_settle || assembly.run.settled) {
+        overlap::check(&assembly, spans, found);
+    }
     if assembly.run.settled
         && let Some(part) = assembly.parts.iter().find(|part| part.starts_in_motion())
     {

@@ -28,9 +28,13 @@ pub(super) fn check(assembly: &Assembly, span: impl Fn(&str) -> Option<Span>, fo
                 if let Some(other) = span(other_name).filter(|s| *s != place) {
                     error = error.label(other, "this one");
                 }
-                found.push(error.help(
-                    "move one of them: start = { position = [x, y, z] } or start = { height = \"20_mm\" }",
-                ));
+                let apart = match assembly.is_rigid() {
+                    true => "",
+                    false => "; or have them moved apart: start = \"settled\" under [run]",
+                };
+                found.push(error.help(format!(
+                    "move one of them: start = {{ position = [x, y, z] }} or start = {{ height = \"20_mm\" }}{apart}"
+                )));
             }
         }
     }

@@ -25,7 +25,13 @@ pub(super) fn read(fields: &Fields<'_>, offset: [f64; 3], found: &mut Diagnostic
         return None;
     }
     let carried = fields.get("on").is_some();
-    let body = if fixed || carried { None } else { Some(body(&shape, fields, found)?) };
+    let body = match fixed || carried {
+        true => {
+            refuse_inertia(carried, fields, found)?;
+            None
+        }
+        false => Some(body(&shape, fields, found)?),
+    };
     let mut start = start(&shape, body.as_ref(), fields, found)?;
     start.position = vec3::add(start.position, offset);
     Some(Rigid { shape, body, on: None, start })
@@ -54,6 +60,23 @@ fn shape(kind: &str, fields: &Fields<'_>, found: &mut Diagnostics) -> Option<Sha
             Shape::Cuboid(Cuboid { half: size.map(|edge| 0.5 * edge) })
         }
     })
+}
+
+/// Refuses the inertia of a part that has none.
+fn refuse_inertia(carried: bool, fields: &Fields<'_>, found: &mut Diagnostics) -> Option<()> {
+    let Some((key, value)) = ["mass", "inertia"].iter().find_map(|key| Some((key, fields.get(key)?))) else {
+        return Some(());
+    };
+    let (why, help) = match carried {
+        true => ("it is only the surface of what carries it", "leave it out; the model's bodies have mass"),
+        false => (
+            "it is fixed in space and never moves",
+            "leave it out; what has mass and may move is not `fixed`",
+        ),
+    };
+    let error = Diagnostic::error(format!("`{}` has `{key}`, but {why}", fields.name));
+    found.push(error.label(value.span(), "has no effect").help(help));
+    None
 }
 
 /// Mass, and the moments of a homogeneous body unless they are given.

@@ -1,8 +1,8 @@
 //! Reads `[sensors.NAME]`: the quantity, its transducer, resolution, delay and noise.
 //!
-//! Numbers in quotes are in the unit named by `unit`; plain ones are in SI units.
+//! Numbers in quotes have the dimension of `unit`; plain ones are in SI units.
 
-use super::value::{Bound, count, list, number, one_of};
+use super::value::{Bound, count, list, named_unit, number, one_of};
 use crate::world::assembly::{Sensing, Transducer};
 use smartbed_codegen::diagnostic::Diagnostics;
 use smartbed_codegen::model::Fields;
@@ -25,7 +25,7 @@ pub(super) fn read(key: &Key, value: &Value, found: &mut Diagnostics) -> Option<
             return None;
         }
     };
-    let unit = fields.text("unit", found).map_or_else(String::new, |text| text.text.clone());
+    let (unit, dimension) = named_unit(&fields, found)?;
     let mut get = |name: &'static str, unit: &str, bound: Bound, left_out: f64| {
         number(&fields, name, unit, bound, found).unwrap_or(left_out)
     };
@@ -64,5 +64,18 @@ pub(super) fn read(key: &Key, value: &Value, found: &mut Diagnostics) -> Option<
     fields.finish(found);
     let period = Some(period).filter(|period| !period.is_nan());
     let name = key.name.clone();
-    Some(Sensing { name, of, transducer, period, delay, noise, bias, drift, resolution, range, seed })
+    Some(Sensing {
+        name,
+        of,
+        unit: dimension,
+        transducer,
+        period,
+        delay,
+        noise,
+        bias,
+        drift,
+        resolution,
+        range,
+        seed,
+    })
 }

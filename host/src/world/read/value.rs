@@ -42,6 +42,22 @@ pub(crate) fn unit(text: &str) -> Unit {
     unit::parse(text).map_or(Unit::NONE, |scale| scale.unit)
 }
 
+/// The field `unit`: its text for the fields that follow it, and its dimension; an empty text and `None` if it is left out.
+pub(crate) fn named_unit(fields: &Fields<'_>, found: &mut Diagnostics) -> Option<(String, Option<Unit>)> {
+    let Some(text) = fields.text("unit", found) else { return Some((String::new(), None)) };
+    match unit::parse(text.text.trim()) {
+        Ok(scale) => Some((text.text.clone(), Some(scale.unit))),
+        Err((message, _)) => {
+            let meant = unit::meant(text.text.trim()).map(|meant| format!("did you mean `{meant}`?"));
+            let help = meant.unwrap_or_else(|| "for example unit = \"mm\", \"kPa\" or \"rad/s\"".to_owned());
+            found.push(
+                Diagnostic::error(format!("`unit`: {message}")).label(text.span, "in this unit").help(help),
+            );
+            None
+        }
+    }
+}
+
 /// A value as a number.
 pub(crate) fn scalar(
     value: &Value,

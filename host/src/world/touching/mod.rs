@@ -296,6 +296,46 @@ impl<S: Scalar> Touching<S> {
         self.room.counts[0]
     }
 
+    /// Forces of the contacts that rest at a state before its first step of h, if touches are located.
+    ///
+    /// # Errors
+    /// The step's, which it will have too.
+    pub(super) fn press(
+        &mut self,
+        island: Island<'_, S, impl Carrier<S>>,
+        (t, h): (S, S),
+        state: &State<'_, S>,
+    ) -> Result<(), Fault> {
+        let Some(own) = &mut self.located else { return Ok(()) };
+        let [struck, lifts] = &mut own.struck;
+        let mut memory = LocatedMemory {
+            step: self.room.memory(),
+            scratch: &mut own.scratch,
+            pressing: &mut own.pressing,
+            struck: [struck, lifts],
+            overlaps: own.overlaps,
+        };
+        let mut world = World { island, things: &self.things, pairs: &self.pairs };
+        let pressing = world.press_located((t, h), state, &mut memory)?;
+        self.show_pressing(pressing);
+        Ok(())
+    }
+
+    /// Keeps the forces of so many lasting contacts for rows and pictures.
+    fn show_pressing(&mut self, count: usize) {
+        let pressing = self.located.iter().flat_map(|own| own.pressing.iter().take(count));
+        self.pushed = Pushed::new(self.pairs.len());
+        for own in pressing.clone() {
+            let contact = &own.held.contact;
+            self.pushed.add(own.pair, self.bodies[own.pair].each_ref(), contact, contact.impulse);
+        }
+        let force = |own: &Pressing<S>| {
+            let contact = &own.held.contact;
+            between(self.moves[own.pair], own.place, contact.axes, contact.impulse)
+        };
+        self.forces = pressing.filter_map(force).collect();
+    }
+
     /// A step of an island; pairs that come into contact are events. Books, if there are some, observe it.
     pub(super) fn step(
         &mut self,
@@ -322,17 +362,7 @@ impl<S: Scalar> Touching<S> {
             let report =
                 world.step_located(&own.kinds, own.method, (t, h), state, &mut memory, &mut watch)?;
             own.overlaps = memory.overlaps;
-            let pressing = memory.pressing.iter().take(report.pressing);
-            self.pushed = Pushed::new(self.pairs.len());
-            for own in pressing.clone() {
-                let contact = &own.held.contact;
-                self.pushed.add(own.pair, self.bodies[own.pair].each_ref(), contact, contact.impulse);
-            }
-            let force = |own: &Pressing<S>| {
-                let contact = &own.held.contact;
-                between(self.moves[own.pair], own.place, contact.axes, contact.impulse)
-            };
-            self.forces = pressing.filter_map(force).collect();
+            self.show_pressing(report.pressing);
             let (settled, forced) = (report.settled, report.forced);
             return Ok(Stepped { accounts: report.accounts, settled, forced, leaving: S::ZERO });
         }

@@ -120,9 +120,14 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         let force = |own: &Pressing<S>| own.held.contact.impulse;
         let largest = list.iter().fold(S::ZERO, |most, own| most.max(force(own)[0].abs()));
         let light = S::from_f64(LIGHT) * largest;
+        // A force that passes through 0 is exactly 0 over a short while, because accelerations are differences. Where all
+        // are, none pulls yet and none is missing: no share of them is a number.
+        let presses = largest > S::ZERO;
         for own in list {
             let (n, mu) = (force(own)[0], own.held.contact.friction);
-            clear = clear.min(n / light + S::ONE);
+            if presses {
+                clear = clear.min(n / light + S::ONE);
+            }
             match own.slip {
                 Some(first) if mu > S::ZERO => {
                     // Half of the speed that counts as rest, so that a contact that has stopped is found at rest.
@@ -130,7 +135,8 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
                     clear = clear.min(vec3::dot(own.velocity, first) / rest + S::ONE);
                 }
                 Some(_) => {}
-                None => clear = clear.min(S::ONE - own.starts(gained, largest)),
+                None if presses => clear = clear.min(S::ONE - own.starts(gained, largest)),
+                None => {}
             }
         }
         Ok(clear)

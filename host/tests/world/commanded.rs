@@ -1,0 +1,217 @@
+//! Mechanisms of which the scene commands some coordinates, or all.
+
+use super::rigid::G;
+use super::support::{fails, find, json, number, rows, scene, times};
+
+/// The numbers of a column.
+fn column((names, rows): &(Vec<String>, Vec<Vec<f64>>), name: &str) -> Vec<f64> {
+    let at = names.iter().position(|own| own == name).unwrap_or_else(|| panic!("no column {name}"));
+    rows.iter().map(|row| row[at]).collect()
+}
+
+/// Copies a model of the repository under a name that no other test gives to a file beside its scenes.
+fn copied(name: &str) -> String {
+    let own = format!("commanded_{name}");
+    scene(&own, &std::fs::read_to_string(find(name).expect("a model")).expect("its text"));
+    own
+}
+
+/// The upper rod of a double pendulum stands still as commanded: the lower one keeps its energy, that of a rod about its end.
+#[test]
+fn one_coordinate_of_an_open_chain_is_commanded() {
+    let text = "format = 2\n[parts.arm]\nmechanism = \"MODEL\"\ncommand = { q1 = \"0*t/1_s\" }\nset = { c = 0 }\n\
+                start = { q2 = \"50_deg\" }\n[run]\nseconds = 1\n";
+    let text = text.replace("MODEL", &copied("double_pendulum"));
+    let rows = rows(&[&scene("open_chain", &text)]);
+    let (m, l) = (0.8, 0.4);
+    let energy = |q: f64, u: f64| 0.5 * (m * l * l / 3.0) * u * u - m * G * 0.5 * l * q.cos();
+    let (q, u) = (column(&rows, "arm.q2"), column(&rows, "arm.u_q2"));
+    assert!(q.iter().any(|q| *q < -0.5), "it swings through");
+    for (q, u) in q.iter().zip(&u) {
+        assert!((energy(*q, *u) - energy(q_start(), 0.0)).abs() < 1e-9, "{q} {u}");
+    }
+    assert!(column(&rows, "arm.q1").iter().all(|q| *q == 0.0));
+}
+
+fn q_start() -> f64 {
+    50_f64.to_radians()
+}
+
+#[test]
+fn commanded_coordinates_have_columns() {
+    let model = copied("pendulum");
+    let text = |sensor: &str| {
+        format!(
+            "format = 2\n[parts.arm]\nmechanism = \"{model}\"\ncommand = {{ q = \"0.2*sin(t/0.1_s)\" }}\n{sensor}[run]\nseconds = 0.1\n"
+        )
+    };
+    let sensor = "[sensors.angle]\nof = \"arm.q\"\nunit = \"deg\"\n";
+    let rows = rows(&[&scene("columns", &text(sensor))]);
+    let seen = column(&rows, "sensors.angle");
+    for ((t, q), seen) in column(&rows, "t").iter().zip(column(&rows, "arm.q")).zip(seen) {
+        assert!((q - 0.2 * (10.0 * t).sin()).abs() < 1e-15 && q == seen, "{t}: {q} {seen}");
+    }
+}
+
+#[test]
+fn commands_that_are_not_finite_are_refused_by_name_and_time() {
+    let model = copied("pendulum");
+    // Infinite speed at the start; no speed there, but infinite acceleration; infinite speed later.
+    for (law, time) in
+        [("sqrt(t/1_s)", "0.000000"), ("sqrt(t/1_s)*t/1_s", "0.000000"), ("sqrt(0.01 - t/1_s)", "0.01")]
+    {
+        let text = format!(
+            "format = 2\n[parts.arm]\nmechanism = \"{model}\"\ncommand = {{ q = \"{law}\" }}\n[run]\nseconds = 0.02\n"
+        );
+        let said = fails(&["run", &scene("infinite", &text), "--csv", "-"]);
+        assert!(said.contains(&format!("t = {time}")), "{law}: {said}");
+        assert!(said.contains("`arm` has an energy or a power that is not finite"), "{law}: {said}");
+    }
+}
+
+/// A block of 2 kg on a slope of 0.5 rad that is commanded along x; its plate is the port `top`.
+const WEDGE: &str = r#"
+format = 1
+name = "wedge"
+gravity = "-g*N.z"
+parameters = { g = { value = 9.81, unit = "m/s^2" }, k = { value = 200, unit = "N/m" } }
+coordinates.s = { unit = "m", independent = true }
+coordinates.r = { unit = "m", independent = true }
+frames.slope = { rotations = [["y", -0.5]] }
+points = { C = "s*N.x", B = "C + r*slope.x" }
+bodies = { cart = { centre = "C", mass = "5_kg" }, block = { centre = "B", mass = "2_kg" } }
+springs.holds = { coordinate = "r", stiffness = "k", rest = 0 }
+ports.top = { point = "B", frame = "N" }
+"#;
+
+/// What stands or hangs on the commanded wedge.
+fn on_wedge(name: &str, parts: &str) -> String {
+    scene("wedge_model", WEDGE);
+    let command = "command = { s = \"0.3_m*t/1_s + 0.05_m*sin(6*t/1_s)\" }\nstart = { r = \"-0.02_m\" }\n";
+    let plate = "[parts.plate]\nrigid = \"box\"\nsize = [1, 1, 0.02]\non = \"cart.top\"\nstart = { position = [0, 0, -0.01] }\n";
+    let run = "[run]\nseconds = 0.3\n";
+    scene(
+        name,
+        &format!("format = 2\n[parts.cart]\nmechanism = \"wedge_model\"\n{command}{plate}{parts}{run}"),
+    )
+}
+
+/// A ball that loses nothing strikes the block. By Newton's law for cart and block along x, and for the block along its
+/// slope, the drive has the impulse -J sin a cos a.
+#[test]
+fn an_impact_on_a_mechanism_commanded_in_part_books_the_work_of_its_drive() {
+    let ball = "[parts.ball]\nrigid = \"sphere\"\nradius = 0.05\nmass = 1.3\nstart = { height = 0.1, position = [0.1, 0, 0] }\n\
+                [[contacts]]\nbetween = [\"ball\", \"plate\"]\nimpact = \"stronge\"\nrestitution = 1\n";
+    let file = on_wedge("struck_wedge", ball);
+    let done = json(&[&file]);
+    assert!(number(&done["last"]["impact"]).abs() < 1e-12, "{}", done["last"]["impact"]);
+    assert!(number(&done["imbalance"]).abs() < 2e-5, "{}", done["imbalance"]);
+    let (time, impulse) = (times(&done)[0], number(&done["events"][0]["impulse"]));
+    let work = -impulse * 0.5_f64.sin() * 0.5_f64.cos() * (0.3 + 0.3 * (6.0 * time).cos());
+    let drive = column(&rows(&[&file]), "drive");
+    let (at, change) = ((time / 1e-3) as usize, |n: usize| drive[n + 1] - drive[n]);
+    let jump = change(at) - 0.5 * (change(at - 1) + change(at + 1));
+    assert!(work < -0.6 && (jump - work).abs() < 5e-3, "{jump} {work}");
+}
+
+/// Accounts close to order 2 under lasting contacts and mean forces.
+#[test]
+fn loads_on_a_mechanism_commanded_in_part_book_the_work_of_its_drive() {
+    let slider = |law: &str| {
+        format!(
+            "[parts.block]\nrigid = \"box\"\nsize = [0.1, 0.1, 0.1]\nmass = 1.3\n\
+             start = {{ height = -0.00958851, position = [0.1, 0, 0] }}\n\
+             [[contacts]]\nbetween = [\"block\", \"plate\"]\nimpact = \"{law}\"\nfriction = 0.2\n"
+        )
+    };
+    let rod = "[parts.rod]\npoints = [[0, 0, 0], [0.1, 0, -0.3]]\nsprings = [[0, 1]]\nmass = 0.7\nK = 300\n\
+               attach = [{ nodes = [0], to = \"cart.top\" }]\n";
+    let worlds = [
+        (on_wedge("plastic_wedge", &slider("plastic")), None),
+        (on_wedge("moreau_wedge", &slider("moreau")), None),
+        (on_wedge("mean_wedge", rod), Some("energy_momentum")),
+    ];
+    for (file, method) in &worlds {
+        let imbalance = |step: &str| {
+            let method: Vec<&str> = method.iter().flat_map(|method| ["--method", method]).collect();
+            let done = json(&[&[file, "--step", step][..], &method].concat());
+            assert!(number(&done["last"]["drive"]) < -1.0, "{file}: {}", done["last"]["drive"]);
+            number(&done["imbalance"]).abs()
+        };
+        let (coarse, fine) = (imbalance("2e-3"), imbalance("1e-3"));
+        assert!(coarse < 5e-5 && fine < coarse / 3.0, "{file}: {coarse:e} {fine:e}");
+    }
+}
+
+/// A piston that starts from rest throws a ball of 1.3 kg.
+struct Piston;
+
+impl Piston {
+    const W: f64 = 8.0 * std::f64::consts::PI;
+    const T: f64 = 0.02;
+
+    fn place(t: f64) -> f64 {
+        0.2 + 0.05 * (Self::W * t).sin() - 0.05 * Self::W * t * (-t / Self::T).exp()
+    }
+
+    fn speed(t: f64) -> f64 {
+        0.05 * Self::W * ((Self::W * t).cos() - (1.0 - t / Self::T) * (-t / Self::T).exp())
+    }
+
+    /// Force on the ball while it rests (N).
+    fn force(t: f64) -> f64 {
+        let fades = (2.0 - t / Self::T) / Self::T * (-t / Self::T).exp();
+        1.3 * (G - 0.05 * Self::W * (Self::W * (Self::W * t).sin() - fades))
+    }
+
+    fn world() -> String {
+        let model = "format = 1\nname = \"piston\"\ncoordinates.s = { unit = \"m\" }\npoints.C = \"s*N.z\"\n\
+                     bodies.head = { centre = \"C\", mass = \"40_kg\" }\nports.top = { point = \"C\", frame = \"N\" }\n";
+        scene("piston_model", model);
+        let command = "0.2_m + 0.05_m*sin(8*pi*t/1_s) - 0.05_m*8*pi*t/1_s*exp(-t/0.02_s)";
+        scene(
+            "piston",
+            &format!(
+                "format = 2\n[parts.piston]\nmechanism = \"piston_model\"\ncommand = {{ s = \"{command}\" }}\n\
+                 [parts.top]\nrigid = \"box\"\nsize = [0.3, 0.3, 0.02]\non = \"piston.top\"\nstart = {{ position = [0, 0, -0.01] }}\n\
+                 [parts.ball]\nrigid = \"sphere\"\nradius = 0.05\nmass = 1.3\nstart = {{ height = 0.2 }}\n\
+                 [[contacts]]\nbetween = [\"ball\", \"top\"]\nimpact = \"plastic\"\nfriction = 0.3\n\
+                 [run]\nseconds = 0.5\nmethod = \"rk4\"\n"
+            ),
+        )
+    }
+}
+
+/// The zero of a function that falls from `low` to `high`.
+fn falls(mut low: f64, mut high: f64, of: impl Fn(f64) -> f64) -> f64 {
+    for _ in 0..100 {
+        let middle = 0.5 * (low + high);
+        if of(middle) > 0.0 { low = middle } else { high = middle }
+    }
+    low
+}
+
+#[test]
+fn a_thrown_ball_leaves_its_piston_when_the_force_passes_zero() {
+    let leaves = falls(0.02, 0.035, Piston::force);
+    let flown = |t: f64| {
+        let late = t - leaves;
+        Piston::place(leaves) + Piston::speed(leaves) * late - 0.5 * G * late * late
+    };
+    let lands = falls(0.2, 0.3, |t| flown(t) - Piston::place(t));
+    let file = Piston::world();
+    for step in ["4e-3", "1e-3", "7e-4"] {
+        let done = json(&[&file, "--step", step]);
+        let struck = times(&done)[0];
+        assert!((struck - lands).abs() < 1e-9, "{step}: {struck} {lands}");
+    }
+}
+
+#[test]
+fn rows_show_the_force_of_a_located_contact_at_their_time() {
+    let rows = rows(&[&Piston::world(), "--seconds", "0.04"]);
+    for (t, force) in column(&rows, "t").into_iter().zip(column(&rows, "ball-top.normal")) {
+        let expected = Piston::force(t).max(0.0);
+        assert!((force - expected).abs() < 1e-6, "{t}: {force} {expected}");
+    }
+}
