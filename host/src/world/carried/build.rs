@@ -12,7 +12,7 @@ use crate::world::carriers::HostCarrier;
 use crate::world::ported::Ported;
 use crate::world::touching::{Touchable, Touching};
 use smartbed_runtime::flexible::{PressureForm, Spring};
-use smartbed_runtime::ode::{Ode, State};
+use smartbed_runtime::ode::Ode;
 use smartbed_runtime::surface::Frame;
 use smartbed_runtime::vec3;
 use smartbed_runtime::world::{Attachment, Carrier, Cell, Content, Floating, Group, Inertias, Still, Wrench};
@@ -58,18 +58,8 @@ impl CarriedWorld {
         world.touch(assembly)?;
         if !assembly.run.settled {
             world.refuse_overlaps()?;
-            world.press();
         }
         Ok(world)
-    }
-
-    /// The forces of contacts at the start, for its row.
-    pub(super) fn press(&mut self) {
-        let Some(mut touching) = self.touching.take() else { return };
-        let (t, h, mut x, mut low) = (self.t, self.h, self.x.clone(), self.low.clone());
-        // Where there are none, the first step says why.
-        let _ = self.with(|island| touching.press(island, (t, h), &State::resume(&mut x, &mut low)?));
-        self.touching = Some(touching);
     }
 
     /// Adds the carriers in the order of the parts; returns their initial coordinates and speeds.

@@ -249,6 +249,16 @@ impl<S: Scalar> CarriedWorld<S> {
         Ok(())
     }
 
+    /// Finds the forces of located contacts at the present state, for rows and pictures.
+    fn press(&mut self) {
+        let Some(mut touching) = self.touching.take() else { return };
+        let [t, h] = [self.t, self.h].map(S::from_f64);
+        let (mut x, mut low) = (self.x.clone(), self.low.clone());
+        // Where there are none, the next step says why.
+        let _ = self.with(|island| touching.press(island, (t, h), &State::resume(&mut x, &mut low)?));
+        self.touching = Some(touching);
+    }
+
     /// Forces between parts, pair by pair.
     fn pushed(&self) -> &[f64] {
         self.touching.as_ref().map_or(&[], |touching| touching.pushed.values())

@@ -96,7 +96,6 @@ impl Relaxing for CarriedWorld {
         (self.x, self.t) = (x, 0.0);
         self.forget_volumes();
         [self.drive, self.damping, self.impact, self.friction] = [0.0; 4];
-        self.press();
     }
 }
 

@@ -66,6 +66,7 @@ impl<S: Settle> Engine for CarriedWorld<S> {
     }
 
     fn state(&mut self) -> Result<Vec<f64>, String> {
+        self.press();
         let (t, x) = (S::from_f64(self.t), self.x.clone());
         self.with(|mut island| island.place(t, &x)).map_err(words)?;
         let n_q = self.split();
@@ -151,6 +152,7 @@ impl<S: Settle> Engine for CarriedWorld<S> {
     }
 
     fn picture(&mut self) -> Result<Picture, String> {
+        self.press();
         let (t, x) = (S::from_f64(self.t), self.x.clone());
         self.with(|mut island| island.place(t, &x)).map_err(words)?;
         let mut mechanisms = Vec::new();

@@ -60,7 +60,7 @@ impl Touching {
         self.forces.clear();
         self.pushed = Pushed::new(self.pairs.len());
         if let Some(located) = &mut self.located {
-            located.overlaps = false;
+            (located.overlaps, located.pressed) = (false, false);
         }
     }
 

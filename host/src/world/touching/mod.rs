@@ -60,7 +60,7 @@ pub(super) struct Touching<S = f64> {
     moves: Vec<[bool; 2]>,
     /// By pair: was it in contact after the last step?
     active: Vec<bool>,
-    /// Mean forces of the last step.
+    /// Mean forces of the last step; those of located contacts at the present state, once a row or a picture asks.
     pub(super) forces: Vec<ContactForce>,
     /// The same by pair.
     pub(super) pushed: Pushed,
@@ -119,6 +119,8 @@ struct Located<S> {
     pressing: Vec<Pressing<S>>,
     struck: [Vec<Struck<S>>; 2],
     overlaps: bool,
+    /// Whether the forces shown are those of the present state.
+    pressed: bool,
 }
 
 /// Results of a step that are counted or reported.
@@ -225,6 +227,7 @@ impl<S: Scalar> Touching<S> {
             pressing: vec![Pressing::empty(); room],
             struck: [0; 2].map(|_| vec![Struck::new(Touch::empty().contact, none); room]),
             overlaps: false,
+            pressed: false,
         });
         let bodies = |thing: usize| match &things[thing] {
             Thing::Rigid { port: Some(port), .. } => *port..port + 1,
@@ -259,6 +262,7 @@ impl<S: Scalar> Touching<S> {
     /// Takes what [`Pushed::values`] gave: pairs that pressed go on as they are.
     pub(in crate::world) fn load(&mut self, pushed: &[f64]) {
         self.pushed.load(pushed);
+        self.moved();
         self.active = (0..self.pairs.len()).map(|pair| self.pushed.presses(pair)).collect();
     }
 
@@ -296,7 +300,7 @@ impl<S: Scalar> Touching<S> {
         self.room.counts[0]
     }
 
-    /// Forces of the contacts that rest at a state before its first step of h, if touches are located.
+    /// Finds the forces of located contacts that rest at a state, before its next step of h, unless they are known.
     ///
     /// # Errors
     /// The step's, which it will have too.
@@ -306,7 +310,8 @@ impl<S: Scalar> Touching<S> {
         (t, h): (S, S),
         state: &State<'_, S>,
     ) -> Result<(), Fault> {
-        let Some(own) = &mut self.located else { return Ok(()) };
+        let Some(own) = self.located.as_mut().filter(|own| !own.pressed) else { return Ok(()) };
+        own.pressed = true;
         let [struck, lifts] = &mut own.struck;
         let mut memory = LocatedMemory {
             step: self.room.memory(),
@@ -319,6 +324,11 @@ impl<S: Scalar> Touching<S> {
         let pressing = world.press_located((t, h), state, &mut memory)?;
         self.show_pressing(pressing);
         Ok(())
+    }
+
+    /// The state is another one than that whose forces are known.
+    fn moved(&mut self) {
+        self.located.iter_mut().for_each(|own| own.pressed = false);
     }
 
     /// Keeps the forces of so many lasting contacts for rows and pictures.
@@ -345,6 +355,7 @@ impl<S: Scalar> Touching<S> {
         how: How,
         (found, books): (&mut Vec<Event>, Option<&mut Books>),
     ) -> Result<Stepped<S>, Fault> {
+        self.moved();
         let [ports, points, _] = self.room.sizes();
         let sizes = [self.n, points, ports];
         let mut memory = self.room.memory();

@@ -238,17 +238,14 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
             let rest = self.step_watched((t + (h - left), left), state, way.memory, watch)?;
             report.accounts = report.accounts.plus(&rest.accounts);
         }
-        if way.known > 0 || way.held > 0 {
-            report.pressing = self.press_at(t + h, way).unwrap_or(0);
-        }
         for ((x, low), (now, now_low)) in state.entries().zip(way.now[0].iter().zip(way.now[1].iter())) {
             (*x, *low) = (*now, *now_low);
         }
         Ok(report)
     }
 
-    /// The number of contacts that press at a state, in whose steps of h they are; their forces there are those of
-    /// `memory.pressing`. A contact that is about to strike does not press.
+    /// The number of contacts that press at a state, in whose steps of h they are; their forces there are then those of
+    /// `memory.pressing`, where a step leaves those of its middle. A contact that is about to strike does not press.
     ///
     /// # Errors
     /// As [`World::step_located`]; no contact presses then.
@@ -262,11 +259,6 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
             return Err(Fault::Shape);
         }
         let way = &mut memory.way(h, state)?;
-        self.press_at(t, way)
-    }
-
-    /// Contacts that press at the state so far, and their forces there: those of a step are left at its middle.
-    fn press_at(&mut self, t: S, way: &mut PartialStep<S>) -> Result<usize, Fault> {
         self.measure(t, way)?;
         self.find_touches(t, way)?;
         self.hold_at_start(t, way)?;
