@@ -19,6 +19,8 @@ const REPEATS: usize = 3;
 const LONGEST: u32 = 8;
 /// A run whose error is above this fraction of the motion's size is discarded.
 const NONSENSE: f64 = 0.3;
+/// What stands still is off by rounding alone, up to this many units in the last place of its largest coordinate.
+const STILL: f64 = 1e4;
 /// Rounding dominates if two finer steps in a row do not reduce the least error to this fraction.
 const GAIN: f64 = 0.7;
 
@@ -57,7 +59,7 @@ fn ladder(
     end: Duration,
     measured: &mut Measured,
 ) {
-    let size = extent(truth);
+    let size = (NONSENSE * extent(truth)).max(STILL * epsilon(scalar) * largest(truth));
     let (mut least, mut last_time, mut last_work) = (f64::INFINITY, Duration::ZERO, None);
     let (mut taken, mut idle) = (0, 0);
     let mut refusal = None;
@@ -79,7 +81,7 @@ fn ladder(
             }
         };
         last_time = trace.elapsed;
-        if error.is_nan() || error > NONSENSE * size {
+        if error.is_nan() || error > size {
             refusal = Some(format!("the error of {error:.1e} is as large as the motion"));
             continue;
         }
@@ -163,6 +165,19 @@ pub fn extent(truth: &Truth) -> f64 {
         column.clone().fold(f64::NEG_INFINITY, f64::max) - column.fold(f64::INFINITY, f64::min)
     };
     (0..n).map(range).fold(0.0, f64::max)
+}
+
+/// The largest coordinate, by magnitude.
+fn largest(truth: &Truth) -> f64 {
+    truth.trace.samples.iter().flatten().fold(0.0, |most: f64, q| most.max(q.abs()))
+}
+
+/// A unit in the last place of 1.
+fn epsilon(scalar: ScalarKind) -> f64 {
+    match scalar {
+        ScalarKind::F32 => f64::from(f32::EPSILON),
+        ScalarKind::F64 => f64::EPSILON,
+    }
 }
 
 /// Name of a scalar on the command line.

@@ -272,6 +272,14 @@ fn the_error_told_is_that_of_the_run_where_forces_have_kinks() {
     }
 }
 
+/// What stands still has an answer, though its rounding is more than its motion.
+#[test]
+fn an_error_is_told_of_what_stands_still() {
+    let done = smartbed(&["run", "tile_reactions", "--seconds", "0.6", "--error", "1e-8"]);
+    assert_eq!(done.status, 0, "{}", done.err);
+    assert!(done.err.contains("--error 1e-8: picked --method "), "{}", done.err);
+}
+
 #[test]
 fn a_budget_picks_the_most_exact_that_fits() {
     let done = smartbed(&["run", "sleigh", "--budget", "10ms"]);
