@@ -7,7 +7,6 @@
 mod among;
 mod room;
 mod rounded;
-mod shown;
 
 use super::assembly::{Assembly, Kind, Law};
 use super::books::{Books, Watch};
@@ -15,7 +14,6 @@ use super::engine::Event;
 use super::pushed::Pushed;
 use crate::contact_force::ContactForce;
 use room::Room;
-use shown::between;
 use smartbed_runtime::mechanism::Fault;
 use smartbed_runtime::ode::{Method, State};
 use smartbed_runtime::real::Scalar;
@@ -26,8 +24,7 @@ use smartbed_runtime::rigid::several::Struck;
 use smartbed_runtime::surface::Frame;
 use smartbed_runtime::vec3::Vec3;
 use smartbed_runtime::world::{
-    Accounts, Carrier, Island, LocatedMemory, MeanMemory, Pair, Place, Pressing, StepMemory, Thing, Touch,
-    World,
+    Accounts, Carrier, Island, LocatedMemory, MeanMemory, Pair, Place, Pressing, Thing, Touch, World,
 };
 use std::ops::Range;
 
@@ -124,15 +121,6 @@ struct Located<S> {
     overlaps: bool,
     /// Whether the forces shown are those of the present state.
     pressed: bool,
-}
-
-impl<S: Scalar> Located<S> {
-    /// Laws, method and, with that of a step, the memory of located steps.
-    fn parts<'m>(&'m mut self, step: StepMemory<'m, S>) -> (&'m [Impact], Method, LocatedMemory<'m, S>) {
-        let Located { method, kinds, scratch, pressing, struck: [struck, lifts], overlaps, .. } = self;
-        let memory = LocatedMemory { step, scratch, pressing, struck: [struck, lifts], overlaps: *overlaps };
-        (kinds, *method, memory)
-    }
 }
 
 /// Results of a step that are counted or reported.
@@ -312,6 +300,52 @@ impl<S: Scalar> Touching<S> {
         self.room.counts[0]
     }
 
+    /// Finds the forces of located contacts that rest at a state, before its next step of h, unless they are known.
+    ///
+    /// # Errors
+    /// The step's, which it will have too.
+    pub(super) fn press(
+        &mut self,
+        island: Island<'_, S, impl Carrier<S>>,
+        (t, h): (S, S),
+        state: &State<'_, S>,
+    ) -> Result<(), Fault> {
+        let Some(own) = self.located.as_mut().filter(|own| !own.pressed) else { return Ok(()) };
+        own.pressed = true;
+        let [struck, lifts] = &mut own.struck;
+        let mut memory = LocatedMemory {
+            step: self.room.memory(),
+            scratch: &mut own.scratch,
+            pressing: &mut own.pressing,
+            struck: [struck, lifts],
+            overlaps: own.overlaps,
+        };
+        let mut world = World { island, things: &self.things, pairs: &self.pairs };
+        let pressing = world.press_located((t, h), state, &mut memory)?;
+        self.show_pressing(pressing);
+        Ok(())
+    }
+
+    /// The state is another one than that whose forces are known.
+    fn moved(&mut self) {
+        self.located.iter_mut().for_each(|own| own.pressed = false);
+    }
+
+    /// Keeps the forces of so many lasting contacts for rows and pictures.
+    fn show_pressing(&mut self, count: usize) {
+        let pressing = self.located.iter().flat_map(|own| own.pressing.iter().take(count));
+        self.pushed = Pushed::new(self.pairs.len());
+        for own in pressing.clone() {
+            let contact = &own.held.contact;
+            self.pushed.add(own.pair, self.bodies[own.pair].each_ref(), contact, contact.impulse);
+        }
+        let force = |own: &Pressing<S>| {
+            let contact = &own.held.contact;
+            between(self.moves[own.pair], own.place, contact.axes, contact.impulse)
+        };
+        self.forces = pressing.filter_map(force).collect();
+    }
+
     /// A step of an island; pairs that come into contact are events. Books, if there are some, observe it.
     pub(super) fn step(
         &mut self,
@@ -328,8 +362,16 @@ impl<S: Scalar> Touching<S> {
         let mut world = World { island, things: &self.things, pairs: &self.pairs };
         let mut watch = Watch { parts: &self.parts, bodies: &self.bodies, found: &mut *found, books };
         if let Some(own) = self.located.as_mut().filter(|_| how == How::Freely) {
-            let (kinds, method, mut memory) = own.parts(memory);
-            let report = world.step_located(kinds, method, (t, h), state, &mut memory, &mut watch)?;
+            let [struck, lifts] = &mut own.struck;
+            let mut memory = LocatedMemory {
+                step: memory,
+                scratch: &mut own.scratch,
+                pressing: &mut own.pressing,
+                struck: [struck, lifts],
+                overlaps: own.overlaps,
+            };
+            let report =
+                world.step_located(&own.kinds, own.method, (t, h), state, &mut memory, &mut watch)?;
             own.overlaps = memory.overlaps;
             self.show_pressing(report.pressing);
             let (settled, forced) = (report.settled, report.forced);
@@ -373,6 +415,17 @@ impl<S: Scalar> Touching<S> {
         self.room.counts = counts;
         Ok(Stepped { accounts: report.accounts, settled: report.settled, forced: false, leaving })
     }
+}
+
+/// A force as pictures show it.
+fn between<S: Scalar>(
+    moves: [bool; 2],
+    point: Vec3<S>,
+    axes: [Vec3<S>; 3],
+    force: Vec3<S>,
+) -> Option<ContactForce> {
+    let wide = |x: Vec3<S>| x.map(S::to_f64);
+    ContactForce::between(moves, wide(point), axes.map(wide), wide(force))
 }
 
 /// Contacts that a thing may have at once.
