@@ -76,9 +76,14 @@ impl Source {
     /// FNV-1a, 64 bits, of the text of all files.
     #[must_use]
     pub fn fingerprint(&self) -> u64 {
-        let bytes = self.files.iter().flat_map(|file| file.text.bytes());
-        bytes.fold(0xcbf2_9ce4_8422_2325, |hash, byte| {
-            (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3)
-        })
+        fnv1a(self.files.iter().flat_map(|file| file.text.bytes()))
     }
+}
+
+/// Fowler, Noll and Vo's hash (FNV-1a, 64 bits): the same on every machine.
+#[must_use]
+pub fn fnv1a(bytes: impl Iterator<Item = u8>) -> u64 {
+    bytes.fold(0xcbf2_9ce4_8422_2325, |hash, byte| {
+        (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3)
+    })
 }

@@ -3,9 +3,9 @@
 //! In: a folder, paths and texts. Out: the files, and a list of them with hashes. An existing file is replaced only if
 //! its hash is in that list; nothing is written through a symbolic link.
 
-use crate::engine::cache::hash_of;
 use crate::engine::crate_text::Files;
 use crate::failure::Failure;
+use smartbed_codegen::source::fnv1a;
 use std::collections::BTreeMap;
 use std::fs;
 use std::io::{self, ErrorKind};
@@ -26,7 +26,7 @@ pub fn write(folder: &Path, files: &Files) -> Result<(), Failure> {
     let mut lines = String::from("# Written by `smartbed derive --crate`: hash and path of each file.\n");
     for (path, text) in files {
         put(&folder.join(path), text)?;
-        lines += &format!("{:016x} {path}\n", hash_of(text.bytes()));
+        lines += &format!("{:016x} {path}\n", fnv1a(text.bytes()));
     }
     put(&folder.join(LIST), &lines)
 }
@@ -53,7 +53,7 @@ fn check(folder: &Path, path: &str, text: &str, written: Option<u64>) -> Result<
     match fs::read(&file) {
         Err(e) if e.kind() == ErrorKind::NotFound => Ok(()),
         Err(e) => Err(cannot("read", &file, &e)),
-        Ok(found) if found == text.as_bytes() || written == Some(hash_of(found.iter().copied())) => Ok(()),
+        Ok(found) if found == text.as_bytes() || written == Some(fnv1a(found.iter().copied())) => Ok(()),
         Ok(_) => {
             let what = if written.is_some() {
                 "was changed since it was derived"

@@ -108,6 +108,34 @@ fn sliding_down_a_slope_follows_its_parabola() {
     }
 }
 
+/// On a slope with tan = mu gravity along it is as large as friction, so that the speed and its part downwards keep their
+/// sum: thrown sideways with v a point ends straight down with v/2. Its slip turns within few steps or within one.
+#[test]
+fn a_point_thrown_sideways_on_the_steepest_slope_ends_with_half_its_speed() {
+    let (mu, step) = (0.5_f64, 1e-3);
+    let cos = 1.0 / (1.0 + mu * mu).sqrt();
+    let ended = |speed: f64, step: f64| {
+        let (rows, _) = all(&format!(
+            "points = [[0, 0, 0]]\nmass = [1.0]\ng = {G:e}\nlaw = \"newton\"\nmu = {mu}\nT = 1.0\nstep = {step:e}\n\
+             initial_velocity = [0.0, {speed:e}, 0.0]\nfloor = {{ normal = [{:e}, 0.0, {cos:e}], offset = 0.0 }}\n",
+            -mu * cos
+        ));
+        let end = rows.last().expect("rows");
+        assert!(end.energy.imbalance.abs() <= 1e-12, "{:e}", end.energy.imbalance);
+        end.vel[0].iter().map(|v| v * v).sum::<f64>().sqrt()
+    };
+    // Fast slip turns slowly: order 2.
+    let errors = [step, step / 2.0].map(|step| (ended(1.0, step) - 0.5).abs());
+    assert!(errors[0] <= 1e-4 && errors[1] <= errors[0] / 3.0, "{errors:?}");
+    // Friction could stop slow slip within the step: it makes no speed, whatever the step.
+    for speed in [1e-4, 1e-3, 4e-3] {
+        for step in [1e-3, 1e-4] {
+            let end = ended(speed, step);
+            assert!(end <= 0.6 * speed, "{speed} in steps of {step}: {end:e}");
+        }
+    }
+}
+
 #[test]
 fn sliding_up_a_slope_ends_where_friction_says() {
     for method in ["verlet", "rk4", "energy_momentum"] {

@@ -49,6 +49,26 @@ fn net_work_is_the_change_of_kinetic_energy_and_stronges_share_of_the_compressio
     }
 }
 
+/// The normal of a central impact is a unit vector up to rounding: then K_tn and v_t are the same small multiples of K_nn
+/// and v_n, and slip ends where compression does.
+#[test]
+fn a_central_impact_with_a_rounded_normal_keeps_its_restitution() {
+    let mut random = Random::new(5);
+    for case in 0..20_000 {
+        let [speed, k, e, mu] = [0.1, 0.1, 0.0, 0.0].map(|least| random.between(least, 1.0));
+        let friction = if case % 2 == 0 { 0.0 } else { mu };
+        let [x, y] = std::array::from_fn(|_| f64::EPSILON * random.between(-4.0, 4.0).round());
+        let touch = Touch {
+            inverse_mass: [[k, k * x, k * y], [k * x, k, 0.0], [k * y, 0.0, k]],
+            velocity: [-speed, -speed * x, -speed * y],
+            friction,
+            restitution: e,
+        };
+        let p = resolve(&touch).impulse[0];
+        assert!((p * k / speed - (1.0 + e)).abs() <= 1e-12, "case {case}: {} of {e}", p * k / speed - 1.0);
+    }
+}
+
 #[test]
 fn work_is_the_integral_of_speed_over_impulse_and_the_impulse_grows() {
     let touch = Touch {

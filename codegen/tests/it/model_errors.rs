@@ -194,3 +194,26 @@ fn speeds_may_be_combinations_of_rates() {
     let names: Vec<&str> = model.speeds.iter().map(|s| s.name.as_str()).collect();
     assert_eq!(names, ["u2", "u1"]);
 }
+
+/// Joints that roll, slide on an edge or use Euler parameters state speeds of their own: another one was left unread.
+#[test]
+fn speeds_that_a_joint_states_cannot_be_stated_again() {
+    let knife = |speed: &str| {
+        format!(
+            "[joints]\nk = {{ kind = \"knife_edge\", child = \"s\", speed = [{speed}] }}\n[bodies]\nb = {{ centre = \"s\", mass = \"1_kg\" }}\n"
+        )
+    };
+    check(
+        &knife("\"vx\", false, \"wz\""),
+        r#"
+error: the speed of `k_x` cannot be stated here
+ --> m.toml:4:50
+  |
+4 | k = { kind = "knife_edge", child = "s", speed = ["vx", false, "wz"] }
+  |                                                  ^^^^ its joint states it
+  = help: leave `speed` out, or give false in its place of the list; `check` lists the speeds of the joint
+"#,
+    );
+    let model = model::parse("m.toml", &format!("{HEAD}{}", knife("false, false, \"wz\"")));
+    assert!(model.is_ok(), "{}", model.err().map_or_else(String::new, |found| found.to_string()));
+}

@@ -6,6 +6,7 @@
 use super::crate_text::Files;
 use crate::failure::Failure;
 use crate::firmware::process::{clean, which};
+use smartbed_codegen::source::fnv1a;
 use std::fs::{self, File};
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -73,12 +74,7 @@ fn folder() -> PathBuf {
 /// Hash of paths and texts.
 fn hash(files: &Files) -> u64 {
     let bytes = files.iter().flat_map(|(path, text)| path.bytes().chain([0]).chain(text.bytes()).chain([0]));
-    hash_of(bytes)
-}
-
-/// Fowler-Noll-Vo (FNV-1a, 64 bits).
-pub fn hash_of(bytes: impl Iterator<Item = u8>) -> u64 {
-    bytes.fold(0xcbf2_9ce4_8422_2325, |h, b| (h ^ u64::from(b)).wrapping_mul(0x0100_0000_01b3))
+    fnv1a(bytes)
 }
 
 /// Compiles, first without network: libm is on every machine that has built this program.

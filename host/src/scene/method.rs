@@ -160,7 +160,10 @@ impl Situation {
             }
             _ => ("verlet", "the law leaves order 2, with one evaluation a step"),
         };
-        let coarse = format!(" (w_max h = {:.2})", self.coarseness);
+        let coarse = format!(
+            " (w_max h = {:.2}), but not the phases of fast vibrations; below {COARSE} the default is blanes_moan4",
+            self.coarseness
+        );
         let is_coarse = choice.0 == "energy_momentum";
         (choice.0, format!("{}{}", choice.1, if is_coarse { &coarse } else { "" }))
     }

@@ -35,6 +35,26 @@ fn a_fixed_volume_fills_as_choked_flow_says() {
     assert!(last("heat").abs() < 1e-9, "n = gamma takes no heat: {}", last("heat"));
 }
 
+/// A facet of four corners that are not in a plane is bilinear, from whichever corner it is listed: the gas starts with
+/// the pressure that it is given.
+#[test]
+fn gas_behind_a_twisted_facet_starts_at_its_pressure() {
+    for top in ["[4, 5, 6, 7]", "[5, 6, 7, 4]"] {
+        let text = format!(
+            "gravity = [0, 0, 0]\n[parts.c]\n\
+             points = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [0, 0, 1], [1, 0, 1], [1, 1, 2], [0, 1, 1]]\n\
+             facets = [[3, 2, 1, 0], {top}, [0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [3, 0, 4, 7]]\n\
+             fixed = [0, 1, 2, 3, 4, 5, 6, 7]\nmass = 1\ngas = {{ gauge = 1000, sealed = true }}\n[run]\nseconds = 0.01\n"
+        );
+        let last = &json(&[&scene("twisted", &text)])["last"];
+        let [gauge, temperature] = ["gauge", "temperature"].map(|name| number(&last[format!("c.{name}")]));
+        assert!(
+            (gauge - 1000.0).abs() < 1e-6 && (temperature - ROOM).abs() < 1e-9,
+            "{top}: {gauge} {temperature}"
+        );
+    }
+}
+
 #[test]
 fn a_fixed_volume_blows_down_isothermally_and_books_its_heat() {
     let line = "vent = { conductance = \"1e-8 m^3/(s Pa)\", opening = 0.5 }";

@@ -1,6 +1,6 @@
 //! Worlds of rigid bodies against closed forms.
 
-use super::support::{json, number, times};
+use super::support::{self, json, number, times};
 
 /// Free fall (m/s^2).
 pub const G: f64 = 9.81;
@@ -72,4 +72,39 @@ fn a_thrown_ball_rolls_at_five_sevenths_of_its_speed() {
     assert!((number(&last["ball.vx"]) - speed).abs() < 1e-8, "{}", last["ball.vx"]);
     assert!((number(&last["ball.wy"]) - speed / 0.1).abs() < 1e-7, "{}", last["ball.wy"]);
     assert!((number(&last["ball.x"]) - way).abs() < 1e-7, "{} against {way}", last["ball.x"]);
+}
+
+/// Five equal balls in a row: the last one takes all of the speed if e = 1. Normals are unit vectors up to rounding only.
+#[test]
+fn a_row_of_balls_passes_its_speed_on() {
+    for axis in 0..2 {
+        let mut text = "gravity = [0, 0, 0]\n".to_owned();
+        for n in 0..5_u32 {
+            let mut place = [0.0; 3];
+            place[axis] = f64::from(n) * 0.1003;
+            let speed = if n == 0 { [1.0, 0.0, 0.0] } else { [0.0; 3] };
+            let velocity: Vec<f64> = (0..3).map(|k| speed[(k + 3 - axis) % 3]).collect();
+            text += &format!(
+                "[parts.p{n}]\nrigid = \"sphere\"\nradius = 0.05\nmass = 1\nstart = {{ position = {place:?}, velocity = {velocity:?} }}\n"
+            );
+        }
+        for n in 0..4 {
+            text += &format!(
+                "[[contacts]]\nbetween = [\"p{n}\", \"p{}\"]\nimpact = \"stronge\"\nrestitution = 1\n",
+                n + 1
+            );
+        }
+        for elsewhere in ["", support::ELSEWHERE] {
+            let file = support::scene(
+                "row_of_balls",
+                &format!("format = 2\n{text}{elsewhere}[run]\nseconds = 0.1\n"),
+            );
+            let last = &json(&[&file])["last"];
+            let name = ["vx", "vy"][axis];
+            let speeds: Vec<f64> = (0..5).map(|n| number(&last[format!("p{n}.{name}")])).collect();
+            for (n, speed) in speeds.iter().enumerate() {
+                assert!((speed - f64::from(u8::from(n == 4))).abs() < 1e-12, "{axis}: {speeds:?}");
+            }
+        }
+    }
 }

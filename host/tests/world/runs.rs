@@ -147,3 +147,25 @@ fn sensors_read_late_and_coarse_and_change_nothing() {
         assert!((row[reading] - sample).abs() <= 0.5e-3 + 1e-12, "row {n}: {} {sample}", row[reading]);
     }
 }
+
+/// Differences of sensors with the same noise would have none, and their means as much as one.
+#[test]
+fn sensors_have_noise_of_their_own_unless_they_share_a_seed() {
+    let readings = |seed: &str| {
+        let sensor = format!("{{ of = \"ball.z\", noise = 1, period = 0.001{seed} }}");
+        let sensors = format!("sensors={{ one = {sensor}, other = {sensor} }}");
+        let (names, seen) =
+            rows(&["rigid_ball_rests", "--set", &sensors, "--set", "run.every=1", "--seconds", "0.5"]);
+        let column = |name: &str| names.iter().position(|n| n == name).expect(name);
+        let [z, one, other] = ["ball.z", "sensors.one", "sensors.other"].map(column);
+        // Readings and what is read are of about the same time.
+        seen.iter().skip(2).map(|row| [row[one] - row[z], row[other] - row[z]]).collect::<Vec<_>>()
+    };
+    let alike = |seen: &[[f64; 2]]| {
+        let sum = |of: fn(&[f64; 2]) -> f64| seen.iter().map(of).sum::<f64>();
+        sum(|[a, b]| a * b) / (sum(|[a, _]| a * a) * sum(|[_, b]| b * b)).sqrt()
+    };
+    assert!(alike(&readings("")).abs() < 0.15, "{}", alike(&readings("")));
+    assert!(alike(&readings(", seed = 3")) > 0.999);
+    assert_eq!(readings(""), readings(""));
+}

@@ -123,7 +123,8 @@ fn advance_straight<S: Scalar>(touch: &Touch<S>, at: &mut Progress<S>) -> bool {
             (step, end) = (p, kind);
         }
     };
-    if slips && slip > S::ZERO {
+    // Without friction nothing changes where slip passes through 0.
+    if slips && slip > S::ZERO && touch.friction > S::ZERO {
         let (direction, _) = slip_of(at.velocity);
         let slowing = -(direction[0] * change[1] + direction[1] * change[2]);
         if slowing > S::ZERO {
@@ -158,6 +159,8 @@ fn advance_straight<S: Scalar>(touch: &Touch<S>, at: &mut Progress<S>) -> bool {
     match end {
         End::Compression => at.compressed(),
         End::Recompression => at.compresses_again(),
+        // Slip and compression may end at once, up to rounding.
+        End::Slip if at.compression.is_none() && at.velocity[0] >= S::ZERO => at.compressed(),
         End::Slip | End::Restitution | End::None => {}
     }
     matches!(end, End::Restitution | End::None)

@@ -119,9 +119,12 @@ impl<S: Scalar, I: Inertia<S> + ?Sized> Setting<'_, S, I> {
             b = b + u * now;
         }
         let energy = (eta * taken).max(S::ZERO);
-        // Largest speeds that the contacts stopped, for the velocities and for D: rounding is measured against them.
-        let largest = |list: &[Struck<S>]| list.iter().fold(S::ZERO, |most, s| most.max(s.stopped()));
-        let sizes = [largest(struck), largest(lifts)];
+        // Rounding is measured against the largest speed of a point, which may be far above that of approach, and for D
+        // against the largest one that the contacts stopped.
+        let points = struck.iter().flat_map(|s| s.contact.points().map(|(_, point)| point));
+        let speeds = points.filter_map(|point| Some(vec3::norm(before.get(point.body)?.at(point.arm))));
+        let stopped = lifts.iter().map(Struck::stopped);
+        let sizes = [speeds.fold(S::ZERO, S::max), stopped.fold(S::ZERO, S::max)];
         let lambda = root(a, b, energy, |lambda| {
             let rounding = S::from_f64(1e3) * S::EPSILON * (sizes[0] + lambda.abs() * sizes[1]);
             struck.iter().zip(lifts.iter()).all(|(s, lift)| {

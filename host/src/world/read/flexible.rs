@@ -12,6 +12,7 @@ use serde_json::{Map, Value as Json};
 use smartbed_codegen::diagnostic::{Diagnostic, Diagnostics};
 use smartbed_codegen::model::Fields;
 use smartbed_codegen::model::document::{Table, Value};
+use smartbed_runtime::flexible::pressure::enclosed_volume;
 use smartbed_runtime::gas::{Chamber, Gas, Line, Nozzle, Regulated, Source};
 use smartbed_runtime::world::Content;
 use std::collections::BTreeMap;
@@ -240,7 +241,7 @@ fn gas(table: &Table, lists: &Lists, found: &mut Diagnostics) -> Option<Filled> 
         found.push(Diagnostic::error("gas needs a closed surface").label(table.span, label).help(help));
         return None;
     }
-    let enclosed = volume(lists);
+    let enclosed = enclosed_volume(&lists.facets, &lists.points);
     let ambient = number(&fields, "ambient", "Pa", Bound::NotNegative, found).unwrap_or(101_325.0);
     // A flat surface encloses nothing yet, but regulated gas can inflate it.
     let encloses = |volume: f64| volume > 0.0 || !sealed && volume > -FLAT;
@@ -305,16 +306,4 @@ fn line(table: &Table, is_supply: bool, ambient: f64, found: &mut Diagnostics) -
     fields.finish(found);
     let reservoir = Source { pressure: ambient + gauge, temperature };
     Some(Line { nozzle: Nozzle { conductance, critical_ratio }, opening, reservoir })
-}
-
-/// Volume inside the facets (m^3): a sixth of the sum of the triple products of two triangles each.
-fn volume(lists: &Lists) -> f64 {
-    let p = |n: usize| lists.points[n];
-    let triple = |[a, b, c]: [[f64; 3]; 3]| {
-        a[0] * (b[1] * c[2] - b[2] * c[1])
-            + a[1] * (b[2] * c[0] - b[0] * c[2])
-            + a[2] * (b[0] * c[1] - b[1] * c[0])
-    };
-    let of = |[a, b, c, d]: &[usize; 4]| triple([p(*a), p(*b), p(*c)]) + triple([p(*a), p(*c), p(*d)]);
-    lists.facets.iter().map(of).sum::<f64>() / 6.0
 }

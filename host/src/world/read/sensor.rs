@@ -7,6 +7,7 @@ use crate::world::assembly::{Sensing, Transducer};
 use smartbed_codegen::diagnostic::Diagnostics;
 use smartbed_codegen::model::Fields;
 use smartbed_codegen::model::document::{Key, Value, wrong_kind};
+use smartbed_codegen::source::fnv1a;
 
 /// Names of the transducers.
 const KINDS: [&str; 4] = ["plain", "lvdt", "pressure", "switch"];
@@ -60,7 +61,8 @@ pub(super) fn read(key: &Key, value: &Value, found: &mut Diagnostics) -> Option<
         Some(value) => list(value, "range", &unit, found)?,
         None => [f64::NEG_INFINITY, f64::INFINITY],
     };
-    let seed = count(&fields, "seed", 0, found).unwrap_or(0) as u64;
+    // Sensors that share a seed share their noise, which would vanish in differences and remain in means.
+    let seed = count(&fields, "seed", 0, found).map_or_else(|| fnv1a(key.name.bytes()), |seed| seed as u64);
     fields.finish(found);
     let period = Some(period).filter(|period| !period.is_nan());
     let name = key.name.clone();

@@ -298,7 +298,11 @@ impl<'a> Parts<'a> {
                 self.combinations.iter().any(|(.., value)| value.contains(&format!("q_dot({name})")));
             let dependent = self.dependent.contains(&name);
             if combined || dependent {
-                fields.retain(|(field, _)| *field != "speed");
+                let given =
+                    fields.iter().position(|(field, _)| *field == "speed").map(|i| fields.remove(i).1);
+                if let Some(given) = given.filter(|given| !matches!(given, Value::Boolean(false, _))) {
+                    self.found.push(no_own_speed(&name, &given));
+                }
                 let held = self.table(vec![("independent", Value::Boolean(false, span))]);
                 fields.push(("speed", if combined { Value::Boolean(false, span) } else { held }));
             }
@@ -349,6 +353,13 @@ impl<'a> Parts<'a> {
         let entry = self.table(vec![(on, child), (what, effort), ("reaction", self.text(&against))]);
         self.put(section, coordinate, entry);
     }
+}
+
+/// The error for the speed of a coordinate whose speed the joint itself states.
+fn no_own_speed(coordinate: &str, given: &Value) -> Diagnostic {
+    Diagnostic::error(format!("the speed of `{coordinate}` cannot be stated here"))
+        .label(given.span(), "its joint states it")
+        .help("leave `speed` out, or give false in its place of the list; `check` lists the speeds of the joint")
 }
 
 /// The error for a list with more or fewer values than the joint has coordinates.
