@@ -143,8 +143,13 @@ pub fn warnings(model: &Model, program: &Program) -> Diagnostics {
 
 /// Prints the derivation's warnings to standard error.
 pub fn print_warnings(program: &Program) {
-    if !program.warnings.items.is_empty() {
-        output::say(grouped::text(&program.warnings, Stream::Error, false).trim_end());
+    print_findings(&program.warnings);
+}
+
+/// Prints warnings to standard error.
+pub fn print_findings(warnings: &Diagnostics) {
+    if !warnings.items.is_empty() {
+        output::say(grouped::text(warnings, Stream::Error, false).trim_end());
     }
 }
 

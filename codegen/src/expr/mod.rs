@@ -15,7 +15,7 @@ mod label;
 mod node;
 pub mod number;
 pub mod print;
-pub(crate) mod rounding;
+pub mod rounding;
 mod set;
 mod sign;
 mod simplify;

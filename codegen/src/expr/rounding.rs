@@ -13,7 +13,7 @@ const UNIT: f64 = f64::EPSILON;
 
 /// A number and a bound of its rounding error.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Rounded {
+pub struct Rounded {
     /// The number.
     pub value: f64,
     /// Absolute bound.
@@ -22,7 +22,8 @@ pub(crate) struct Rounded {
 
 impl Rounded {
     /// A number with an error that is known, plus the rounding of the number itself.
-    pub(crate) fn new(value: f64, error: f64) -> Self {
+    #[must_use]
+    pub fn new(value: f64, error: f64) -> Self {
         Self { value, error: error + UNIT * value.abs() }
     }
 

@@ -72,7 +72,7 @@ pub enum Role {
 }
 
 /// The list under construction.
-type List<'m> = Vec<(Role, &'m Expr)>;
+pub type List<'m> = Vec<(Role, &'m Expr)>;
 
 impl Model {
     /// Every expression of the model.
@@ -156,7 +156,8 @@ fn of_coordinate<'m>(id: CoordinateId, coordinate: &'m Coordinate, all: &mut Lis
 
 impl LoadKind {
     /// Its expressions.
-    pub(crate) fn expressions(&self) -> List<'_> {
+    #[must_use]
+    pub fn expressions(&self) -> List<'_> {
         let mut all = List::new();
         of_load(self, &mut all);
         all

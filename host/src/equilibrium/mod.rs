@@ -4,10 +4,14 @@
 //! (`search`, from several starts if need be: `restart`), and eigenvalues and mode shapes of the linearised motion (`modes`), as text or JSON. Control laws are
 //! substituted into the equations ([`smartbed_codegen::model::Model::closed_loop`]) before these are derived.
 
+mod balance;
+mod jumps;
 mod modes;
 mod rates;
 mod restart;
 mod search;
+mod shapes;
+mod spectrum;
 mod text;
 
 use crate::engine::{self, EngineKind};
@@ -66,6 +70,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     };
     let (model, settings) = Settings::new(model, &asked)?;
     let model = &*model;
+    let (watched, jumps) = jumps::watched(model);
     let waiting = Waiting::deriving();
     let mut requests = vec![Request::new("linearisation")];
     if !model.laws.is_empty() {
@@ -73,7 +78,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     }
     let function = Function { name: "near".to_owned(), requests };
     let asked = Asked::besides(vec![function]);
-    let program = program::derive_asked(model, &settings.choice, program::Settings::default(), &asked)
+    let program = program::derive_asked(&watched, &settings.choice, program::Settings::default(), &asked)
         .map_err(|e| model_argument::wrong(&e))?;
     drop(waiting);
     model_argument::print_warnings(&program);
@@ -94,7 +99,11 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let mut search = Search::new(model, &program, engine::new(EngineKind::Interpreter, &program)?, &start);
     hold(arguments, &program, &mut search)?;
     let found = search.find().map_err(|why| Failure::Wrong(format!("{}: {why}", arguments.model)))?;
-    let modes = modes::of(&found.slopes, &search.state_names())
+    model_argument::print_findings(&jumps::warnings(model, &jumps, &mut search));
+    if let Some(outside) = search.outside() {
+        output::say(&format!("warning: {outside}"));
+    }
+    let modes = modes::of(&found.slopes, &found.errors, &search.state_names())
         .ok_or_else(|| Failure::Wrong("the eigenvalues were not found in 10,000 sweeps".to_owned()))?;
     let answer = text::Answer { model, program: &program, search: &search, found: &found, modes: &modes };
     output::print(&if arguments.json { answer.json() } else { answer.text() })

@@ -1,13 +1,34 @@
 //! Rates and their Jacobians at the state of a search for equilibrium.
 //!
 //! In: a [`Search`] with its present state. Out: the rates there, which of them have to vanish, their derivatives by the
-//! unknowns, and how far from balance they are.
+//! unknowns, Newton's step, and how far from balance they are.
 
 use super::search::{Rates, Search, Slopes, Unknown};
 use nalgebra::{DMatrix, DVector};
 
 /// Derivatives by a coordinate below this fraction of the largest are rounding: nothing depends on it.
 pub(super) const NO_SLOPE: f64 = 1e-12;
+/// Passes of scaling rows and columns to entries of size 1.
+const PASSES: usize = 8;
+
+/// In which directions of the unknowns nothing changes, so that a step has no part along them.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum Flat {
+    /// Where slopes over the ranges are below 1e-9 of the largest. Steps along lines of equilibria stay small.
+    Ranges,
+    /// Where slopes are rounding, with rows and columns scaled: a soft spring behind a stiff one is not flat.
+    Scaled,
+}
+
+impl Flat {
+    /// Singular values below this fraction of the largest are zero.
+    fn limit(self) -> f64 {
+        match self {
+            Self::Ranges => 1e-9,
+            Self::Scaled => 1e-13,
+        }
+    }
+}
 
 impl Search<'_> {
     /// Rates and slopes here, or why there are none.
@@ -15,7 +36,7 @@ impl Search<'_> {
         let (n_q, n_u) = (self.q.len(), self.u.len());
         let (mut q_dot, mut u_dot) = (vec![0.0; n_q], vec![0.0; n_u]);
         self.engine.set_time(0.0);
-        (self.engine.rates(0.0, &self.q, &self.u, &self.inputs, &mut q_dot, &mut u_dot))
+        let pivot = (self.engine.rates(0.0, &self.q, &self.u, &self.inputs, &mut q_dot, &mut u_dot))
             .map_err(|fault| fault.reason())?;
         let near = self.near()?;
         let n = self.state.len();
@@ -36,7 +57,7 @@ impl Search<'_> {
                 "the slopes of the accelerations are not finite: a root of 0, or two points that coincide",
             );
         }
-        Ok(Rates { x_dot, slopes })
+        Ok(Rates { x_dot, slopes, pivot })
     }
 
     /// The identity, without one column for each vector of unit length e: its columns are Householder's reflection of
@@ -136,6 +157,21 @@ impl Search<'_> {
         }
     }
 
+    /// The step of least norm that makes the rates vanish to first order, in units of the unknowns' ranges.
+    pub(super) fn newton_step(&self, here: &Rates, flat: Flat) -> Option<DVector<f64>> {
+        let rows = self.rows(here);
+        let mut slopes = self.slopes_of_unknowns(here, &rows);
+        let mut rest = DVector::from_iterator(rows.len(), rows.iter().map(|&i| -here.x_dot[i]));
+        if slopes.is_empty() {
+            return None;
+        }
+        let (row_sizes, column_sizes) = scale(&mut slopes, flat);
+        rest.component_div_assign(&row_sizes);
+        let svd = slopes.svd(true, true);
+        let step = svd.solve(&rest, flat.limit() * svd.singular_values.max()).ok()?;
+        Some(step.component_div(&column_sizes))
+    }
+
     /// The largest rate relative to its change over the ranges of the whole state, with its name.
     pub(super) fn off_balance(&self, here: &Rates) -> (String, f64) {
         let mut worst = (String::new(), 0.0);
@@ -155,4 +191,24 @@ impl Search<'_> {
     pub(super) fn rate_of(&self, here: &Rates, name: &str) -> f64 {
         self.state.iter().position(|entry| entry.name == name).map_or(0.0, |i| here.x_dot[i])
     }
+}
+
+/// Divides rows by their largest entries, and in turn columns too where small slopes count; returns the divisors.
+fn scale(slopes: &mut DMatrix<f64>, flat: Flat) -> (DVector<f64>, DVector<f64>) {
+    let size = |largest: f64| if largest > 0.0 { largest } else { 1.0 };
+    let mut rows = DVector::from_element(slopes.nrows(), 1.0);
+    let mut columns = DVector::from_element(slopes.ncols(), 1.0);
+    for _ in 0..if flat == Flat::Scaled { PASSES } else { 1 } {
+        for (mut row, divisor) in slopes.row_iter_mut().zip(rows.iter_mut()) {
+            let size = size(row.amax());
+            row /= size;
+            *divisor *= size;
+        }
+        for (mut column, divisor) in slopes.column_iter_mut().zip(columns.iter_mut()) {
+            let size = if flat == Flat::Scaled { size(column.amax()) } else { 1.0 };
+            column /= size;
+            *divisor *= size;
+        }
+    }
+    (rows, columns)
 }

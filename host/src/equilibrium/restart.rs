@@ -5,10 +5,13 @@
 //! the end from the start.
 
 use super::rates::NO_SLOPE;
-use super::search::{BALANCED, End, Entry, Found, Place, Rates, Search, Unknown};
+use super::search::{End, Entry, Found, Place, Rates, Search, Unknown};
 
 /// Number of places.
 const PLACES: usize = 64;
+/// A range is a whole turn up to this fraction.
+const ROUNDING: f64 = 1e-9;
+const TURN: f64 = std::f64::consts::TAU;
 
 impl Search<'_> {
     /// Runs the search.
@@ -52,8 +55,7 @@ impl Search<'_> {
 
     /// The end of a search, if need be after whole turns of angles, and whether it is an equilibrium within the ranges.
     fn within_ranges(&mut self, end: End) -> (End, bool) {
-        let is_balanced = |end: &End| end.1.1 <= BALANCED;
-        if !is_balanced(&end) {
+        if end.fault.is_some() {
             return (end, false);
         }
         let before = self.place();
@@ -61,7 +63,7 @@ impl Search<'_> {
             && let Ok(here) = self.rates()
         {
             let turned = self.settle(here);
-            if is_balanced(&turned) && self.is_in_ranges() {
+            if turned.fault.is_none() && self.is_in_ranges() {
                 return (turned, true);
             }
         }
@@ -78,14 +80,31 @@ impl Search<'_> {
         !self.state.iter().any(|entry| outside(&entry))
     }
 
+    /// What to say of coordinates outside the ranges that the model states, unless they are held there.
+    pub fn outside(&self) -> Option<String> {
+        let is_held = |place| self.state.iter().any(|e| !e.is_speed && e.place == place && e.is_held);
+        let all = self.program.q.iter().zip(&self.ranges).zip(&self.q).enumerate();
+        let named = all.filter_map(|(place, ((quantity, &((low, high), is_stated)), &q))| {
+            let slack = ROUNDING * (high - low);
+            let is_outside = !(low - slack..=high + slack).contains(&q);
+            let is_whole_turn = quantity.unit == "rad" && high - low >= TURN * (1.0 - ROUNDING);
+            let counts = is_stated && is_outside && !is_whole_turn && !is_held(place);
+            let unit = if quantity.unit == "1" { String::new() } else { format!(" {}", quantity.unit) };
+            counts.then(|| format!("`{}` = {q:.4} (range {low:.4} to {high:.4}{unit})", quantity.name))
+        });
+        let named: Vec<String> = named.collect();
+        (!named.is_empty() && self.unknown == Unknown::State).then(|| {
+            format!("the equilibrium is outside of ranges that the model states: {}", named.join(", "))
+        })
+    }
+
     /// Turns angles that have left a range of a whole turn or more back into it; false if there are none.
     fn turn_back(&mut self) -> bool {
-        const TURN: f64 = std::f64::consts::TAU;
         let mut q = self.q.clone();
         for entry in self.state.iter().filter(|entry| entry.is_free_coordinate()) {
             let ((low, high), angle) = (entry.range, &mut q[entry.place]);
             let is_angle = self.program.q[entry.place].unit == "rad";
-            if is_angle && high - low >= TURN * (1.0 - BALANCED) && !(low..=high).contains(angle) {
+            if is_angle && high - low >= TURN * (1.0 - ROUNDING) && !(low..=high).contains(angle) {
                 *angle -= TURN * ((*angle - 0.5 * (low + high)) / TURN).round();
             }
         }

@@ -6,15 +6,18 @@
 //! r = (u', q' of every coordinate that the rates depend on),   J dz = -r,   dz the solution of least norm
 //! ```
 //! in units of each unknown's own range. If the solutions form a line, steps of least norm lead to one near the start.
-//! A step is halved as long as it does not reduce r or cannot be assembled. Where that ends without a solution, or
-//! outside a range, the search starts again elsewhere (`restart`).
+//! A step is halved as long as it does not reduce r or cannot be assembled. `balance` says whether the end is a solution.
+//! Where it is none, or outside a range, the search starts again elsewhere (`restart`).
 
+use super::balance::Fault;
+use super::rates::Flat;
 use crate::configuration::Configurations;
 use crate::engine::Engine;
 use nalgebra::{DMatrix, DVector};
-use smartbed_codegen::Program;
+use smartbed_codegen::expr::rounding::Rounded;
 use smartbed_codegen::id::Id;
 use smartbed_codegen::model::Model;
+use smartbed_codegen::{Interpreted, Program};
 
 /// Most Newton steps.
 const STEPS: usize = 100;
@@ -22,10 +25,11 @@ const STEPS: usize = 100;
 const HALVINGS: usize = 40;
 /// The search ends if every rate is below this fraction of its change over the ranges of the state.
 const ROUNDING: f64 = f64::EPSILON;
-/// If a rate stays above this fraction, the end is no equilibrium.
-pub(super) const BALANCED: f64 = 1e-9;
-/// Singular values below this fraction of the largest are zero: nothing changes along their directions.
-const FLAT: f64 = 1e-9;
+/// Speeds (SI) below this are 0.
+const STILL: f64 = 1e-9;
+
+/// Most coordinates named in a message.
+const NAMED: usize = 4;
 
 /// The unknowns of the search.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -60,15 +64,27 @@ impl Entry {
 /// Coordinates, speeds and inputs.
 pub(super) type Place = (Vec<f64>, Vec<f64>, Vec<f64>);
 
-/// Rates at the end of a search, and the largest of them with its name, relative to its change over the ranges.
-pub(super) type End = (Rates, (String, f64));
+/// The largest rate, relative to its change over the ranges, with its name.
+pub(super) type Rest = (String, f64);
+
+/// The end of a search.
+pub(super) struct End {
+    pub(super) rates: Rates,
+    pub(super) rest: Rest,
+    /// Why it is no equilibrium.
+    pub(super) fault: Option<Fault>,
+}
 
 /// The search and its current state.
 pub(super) struct Search<'p> {
     pub(super) program: &'p Program,
     pub(super) engine: Box<dyn Engine<f64>>,
+    /// The same equations with bounds of their rounding.
+    pub(super) rounded: Interpreted<Rounded>,
     pub(super) configurations: Configurations,
     pub(super) state: Vec<Entry>,
+    /// The range of each of the q, and whether the model states it.
+    pub(super) ranges: Vec<((f64, f64), bool)>,
     pub(super) q: Vec<f64>,
     pub(super) u: Vec<f64>,
     /// Speeds at the start: those of a steady motion are searched for from there.
@@ -99,6 +115,8 @@ pub(super) struct Found {
     /// The largest remaining rate, with its name.
     pub left: (String, f64),
     pub slopes: Slopes,
+    /// Bounds of the rounding errors of A.
+    pub errors: DMatrix<f64>,
     pub is_motion: bool,
 }
 
@@ -106,6 +124,14 @@ pub(super) struct Found {
 pub(super) struct Rates {
     pub(super) x_dot: DVector<f64>,
     pub slopes: Slopes,
+    /// The worst pivot, relative to nominal.
+    pub pivot: f64,
+}
+
+/// Half of a range; 1 if it has no width.
+fn half((low, high): (f64, f64)) -> f64 {
+    let half = 0.5 * (high - low);
+    if half > 0.0 && half.is_finite() { half } else { 1.0 }
 }
 
 impl<'p> Search<'p> {
@@ -114,10 +140,8 @@ impl<'p> Search<'p> {
         let n_q = program.q.len();
         let declared = |name: &str| model.coordinates.iter().find(|c| c.name == name);
         let range = |name: &str| declared(name).map_or((0.0, 0.0), |c| c.range);
-        let half = |(low, high): (f64, f64)| {
-            let half = 0.5 * (high - low);
-            if half > 0.0 && half.is_finite() { half } else { 1.0 }
-        };
+        let states_range = |name: &str| declared(name).is_some_and(|c| c.states_range());
+        let ranges = program.q.iter().map(|q| (range(&q.name), states_range(&q.name))).collect();
         let coordinates =
             program.q.iter().enumerate().filter(|(place, _)| configurations.is_independent(*place));
         let coordinates = coordinates.map(|(place, q)| Entry {
@@ -127,7 +151,7 @@ impl<'p> Search<'p> {
             is_held: false,
             scale: half(range(&q.name)),
             range: range(&q.name),
-            states_range: declared(&q.name).is_some_and(|c| c.states_range()),
+            states_range: states_range(&q.name),
         });
         let speeds = program.u.iter().enumerate().map(|(place, u)| Entry {
             name: u.name.clone(),
@@ -145,7 +169,9 @@ impl<'p> Search<'p> {
         Self {
             program,
             engine,
+            rounded: Interpreted::new(program),
             state,
+            ranges,
             q: q.to_vec(),
             u: vec![0.0; u.len()],
             start_u: u.to_vec(),
@@ -200,6 +226,11 @@ impl<'p> Search<'p> {
         self.state.iter().any(|entry| entry.is_speed && !entry.is_held) || self.u.iter().any(|u| *u != 0.0)
     }
 
+    /// Half of the range of a coordinate, by its index in q.
+    pub(super) fn half_range(&self, place: usize) -> f64 {
+        half(self.ranges[place].0)
+    }
+
     pub(super) fn place(&self) -> Place {
         (self.q.clone(), self.u.clone(), self.inputs.clone())
     }
@@ -212,24 +243,36 @@ impl<'p> Search<'p> {
     pub(super) fn settle(&mut self, mut here: Rates) -> End {
         let mut rest = self.off_balance(&here);
         for _ in 0..STEPS {
-            if rest.1 <= ROUNDING {
+            if rest.1 <= ROUNDING && self.is_balanced(&here) {
                 break;
             }
-            let Some(step) = self.newton_step(&here) else { break };
-            let Some((next, less)) = self.shortened(&step, rest.1) else { break };
-            (here, rest) = (next, less);
+            let mut next = self.improved(&here, Flat::Ranges, rest.1);
+            if next.is_none() && !self.is_balanced(&here) {
+                next = self.improved(&here, Flat::Scaled, rest.1);
+            }
+            let Some(better) = next else { break };
+            (here, rest) = better;
         }
-        (here, rest)
+        End { fault: self.fault(&here), rates: here, rest }
+    }
+
+    /// A step from here that reduces the rates.
+    fn improved(&mut self, here: &Rates, flat: Flat, before: f64) -> Option<(Rates, Rest)> {
+        let step = self.newton_step(here, flat)?;
+        self.shortened(&step, before)
     }
 
     /// The end of a search as the equilibrium here.
-    pub(super) fn result(&mut self, (here, (name, share)): End) -> Result<Found, String> {
+    pub(super) fn result(&mut self, end: End) -> Result<Found, String> {
+        let End { rates: here, rest: (name, _), fault } = end;
         let value = self.rate_of(&here, &name);
-        if share > BALANCED {
-            return Err(self.not_found(&name, value));
+        match fault {
+            None => {}
+            Some(Fault::Unbalanced) => return Err(self.not_found(&name, value)),
+            Some(Fault::Singular(pivot)) => return Err(self.singular(pivot)),
         }
         let speeds = self.engine.speeds(&self.q, &self.u).map_err(|fault| fault.reason().to_owned())?;
-        let is_motion = self.is_motion() || speeds.iter().any(|u| u.abs() > BALANCED);
+        let is_motion = self.is_motion() || speeds.iter().any(|u| u.abs() > STILL);
         Ok(Found {
             q: self.q.clone(),
             speeds,
@@ -239,6 +282,7 @@ impl<'p> Search<'p> {
                 .outputs(0.0, &self.q, &self.u, &self.inputs)
                 .map_err(|fault| fault.reason().to_owned())?,
             left: (name, value),
+            errors: self.slope_errors(&here),
             slopes: here.slopes,
             is_motion,
         })
@@ -266,6 +310,12 @@ impl<'p> Search<'p> {
                  attitude by rotations, such as [[\"z\", \"yaw\"], [\"x\", \"lean\"], [\"y\", \"spin\"]], and its speeds \
                  along axes that do not spin with it"
             }
+            Unknown::State if self.state.iter().any(|e| !e.is_speed && e.name == name) => {
+                return format!(
+                    "no equilibrium was found: the rate of `{name}` stays {value:.3e}: accelerations depend on `{name}`, \
+                     which cannot stay constant at these speeds; hold other speeds"
+                );
+            }
             Unknown::State => {
                 "give a start nearer to it by --set, hold inputs by --input, or let them balance it by --trim"
             }
@@ -275,27 +325,21 @@ impl<'p> Search<'p> {
         format!("no equilibrium was found: the rate of `{name}` stays {value:.3e}; {advice}")
     }
 
-    /// The step of least norm that makes the rates vanish to first order, each row scaled by its largest entry.
-    fn newton_step(&self, here: &Rates) -> Option<DVector<f64>> {
-        let rows = self.rows(here);
-        let mut slopes = self.slopes_of_unknowns(here, &rows);
-        let mut rest = DVector::from_iterator(rows.len(), rows.iter().map(|&i| -here.x_dot[i]));
-        for i in 0..rows.len() {
-            let size = slopes.row(i).amax();
-            if size > 0.0 {
-                slopes.row_mut(i).scale_mut(1.0 / size);
-                rest[i] /= size;
-            }
-        }
-        if slopes.ncols() == 0 {
-            return None;
-        }
-        let svd = slopes.svd(true, true);
-        svd.solve(&rest, FLAT * svd.singular_values.max()).ok()
+    fn singular(&self, pivot: f64) -> String {
+        let places = self.state.iter().filter(|entry| entry.is_free_coordinate());
+        let place: Vec<String> =
+            places.take(NAMED).map(|e| format!("`{}` = {:.4}", e.name, self.q[e.place] + 0.0)).collect();
+        format!(
+            "no equilibrium was found where the equations are regular: at {} nothing accelerates, but the configuration \
+             is singular (the smallest pivot is {pivot:.1e} of its nominal size), so that accelerations and modes have no \
+             meaning there, as where an axis of rotation falls onto another; describe the attitude by rotations about \
+             other axes, or hold a coordinate elsewhere by --hold",
+            place.join(", ")
+        )
     }
 
     /// Takes the step, or the part of it that reduces the rates.
-    fn shortened(&mut self, step: &DVector<f64>, before: f64) -> Option<End> {
+    fn shortened(&mut self, step: &DVector<f64>, before: f64) -> Option<(Rates, Rest)> {
         let old = self.place();
         // At most half a range in one step.
         let mut part = 1.0 / step.amax().max(1.0);

@@ -156,7 +156,10 @@ fn line(mode: &Mode) -> String {
         0.0 => format!("{name} {size:.3}"),
         degrees => format!("{name} {size:.3} at {degrees}"),
     });
-    let shape = parts.collect::<Vec<_>>().join(", ");
+    let mut shape = parts.collect::<Vec<_>>().join(", ");
+    if shape.is_empty() {
+        "a shape of this eigenvalue, times t".clone_into(&mut shape);
+    }
     format!("{number:>30}  {frequency:>12} {damping:>9}  {:9} {shape}", mode.fate.word())
 }
 

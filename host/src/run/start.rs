@@ -18,14 +18,44 @@ pub(crate) fn start(model: &Model, program: &Program, settings: &Settings) -> Re
     let mut configurations = Configurations::new(model, program);
     let parameters: Vec<f64> = program.parameters.iter().map(|p| p.value).collect();
     let given: Vec<Option<f64>> = program.q.iter().map(|q| settings.start.get(&q.name).copied()).collect();
-    let mut x = configurations
-        .solve(&parameters, &given)
-        .map_err(|unreachable| start_unreachable(model, settings, &unreachable))?;
+    let solved = configurations.solve(&parameters, &given);
+    let mut x = solved.map_err(|unreachable| {
+        match bad_guess(program, &mut configurations, (&parameters, &given)) {
+            Some(why) => Failure::Wrong(why),
+            None => start_unreachable(model, settings, &unreachable),
+        }
+    })?;
     let why = "it is dependent and follows from the independent coordinates";
     note_replaced(&program.q, &given, &x, why);
     let speeds = start_speeds(model, program, settings, (&x, &parameters))?;
     x.extend(speeds);
     Ok(x)
+}
+
+/// What to say if the start can be assembled without the values given for dependent coordinates.
+fn bad_guess(
+    program: &Program,
+    configurations: &mut Configurations,
+    (parameters, given): (&[f64], &[Option<f64>]),
+) -> Option<String> {
+    let independent = |i: usize| configurations.is_independent(i);
+    let guessed: Vec<usize> = (0..given.len()).filter(|&i| given[i].is_some() && !independent(i)).collect();
+    let without: Vec<Option<f64>> =
+        given.iter().enumerate().map(|(i, value)| value.filter(|_| independent(i))).collect();
+    if guessed.is_empty() {
+        return None;
+    }
+    let q = configurations.solve(parameters, &without).ok()?;
+    let name = |i: &usize| program.q[*i].name.as_str();
+    let list = |value: &dyn Fn(usize) -> f64| -> String {
+        guessed.iter().map(|i| format!("`{}` = {:.6}", name(i), value(*i))).collect::<Vec<_>>().join(", ")
+    };
+    Some(format!(
+        "the start cannot be assembled near {}, the guess of what depends on the independent coordinates; leave it out: \
+         these give {}",
+        list(&|i| given[i].unwrap_or(f64::NAN)),
+        list(&|i| q[i])
+    ))
 }
 
 /// Reports which of the given start values were replaced, and why.

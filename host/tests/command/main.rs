@@ -12,6 +12,7 @@ mod derived_parameters;
 mod driven;
 mod edges;
 mod equilibrium;
+mod equilibrium_scaled;
 mod eval;
 mod figure;
 mod files;

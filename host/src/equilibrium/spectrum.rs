@@ -1,0 +1,121 @@
+//! Eigenvalues of a real matrix, each with a bound of its rounding.
+//!
+//! In: A, and bounds of the errors of its entries. Out: eigenvalues lambda and, to first order,
+//! ```text
+//! bound = (n eps |B| + |y|' E |x|) / |y* x|,   B x = lambda x,   y* B = lambda y*,   |x| = |y| = 1
+//! ```
+//! B is the block of A that lambda belongs to, balanced, E the errors of its entries. Blocks are the sets of entries of
+//! the state that act on one another in circles: what is fast in one of them does not round the others. Where
+//! eigenvalues repeat, x and y are bases of their null spaces; where these are too small, |y* x| is nearly 0 and the bound
+//! as wide as rounding splits the eigenvalue.
+
+use nalgebra::linalg::{Schur, balancing};
+use nalgebra::{Complex, ComplexField, DMatrix};
+
+/// Iterations for the eigenvalues of one block, at most.
+const SWEEPS: usize = 10_000;
+/// Bounds are wider than to first order by this factor.
+const WIDER: f64 = 4.0;
+
+/// An eigenvalue and how far rounding may have moved it.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Eigenvalue {
+    pub value: Complex<f64>,
+    pub bound: f64,
+}
+
+/// The eigenvalues; `None` if the iteration does not converge.
+pub(super) fn of(a: &DMatrix<f64>, errors: &DMatrix<f64>) -> Option<Vec<Eigenvalue>> {
+    let a = a.zip_map(errors, |x, error| if x.abs() <= error { 0.0 } else { x });
+    let mut all = Vec::new();
+    for places in blocks(&a) {
+        let block = |of: &DMatrix<f64>| of.select_rows(&places).select_columns(&places);
+        all.extend(of_block(block(&a), block(errors))?);
+    }
+    Some(all)
+}
+
+/// The sets of rows that depend on one another in circles.
+fn blocks(a: &DMatrix<f64>) -> Vec<Vec<usize>> {
+    let n = a.nrows();
+    let mut reaches = a.map(|x| x != 0.0);
+    for over in 0..n {
+        for from in 0..n {
+            for to in 0..n {
+                reaches[(from, to)] |= reaches[(from, over)] && reaches[(over, to)];
+            }
+        }
+    }
+    let mut blocks: Vec<Vec<usize>> = Vec::new();
+    for i in 0..n {
+        let mutual = |block: &&mut Vec<usize>| reaches[(i, block[0])] && reaches[(block[0], i)];
+        match blocks.iter_mut().find(mutual) {
+            Some(block) => block.push(i),
+            None => blocks.push(vec![i]),
+        }
+    }
+    blocks
+}
+
+fn of_block(mut block: DMatrix<f64>, errors: DMatrix<f64>) -> Option<Vec<Eigenvalue>> {
+    if block.len() == 1 {
+        return Some(vec![Eigenvalue { value: Complex::new(block[0], 0.0), bound: errors[0] }]);
+    }
+    let scales = balancing::balance_parlett_reinsch(&mut block);
+    let errors =
+        DMatrix::from_fn(block.nrows(), block.nrows(), |i, j| errors[(i, j)] * scales[j] / scales[i]);
+    let schur = Schur::try_new(block.clone(), f64::EPSILON, SWEEPS)?;
+    let values = schur.complex_eigenvalues();
+    Some(values.iter().map(|&value| Eigenvalue { value, bound: bound(&block, &errors, value) }).collect())
+}
+
+fn bound(block: &DMatrix<f64>, errors: &DMatrix<f64>, value: Complex<f64>) -> f64 {
+    let n = block.nrows();
+    let rounding = n as f64 * f64::EPSILON * block.norm();
+    let svd = (block.map(|x| Complex::new(x, 0.0)) - DMatrix::identity(n, n) * value).svd(true, true);
+    let (Some(left), Some(right)) = (&svd.u, &svd.v_t) else { return f64::INFINITY };
+    let mut order: Vec<usize> = (0..n).collect();
+    order.sort_by(|&i, &j| svd.singular_values[i].total_cmp(&svd.singular_values[j]));
+    let none = WIDER * (rounding + errors.norm());
+    let dimension = order.iter().filter(|&&i| svd.singular_values[i] <= none).count().max(1);
+    let y = left.select_columns(&order[..dimension]);
+    let x = right.select_rows(&order[..dimension]).adjoint();
+    let overlap = (y.adjoint() * &x).singular_values().min();
+    let size = |of: &DMatrix<Complex<f64>>| of.map(|x| x.modulus());
+    let by_errors = (size(&y).transpose() * errors * size(&x)).norm();
+    WIDER * (rounding + by_errors) / overlap.max(f64::MIN_POSITIVE)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn exact(rows: &[f64], n: usize) -> Vec<Eigenvalue> {
+        of(&DMatrix::from_row_slice(n, n, rows), &DMatrix::zeros(n, n)).expect("eigenvalues")
+    }
+
+    #[test]
+    fn bounds_hold_and_are_narrow_beside_fast_motions() {
+        // The fast one drives the slow ones and does not round them.
+        let all = exact(&[0.0, 1.0, 0.3, 0.3, 0.0, 0.2, 0.0, 0.0, -1e12], 3);
+        let slow = 0.3_f64.sqrt();
+        for expected in [slow, -slow, -1e12] {
+            let off = |e: &Eigenvalue| (e.value - Complex::new(expected, 0.0)).modulus();
+            let nearest = all.iter().min_by(|a, b| off(a).total_cmp(&off(b))).expect("one");
+            assert!(off(nearest) <= nearest.bound, "{expected}: {nearest:?}");
+            assert!(nearest.bound <= 1e-14 * expected.abs(), "{expected}: {nearest:?}");
+        }
+    }
+
+    #[test]
+    fn bounds_hold_where_rounding_splits_an_eigenvalue() {
+        // Three times 2, with one direction: T J T^-1 with T = [1 2 3; 0 1 4; 5 6 0].
+        let t = DMatrix::from_row_slice(3, 3, &[1.0, 2.0, 3.0, 0.0, 1.0, 4.0, 5.0, 6.0, 0.0]);
+        let jordan = DMatrix::from_row_slice(3, 3, &[2.0, 1.0, 0.0, 0.0, 2.0, 1.0, 0.0, 0.0, 2.0]);
+        let a = &t * jordan * t.clone().try_inverse().expect("regular");
+        for eigenvalue in of(&a, &DMatrix::zeros(3, 3)).expect("eigenvalues") {
+            let off = (eigenvalue.value - Complex::new(2.0, 0.0)).modulus();
+            assert!(off <= eigenvalue.bound && eigenvalue.bound < 0.1, "{eigenvalue:?}");
+        }
+    }
+}
