@@ -335,17 +335,21 @@ pub fn section(subject: &dyn Subject, plan: &Plan, seconds: Option<f64>) -> Resu
     let wrong = |e: String| Failure::Wrong(format!("{}: {e}", subject.name()));
     let simulated = seconds.unwrap_or(plan.seconds(subject));
     let truth = reference::make(subject, simulated, seconds.is_none(), plan.reference).map_err(wrong)?;
-    let measured = measure::measure(subject, &truth, plan);
+    let mut measured = measure::measure(subject, &truth, plan);
     if measured.points.is_empty() {
         let why = measured.notes.join("; ");
         return Err(wrong(format!("nothing could be measured: {why}")));
+    }
+    if let Some(warning) = seconds.is_none().then(|| reference::unexamined(&truth, simulated)).flatten() {
+        output::say(&format!("warning: {}: {warning}", subject.name()));
+        measured.notes.insert(0, warning);
     }
     Ok(Section {
         name: subject.name().to_owned(),
         title: subject.title(),
         seconds: truth.seconds,
         asked: subject.seconds(),
-        extent: measure::extent(&truth),
+        extent: measured.extent,
         reference: truth.reference,
         points: measured.points,
         notes: measured.notes,

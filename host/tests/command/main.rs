@@ -1,5 +1,6 @@
 //! The `smartbed` program as its users run it: answers, messages, exit statuses.
 
+mod aims;
 mod bed;
 mod bed_in_f32;
 mod bed_manual;
