@@ -68,6 +68,12 @@ impl Body {
     }
 
     fn with(&self, method: &str, tolerance: f64, step: f64) -> Result<Scene, String> {
+        let is_moreau = self.scene.chosen.name == "moreau";
+        if is_moreau && method != "moreau" {
+            return Err("law = \"moreau\" takes steps of its own, for which no method gives a reference: it is not measured; give \
+                        --step instead, or take another law"
+                .to_owned());
+        }
         let mut variation = vec![format!("step={step:e}")];
         // Moreau's law is a time-stepping scheme of its own: there is no method to be named.
         if method != "moreau" {

@@ -72,16 +72,16 @@ pub struct Arguments {
     #[arg(long, value_name = "DIR", default_value = "target/report")]
     pub out: String,
     /// Simulated time in s [default: the file's, shortened to the time over which two reference solutions agree].
-    #[arg(long, value_name = "T")]
+    #[arg(long, allow_negative_numbers = true, value_name = "T")]
     pub seconds: Option<f64>,
     /// Measure only this method.
     #[arg(long, value_name = "M")]
     pub method: Option<String>,
     /// Measure only this step in s, with methods of fixed step. Not with --tolerance.
-    #[arg(long, value_name = "H", conflicts_with = "tolerance")]
+    #[arg(long, allow_negative_numbers = true, value_name = "H", conflicts_with = "tolerance")]
     pub step: Option<f64>,
     /// Measure only this error allowed per step, with adaptive methods. Not with --step.
-    #[arg(long, value_name = "E")]
+    #[arg(long, allow_negative_numbers = true, value_name = "E")]
     pub tolerance: Option<f64>,
     /// Measure only this number type [default: both].
     #[arg(long, value_enum)]

@@ -40,7 +40,7 @@ fn assert_told(done: &Done, asked: f64, exact: impl Fn(f64) -> f64) {
 fn the_error_of_a_motion_that_ends_before_the_first_sample_is_told() {
     let scene = hung("transient.toml", 0.5, "K = 5000\nC = 100\nstep = 1e-3\n");
     let exact = |t: f64| 0.5 - 0.5 * (-50.0 * t).exp() * ((50.0 * t).cos() + (50.0 * t).sin());
-    for (asked, method) in [("1e-3", "damped_verlet"), ("1e-3", "symplectic_euler"), ("1e-6", "rk4")] {
+    for (asked, method) in [("1e-3", "damped_verlet"), ("1e-2", "symplectic_euler"), ("1e-6", "rk4")] {
         let done = smartbed(&["run", &scene, "--csv", "-", "--error", asked, "--method", method]);
         assert_told(&done, asked.parse().expect("a number"), exact);
     }

@@ -7,6 +7,7 @@ mod bed_manual;
 mod bed_mesh;
 mod bed_page;
 mod bed_supervised;
+mod bodies;
 mod browser;
 mod check_and_derive;
 mod derived_parameters;
