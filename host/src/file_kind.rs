@@ -77,6 +77,9 @@ impl FileKind {
             FileKind::World
         } else if has(&OF_PLANS) {
             FileKind::Plan
+        } else if has(&["title"]) {
+            // A model has a `doc` instead: this is a scene of format 1 without a body.
+            FileKind::Body
         } else {
             FileKind::Unknown
         }

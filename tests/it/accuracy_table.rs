@@ -8,7 +8,7 @@ use smartbed::engine::{EngineKind, ScalarKind};
 use smartbed::file_kind::FileKind;
 use smartbed::report::point::Control;
 use smartbed::report::subject::{Method, SAMPLES, Subject, Time};
-use smartbed::report::{measure, open, plan, reference};
+use smartbed::report::{open, plan, reference};
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
@@ -55,14 +55,14 @@ fn error(subject: &dyn Subject, truth: &reference::Truth, method: &Method, scala
         (true, ScalarKind::F64) => Control::Tolerance(1e-8),
         (true, ScalarKind::F32) => Control::Tolerance(1e-5),
     };
-    let run = subject.run((&method.name, control, scalar), Time { seconds, limit: LIMIT });
+    let run = subject.run((&method.name, control, scalar), Time::new(seconds, LIMIT));
     let error = run.map_or(f64::NAN, |trace| trace.difference(&truth.trace));
     // What stands still is off by its rounding or tolerance, which may be more than its way.
     let least = match control {
         Control::Tolerance(e) => e,
         Control::Step(_) => LEAST,
     };
-    if error > measure::extent(truth).max(least) { f64::NAN } else { error }
+    if error > truth.trace.extent().max(least) { f64::NAN } else { error }
 }
 
 /// The table of one folder.

@@ -3,7 +3,7 @@
 use super::clock::{Deadline, Stop};
 use super::point::Control;
 use super::sheet::Sheet;
-use super::subject::{Kind, Method, SAMPLES, Subject, Time, Trace};
+use super::subject::{Kind, Method, Subject, Time, Trace};
 use super::{clock, closed_form, sheet_body};
 use crate::engine::ScalarKind;
 use crate::failure::Failure;
@@ -36,6 +36,7 @@ pub struct Body {
     path: String,
     settings: Vec<String>,
     scene: Scene,
+    in_steps_of_rows: bool,
 }
 
 impl Body {
@@ -45,7 +46,19 @@ impl Body {
     /// [`Failure::Wrong`] with what is wrong in it.
     pub fn open(name: &str, path: &str, settings: &[String]) -> Result<Self, Failure> {
         let scene = read::open(path, settings).map_err(Failure::Wrong)?;
-        Ok(Self { name: name.to_owned(), path: path.to_owned(), settings: settings.to_vec(), scene })
+        Ok(Self {
+            name: name.to_owned(),
+            path: path.to_owned(),
+            settings: settings.to_vec(),
+            scene,
+            in_steps_of_rows: false,
+        })
+    }
+
+    /// Adaptive methods take the outer steps that `run` takes, which are the scene's own.
+    #[must_use]
+    pub fn in_steps_of_rows(self) -> Self {
+        Self { in_steps_of_rows: true, ..self }
     }
 
     /// The scene as read.
@@ -55,6 +68,12 @@ impl Body {
     }
 
     fn with(&self, method: &str, tolerance: f64, step: f64) -> Result<Scene, String> {
+        let is_moreau = self.scene.chosen.name == "moreau";
+        if is_moreau && method != "moreau" {
+            return Err("law = \"moreau\" takes steps of its own, for which no method gives a reference: it is not measured; give \
+                        --step instead, or take another law"
+                .to_owned());
+        }
         let mut variation = vec![format!("step={step:e}")];
         // Moreau's law is a time-stepping scheme of its own: there is no method to be named.
         if method != "moreau" {
@@ -67,41 +86,41 @@ impl Body {
     }
 
     /// Steps per sample so that none is longer than `longest`.
-    fn divided(seconds: f64, longest: f64) -> usize {
-        (seconds / SAMPLES as f64 / longest - 1e-9).ceil().max(1.0) as usize
+    fn divided(interval: f64, longest: f64) -> usize {
+        (interval / longest - 1e-9).ceil().max(1.0) as usize
     }
 
     fn trace(
         &self,
         (method, control, scalar): (&str, Control, ScalarKind),
-        Time { seconds, limit }: Time,
+        time: Time,
         outer: f64,
     ) -> Result<Trace, Stop> {
         let (tolerance, longest) = match control {
             Control::Step(h) => (1e-9, h),
             Control::Tolerance(e) => (e, outer),
         };
-        let steps = Self::divided(seconds, longest);
-        let scene = self.with(method, tolerance, seconds / (SAMPLES * steps) as f64)?;
+        let steps = Self::divided(time.seconds / time.samples as f64, longest);
+        let scene = self.with(method, tolerance, time.seconds / (time.samples * steps) as f64)?;
         match scalar {
-            ScalarKind::F32 => trace::<f32>(&scene, steps, limit),
-            ScalarKind::F64 => trace::<f64>(&scene, steps, limit),
+            ScalarKind::F32 => trace::<f32>(&scene, steps, time),
+            ScalarKind::F64 => trace::<f64>(&scene, steps, time),
         }
     }
 }
 
 /// Steps to the end, with `steps` per sample.
-fn trace<S: Scalar>(scene: &Scene, steps: usize, limit: Duration) -> Result<Trace, Stop> {
+fn trace<S: Scalar>(scene: &Scene, steps: usize, time: Time) -> Result<Trace, Stop> {
     // A check of the clock costs as much as a hundred springs.
     let looks = (LOOK / scene.lists.springs.len().max(1)).max(1);
-    let deadline = Deadline::within(limit);
+    let deadline = Deadline::within(time.limit);
     let mut simulation =
         Simulation::<S>::new(&scene.lists, &scene.around, scene.method).map_err(|e| describe(&e))?;
     let h = S::from_f64(scene.step);
-    let (mut samples, mut evaluations) = (Vec::with_capacity(SAMPLES), 0);
+    let (mut samples, mut evaluations) = (Vec::with_capacity(time.samples), 0);
     let begin = clock::now();
     simulation.begin(h, &mut ()).map_err(|e| describe(&e))?;
-    for _ in 0..SAMPLES {
+    for sample in 0..time.samples {
         for step in 0..steps {
             let report = simulation.step(h, &mut ()).map_err(|e| describe(&e))?;
             if report.cut_short {
@@ -110,7 +129,7 @@ fn trace<S: Scalar>(scene: &Scene, steps: usize, limit: Duration) -> Result<Trac
                     .into());
             }
             evaluations += report.evaluations as u64;
-            if step % looks == 0 {
+            if (sample * steps + step) % looks == 0 {
                 deadline.check(simulation.t().to_f64())?;
             }
         }
@@ -156,7 +175,11 @@ impl Subject for Body {
     }
 
     fn run(&self, how: (&str, Control, ScalarKind), time: Time) -> Result<Trace, Stop> {
-        let outer = if self.is_smooth() { time.seconds } else { OUTER_STEP.min(self.coarsest_step(how.0)) };
+        let outer = match (self.in_steps_of_rows, self.is_smooth()) {
+            (true, _) => self.scene.step,
+            (_, true) => time.seconds,
+            (_, false) => OUTER_STEP.min(self.coarsest_step(how.0)),
+        };
         self.trace(how, time, outer)
     }
 

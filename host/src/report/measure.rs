@@ -8,7 +8,7 @@ use super::clock::{self, Stop};
 use super::plan::Plan;
 use super::point::{Control, Point};
 use super::reference::Truth;
-use super::subject::{Method, Subject, Time, Trace};
+use super::subject::{Method, SAMPLES, Subject, Time, Trace, larger};
 use crate::engine::ScalarKind;
 use std::time::Duration;
 
@@ -21,6 +21,10 @@ const LONGEST: u32 = 8;
 const NONSENSE: f64 = 0.3;
 /// What stands still is off by rounding alone, up to this many units in the last place of its largest coordinate.
 const STILL: f64 = 1e4;
+/// Times between two samples at which the size of a motion is looked up; a prime, which no period divides by habit.
+const BETWEEN: usize = 101;
+/// Most numbers of a run's rows that are compared with those of a finer run.
+const MOST: usize = 8_000_000;
 /// Rounding dominates if two finer steps in a row do not reduce the least error to this fraction.
 const GAIN: f64 = 0.7;
 
@@ -31,13 +35,32 @@ pub struct Measured {
     pub points: Vec<Point>,
     /// What was left out, and why.
     pub notes: Vec<String>,
+    /// Size of the motion: the largest change of a coordinate (m or rad).
+    pub extent: f64,
+    is_extent_checked: bool,
+}
+
+impl Measured {
+    /// The size of the motion, looked up at many times if the error of a run seems to be as large as the motion: one
+    /// whose period divides the time between samples seems to stand still.
+    fn extent_beyond(&mut self, error: f64, subject: &dyn Subject, truth: &Truth, plan: &Plan) -> f64 {
+        if error > NONSENSE * self.extent && !self.is_extent_checked {
+            self.is_extent_checked = true;
+            let time = Time { samples: SAMPLES * BETWEEN, ..Time::new(truth.seconds, LONGEST * plan.run) };
+            // A reference that was computed in time at ten samples may not be at more; then the size stays.
+            if let Ok((_, trace)) = subject.second_reference(time) {
+                self.extent = self.extent.max(trace.extent());
+            }
+        }
+        self.extent
+    }
 }
 
 /// Measures a subject. The remaining time is shared evenly by the remaining ladders: if one takes longer than its
 /// share, all later ones lose a little instead of the next one everything.
 #[must_use]
 pub fn measure(subject: &dyn Subject, truth: &Truth, plan: &Plan) -> Measured {
-    let mut measured = Measured::default();
+    let mut measured = Measured { extent: truth.trace.extent(), ..Measured::default() };
     let methods = subject.methods();
     let ladders = subject.scalars().iter().flat_map(|s| methods.iter().map(move |m| (m, *s)));
     let ladders: Vec<_> = ladders.filter(|(method, scalar)| plan.has(method, *scalar)).collect();
@@ -50,6 +73,13 @@ pub fn measure(subject: &dyn Subject, truth: &Truth, plan: &Plan) -> Measured {
     measured
 }
 
+/// A point of a calibration whose error at all step ends is known once the next rung is: its number, and its rows.
+struct Open {
+    point: usize,
+    rows: Trace,
+    evaluations: Option<u64>,
+}
+
 /// One method's points, coarse to fine.
 fn ladder(
     subject: &dyn Subject,
@@ -59,16 +89,18 @@ fn ladder(
     end: Duration,
     measured: &mut Measured,
 ) {
-    let size = (NONSENSE * extent(truth)).max(STILL * epsilon(scalar) * largest(truth));
+    let rounding = STILL * epsilon(scalar) * largest(truth);
     let (mut least, mut last_time, mut last_work) = (f64::INFINITY, Duration::ZERO, None);
     let (mut taken, mut idle) = (0, 0);
-    let mut refusal = None;
+    let (mut refusal, mut open) = (None, None);
     for rung in plan.rungs(subject, method, scalar, truth.seconds) {
         let no_time = taken > 0 && clock::now() > end;
         if no_time || last_time.mul_f64(rung.work) > plan.run {
             break;
         }
-        let (error, trace) = match run(subject, truth, method, rung.control, scalar, LONGEST * plan.run) {
+        let done = run(subject, truth, method, rung.control, scalar, LONGEST * plan.run)
+            .and_then(|found| Ok((found, rows(subject, truth, plan, (&method.name, rung.control, scalar))?)));
+        let ((mut error, trace), rows) = match done {
             Ok(found) => found,
             Err(Stop::Refused(why)) => {
                 refusal = Some(why);
@@ -81,24 +113,93 @@ fn ladder(
             }
         };
         last_time = trace.elapsed;
-        if error.is_nan() || error > size {
+        if error.is_nan()
+            || error > rounding && error > NONSENSE * measured.extent_beyond(error, subject, truth, plan)
+        {
             refusal = Some(format!("the error of {error:.1e} is as large as the motion"));
             continue;
         }
         taken += 1;
         measured.points.push(point(subject, truth, plan, method, rung.control, scalar, error, &trace));
+        let mut evaluations = trace.evaluations;
+        if let Some(rows) = rows {
+            // The ladder goes on until the rung before, whose error is now known, was good enough.
+            let next = Open { point: measured.points.len() - 1, rows, evaluations };
+            let Some(last) = open.replace(next) else { continue };
+            let finer = open.as_ref().map_or(0.0, |next| last.rows.difference_between(&next.rows));
+            let point = &mut measured.points[last.point];
+            point.error = larger(point.error, finer * share(method, plan));
+            (error, evaluations) = (point.error, last.evaluations);
+        }
         // A tolerance that takes no more evaluations does not show whether rounding dominates.
-        let worked = trace.evaluations.is_none_or(|e| last_work.is_none_or(|last| e > last));
+        let worked = evaluations.is_none_or(|e| last_work.is_none_or(|last| e > last));
         idle = if error <= GAIN * least { 0 } else { idle + usize::from(worked) };
-        last_work = trace.evaluations;
+        last_work = evaluations;
         if error <= truth.reference.agreement || idle == 2 {
             break;
         }
         least = least.min(error);
     }
+    // What no finer run has confirmed is not told; the only point gets a finer run of its own.
+    if let Some(last) = open {
+        let finer = match measured.points[last.point].control {
+            Some(control) if taken == 1 => {
+                rows(subject, truth, plan, (&method.name, finer(control, plan), scalar))
+            }
+            _ => Ok(None),
+        };
+        match finer {
+            Ok(Some(finer)) => {
+                let point = &mut measured.points[last.point];
+                point.error = larger(point.error, last.rows.difference_between(&finer) * share(method, plan));
+            }
+            other => {
+                measured.points.truncate(last.point);
+                taken -= 1;
+                refusal = other.err().map(|stop| stop.to_string()).or(refusal);
+            }
+        }
+    }
     if let (0, Some(why)) = (taken, refusal) {
         measured.notes.push(format!("{} {}: {why}", method.name, name_of(scalar)));
     }
+}
+
+/// Of a calibration, a run with a sample at the end of each step, or at each row of an adaptive method; beyond
+/// [`MOST`] numbers, at as many of them as divide the time evenly.
+fn rows(
+    subject: &dyn Subject,
+    truth: &Truth,
+    plan: &Plan,
+    how: (&str, Control, ScalarKind),
+) -> Result<Option<Trace>, Stop> {
+    let Some(rows) = plan.rows else { return Ok(None) };
+    let longest = match how.1 {
+        Control::Step(h) => h,
+        Control::Tolerance(_) => rows,
+    };
+    let each = (truth.seconds / SAMPLES as f64 / longest - 1e-9).ceil().max(1.0) as usize;
+    let most = MOST / SAMPLES / truth.trace.samples.first().map_or(1, Vec::len).max(1);
+    let every = (1..=each).find(|every| each % every == 0 && each / every <= most.max(1)).unwrap_or(each);
+    let time = Time { samples: SAMPLES * each / every, ..Time::new(truth.seconds, LONGEST * plan.run) };
+    subject.run(how, time).map(Some)
+}
+
+/// The control of a ladder's next rung.
+fn finer(control: Control, plan: &Plan) -> Control {
+    match control {
+        Control::Step(h) => Control::Step(h / plan.factor as f64),
+        Control::Tolerance(e) => Control::Tolerance(e * plan.tolerance_factor),
+    }
+}
+
+/// Error of a rung over its difference from the next one, whose own error is smaller by the ladder's factor.
+fn share(method: &Method, plan: &Plan) -> f64 {
+    let smaller = match method.adaptive {
+        true => plan.tolerance_factor,
+        false => (plan.factor as f64).powi(-(method.order as i32)),
+    };
+    1.0 / (1.0 - smaller)
 }
 
 /// Error and trace of a run; the fastest of several, if it is short.
@@ -113,7 +214,7 @@ pub fn run(
     scalar: ScalarKind,
     limit: Duration,
 ) -> Result<(f64, Trace), Stop> {
-    let (how, time) = ((method.name.as_str(), control, scalar), Time { seconds: truth.seconds, limit });
+    let (how, time) = ((method.name.as_str(), control, scalar), Time::new(truth.seconds, limit));
     let mut best = subject.run(how, time)?;
     if best.elapsed < SHORT {
         for _ in 1..REPEATS {
@@ -154,17 +255,6 @@ fn point(
             plan.engine_option()
         ),
     }
-}
-
-/// Size of the motion: the largest change of a coordinate between two samples.
-#[must_use]
-pub fn extent(truth: &Truth) -> f64 {
-    let n = truth.trace.samples.first().map_or(0, Vec::len);
-    let range = |i: usize| {
-        let column = truth.trace.samples.iter().map(|s| s[i]);
-        column.clone().fold(f64::NEG_INFINITY, f64::max) - column.fold(f64::INFINITY, f64::min)
-    };
-    (0..n).map(range).fold(0.0, f64::max)
 }
 
 /// The largest coordinate, by magnitude.

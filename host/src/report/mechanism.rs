@@ -5,7 +5,7 @@ use super::clock::{Deadline, Stop};
 use super::point::Control;
 use super::sheet::Sheet;
 use super::sheet_mechanism::{self, Plant64};
-use super::subject::{Kind, Method, SAMPLES, Subject, Time, Trace};
+use super::subject::{Kind, Method, Subject, Time, Trace};
 use crate::engine::{self, EngineKind, EngineScalar, ScalarKind, explain};
 use crate::failure::Failure;
 use crate::model_argument;
@@ -92,7 +92,7 @@ impl Mechanism {
     }
 
     /// The motion in steps that end at samples.
-    fn to_samples(&self, e: f64, Time { seconds, limit }: Time) -> Result<Trace, Stop> {
+    fn to_samples(&self, e: f64, Time { seconds, samples: count, limit }: Time) -> Result<Trace, Stop> {
         let deadline = Deadline::within(limit);
         let mut plant: Plant64 = self.plant(self.engine)?;
         let mut x = self.start.clone();
@@ -100,12 +100,12 @@ impl Mechanism {
         let (mut low, mut memory) = (vec![0.0; n], vec![0.0; dormand_prince::scratch(n)]);
         let refused = |fault| explain(fault).to_owned();
         let mut state = State::new(&mut x, &mut low).map_err(refused)?;
-        let interval = seconds / SAMPLES as f64;
+        let interval = seconds / count as f64;
         let (first, tolerance) = (self.settings.step.min(interval), Tolerance { absolute: e, relative: e });
         let begin = clock::now();
         let mut method = DormandPrince::new(n, tolerance, first, &mut memory).map_err(refused)?;
-        let (mut t, mut samples) = (0.0, Vec::with_capacity(SAMPLES));
-        for i in 1..=SAMPLES {
+        let (mut t, mut samples) = (0.0, Vec::with_capacity(count));
+        for i in 1..=count {
             let end = i as f64 * interval;
             loop {
                 let before = t;
@@ -125,17 +125,17 @@ impl Mechanism {
         &self,
         method: settings::Method,
         control: Control,
-        Time { seconds, limit }: Time,
+        time: Time,
     ) -> Result<Trace, Stop> {
-        let deadline = Deadline::within(limit);
+        let deadline = Deadline::within(time.limit);
         let mut plant = self.plant::<S>(self.engine)?;
         let mut x: Vec<S> = self.start.iter().map(|x| S::from_f64(*x)).collect();
         let (n, n_q) = (x.len(), self.program.q.len());
         let mut low = vec![S::ZERO; n];
         let mut state = State::new(&mut x, &mut low).map_err(|f| explain(f).to_owned())?;
-        let mut samples = Vec::with_capacity(SAMPLES);
+        let mut samples = Vec::with_capacity(time.samples);
         let mut keep = |x: &[S]| samples.push(x[..n_q].iter().map(|x| x.to_f64()).collect());
-        let interval = seconds / SAMPLES as f64;
+        let interval = time.seconds / time.samples as f64;
         let refused = |fault| explain(fault).to_owned();
         let begin = clock::now();
         match (method.fixed(), control) {
@@ -143,7 +143,7 @@ impl Mechanism {
                 let steps = (interval / longest - 1e-9).ceil().max(1.0) as usize;
                 let mut scratch = vec![S::ZERO; fixed.scratch(n)];
                 let h = interval / steps as f64;
-                for i in 0..SAMPLES * steps {
+                for i in 0..time.samples * steps {
                     let t = S::from_f64(i as f64 * h);
                     fixed.step(&mut plant, t, S::from_f64(h), &mut state, &mut scratch).map_err(refused)?;
                     if i % LOOK == 0 {
@@ -159,7 +159,7 @@ impl Mechanism {
                 let mut memory = vec![S::ZERO; dormand_prince::scratch(n)];
                 let first = S::from_f64(self.settings.step);
                 let mut method = DormandPrince::new(n, tolerance, first, &mut memory).map_err(refused)?;
-                free(&mut method, &mut plant, (seconds, &deadline), &mut state, keep)?;
+                free(&mut method, &mut plant, (time, &deadline), &mut state, keep)?;
             }
             _ => return Err("a fixed method needs a step, an adaptive one a tolerance".to_owned().into()),
         }
@@ -172,7 +172,7 @@ impl Mechanism {
 fn free<S: EngineScalar>(
     method: &mut DormandPrince<'_, S>,
     plant: &mut Plant<Box<dyn engine::Engine<S>>, S>,
-    (seconds, deadline): (f64, &Deadline),
+    (Time { seconds, samples, .. }, deadline): (Time, &Deadline),
     state: &mut State<'_, S>,
     mut keep: impl FnMut(&[S]),
 ) -> Result<(), Stop> {
@@ -180,15 +180,15 @@ fn free<S: EngineScalar>(
     let mut inside = vec![S::ZERO; state.x().len()];
     let (mut t, mut next) = (0.0, 1);
     for n in 0.. {
-        if next > SAMPLES {
+        if next > samples {
             break;
         }
         let left = seconds - t;
         let taken = method.step(plant, S::from_f64(t), S::from_f64(left), state).map_err(refused)?;
         let h = taken.h.to_f64();
         let end = if h >= left * (1.0 - f64::from(f32::EPSILON)) { seconds } else { t + h };
-        while next <= SAMPLES {
-            let at = if next == SAMPLES { seconds } else { seconds * next as f64 / SAMPLES as f64 };
+        while next <= samples {
+            let at = if next == samples { seconds } else { seconds * next as f64 / samples as f64 };
             if at > end {
                 break;
             }
@@ -257,7 +257,7 @@ impl Subject for Mechanism {
     }
 
     /// Without projections: at this tolerance the constraints remain satisfied up to rounding.
-    fn reference(&self, Time { seconds, limit }: Time) -> Result<Trace, Stop> {
+    fn reference(&self, Time { seconds, samples: count, limit }: Time) -> Result<Trace, Stop> {
         let deadline = Deadline::within(limit);
         let mut plant: Plant64 = self.plant(EngineKind::Interpreter)?;
         let mut fault = None;
@@ -270,8 +270,8 @@ impl Subject for Mechanism {
         };
         let mut solver = Dop853::new(rates, 0.0, self.start.clone(), 1e-13, self.settings.step);
         let mut samples = Vec::new();
-        for i in 1..=SAMPLES {
-            let end = seconds * i as f64 / SAMPLES as f64;
+        for i in 1..=count {
+            let end = seconds * i as f64 / count as f64;
             while solver.t < end {
                 solver.advance(end).map_err(|t| format!("t = {t} s: no step of DOP853 was small enough"))?;
                 deadline.check(solver.t)?;

@@ -72,16 +72,16 @@ pub struct Arguments {
     #[arg(long, value_name = "DIR", default_value = "target/report")]
     pub out: String,
     /// Simulated time in s [default: the file's, shortened to the time over which two reference solutions agree].
-    #[arg(long, value_name = "T")]
+    #[arg(long, allow_negative_numbers = true, value_name = "T")]
     pub seconds: Option<f64>,
     /// Measure only this method.
     #[arg(long, value_name = "M")]
     pub method: Option<String>,
     /// Measure only this step in s, with methods of fixed step. Not with --tolerance.
-    #[arg(long, value_name = "H", conflicts_with = "tolerance")]
+    #[arg(long, allow_negative_numbers = true, value_name = "H", conflicts_with = "tolerance")]
     pub step: Option<f64>,
     /// Measure only this error allowed per step, with adaptive methods. Not with --step.
-    #[arg(long, value_name = "E")]
+    #[arg(long, allow_negative_numbers = true, value_name = "E")]
     pub tolerance: Option<f64>,
     /// Measure only this number type [default: both].
     #[arg(long, value_enum)]
@@ -335,17 +335,21 @@ pub fn section(subject: &dyn Subject, plan: &Plan, seconds: Option<f64>) -> Resu
     let wrong = |e: String| Failure::Wrong(format!("{}: {e}", subject.name()));
     let simulated = seconds.unwrap_or(plan.seconds(subject));
     let truth = reference::make(subject, simulated, seconds.is_none(), plan.reference).map_err(wrong)?;
-    let measured = measure::measure(subject, &truth, plan);
+    let mut measured = measure::measure(subject, &truth, plan);
     if measured.points.is_empty() {
         let why = measured.notes.join("; ");
         return Err(wrong(format!("nothing could be measured: {why}")));
+    }
+    if let Some(warning) = seconds.is_none().then(|| reference::unexamined(&truth, simulated)).flatten() {
+        output::say(&format!("warning: {}: {warning}", subject.name()));
+        measured.notes.insert(0, warning);
     }
     Ok(Section {
         name: subject.name().to_owned(),
         title: subject.title(),
         seconds: truth.seconds,
         asked: subject.seconds(),
-        extent: measure::extent(&truth),
+        extent: measured.extent,
         reference: truth.reference,
         points: measured.points,
         notes: measured.notes,

@@ -1,10 +1,11 @@
 //! Picks method and step for a given error or computing time, from curves measured at once.
 //!
-//! The subject's own motion is run with every method and a ladder of steps, as in a report, within about a second. The
+//! The subject's own motion is run with every method and a ladder of steps, as in a report, within about two
+//! seconds. The
 //! cost of an error depends on the motion, so that curves of another scene or machine would be a guess.
 
 use super::markdown::duration;
-use super::measure::measure;
+use super::measure::{Measured, measure};
 use super::plan::Plan;
 use super::point::{Control, Point};
 use super::reference::{self, Truth};
@@ -32,11 +33,13 @@ pub struct Pick {
     pub control: Control,
     /// The choice and its reason, with numbers.
     pub text: String,
+    /// What was not examined.
+    pub warning: Option<String>,
 }
 
 /// Time limits of the calibration: for one run, for all runs.
-const RUN: Duration = Duration::from_millis(50);
-const ALL: Duration = Duration::from_millis(900);
+const RUN: Duration = Duration::from_millis(80);
+const ALL: Duration = Duration::from_millis(1500);
 /// Factor of these limits for a world, a step of which costs as much as many steps of one body.
 const WORLD: u32 = 12;
 /// Time limit for the reference.
@@ -45,7 +48,7 @@ const REFERENCE: Duration = Duration::from_secs(6);
 const WORK: f64 = 50.0;
 
 /// The plan of the calibration runs.
-fn plan(kind: Kind, method: Option<&str>, scalar: ScalarKind, engine: EngineKind) -> Plan {
+fn plan(kind: Kind, rows: f64, (method, scalar, engine): (Option<&str>, ScalarKind, EngineKind)) -> Plan {
     let times = if kind == Kind::World { WORLD } else { 1 };
     Plan {
         run: times * RUN,
@@ -55,23 +58,25 @@ fn plan(kind: Kind, method: Option<&str>, scalar: ScalarKind, engine: EngineKind
         method: method.map(str::to_owned),
         scalar: Some(scalar),
         engine,
+        rows: Some(rows),
         ..Plan::full()
     }
 }
 
-/// Picks among all methods, or the steps of one.
+/// Picks among all methods, or the steps of one, for a run with so much time between rows (s).
 ///
 /// # Errors
 /// [`Failure::Wrong`] if no measured point meets the aim; it names the nearest one.
 pub fn pick(
     subject: &dyn Subject,
     aim: Aim,
-    (method, scalar, engine): (Option<&str>, ScalarKind, EngineKind),
+    rows: f64,
+    how: (Option<&str>, ScalarKind, EngineKind),
 ) -> Result<Pick, Failure> {
-    let plan = plan(subject.kind(), method, scalar, engine);
+    let plan = plan(subject.kind(), rows, how);
     let wrong = |e: String| Failure::Wrong(format!("calibration of {}: {e}", subject.name()));
     let truth = reference::make(subject, plan.seconds(subject), true, plan.reference).map_err(wrong)?;
-    let points = measure(subject, &truth, &plan).points;
+    let Measured { points, notes, .. } = measure(subject, &truth, &plan);
     let (fits, goal): (Vec<&Point>, String) = match aim {
         Aim::Error(e) => (points.iter().filter(|p| p.error <= e).collect(), format!("--error {e:e}")),
         Aim::Budget(t) => {
@@ -83,12 +88,17 @@ pub fn pick(
         Aim::Budget(_) => a.error.total_cmp(&b.error),
     };
     let Some(best) = fits.iter().copied().min_by(better) else {
-        return Err(Failure::Wrong(format!("{goal}: {}", nearest(&points, aim))));
+        return Err(Failure::Wrong(format!("{goal}: {}", nearest(&points, &notes, (aim, subject.kind())))));
     };
     let other = fits.iter().copied().filter(|p| p.method != best.method).min_by(better);
     let control = best.control.unwrap_or(Control::Step(subject.coarsest_step(&best.method)));
     let text = explain(subject, &truth, &goal, (best, other), &points);
-    Ok(Pick { method: best.method.clone(), control, text })
+    Ok(Pick {
+        method: best.method.clone(),
+        control,
+        text,
+        warning: reference::unexamined(&truth, subject.seconds()),
+    })
 }
 
 /// A point as text.
@@ -109,14 +119,14 @@ fn explain(
     (best, other): (&Point, Option<&Point>),
     points: &[Point],
 ) -> String {
-    let over = if truth.seconds < subject.seconds() {
-        format!("the first {} s of {} s; the rest was not examined", truth.seconds, subject.seconds())
-    } else {
-        format!("all {} s", truth.seconds)
+    let over = match truth.seconds < subject.seconds() {
+        true => format!("the first {} s of {} s", truth.seconds, subject.seconds()),
+        false => format!("all {} s", truth.seconds),
     };
     let next = other.map_or(String::new(), |p| format!("; next best {}", words(p)));
     format!(
-        "{goal}: picked {} (m or rad, against {}; {} over {over}){next}",
+        "{goal}: picked {} (m or rad, against {} and, at all ends of steps, against finer ones; {} over {over}; time without rows and \
+         ledger){next}",
         words(best),
         truth.reference.text,
         count(points.len(), "run")
@@ -124,13 +134,16 @@ fn explain(
 }
 
 /// The message if no point meets the aim.
-fn nearest(points: &[Point], aim: Aim) -> String {
+fn nearest(points: &[Point], notes: &[String], (aim, kind): (Aim, Kind)) -> String {
     let least = |key: fn(&Point) -> f64| points.iter().min_by(|a, b| key(a).total_cmp(&key(b)));
     let (point, help) = match aim {
         Aim::Error(_) => (least(|p| p.error), "allow more, or choose --method and --step yourself"),
-        Aim::Budget(_) => (least(|p| p.nanoseconds), "allow more time, or --engine compiled for a mechanism"),
+        Aim::Budget(_) if kind == Kind::Mechanism => {
+            (least(|p| p.nanoseconds), "allow more time, or take --engine compiled")
+        }
+        Aim::Budget(_) => (least(|p| p.nanoseconds), "allow more time"),
     };
-    point.map_or("no method gave an answer; choose --method and --step yourself".to_owned(), |p| {
+    point.map_or(format!("no method gave an answer: {}", notes.join("; ")), |p| {
         format!("not met by any of {} runs; nearest is {}; {help}", points.len(), words(p))
     })
 }

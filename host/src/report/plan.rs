@@ -41,6 +41,9 @@ pub struct Plan {
     pub scalar: Option<ScalarKind>,
     /// What evaluates mechanisms.
     pub engine: EngineKind,
+    /// Of a calibration: the time between two rows of the run that it is made for (s). No step is longer, and errors are
+    /// measured at all step ends.
+    pub rows: Option<f64>,
 }
 
 impl Plan {
@@ -60,6 +63,7 @@ impl Plan {
             control: None,
             scalar: None,
             engine: EngineKind::Compiled,
+            rows: None,
         }
     }
 
@@ -123,12 +127,24 @@ impl Plan {
         if method.adaptive {
             return self.tolerances(method, scalar);
         }
-        let coarsest =
-            (seconds / SAMPLES as f64 / subject.coarsest_step(&method.name)).ceil().max(1.0) as usize;
+        let coarsest = self.coarsest(subject.coarsest_step(&method.name), seconds / SAMPLES as f64);
         let steps = (0..self.rungs).map(|n| coarsest * self.factor.pow(n as u32));
         steps
             .map(|n| Rung { control: Control::Step(step_of(seconds, n)), work: self.factor as f64 })
             .collect()
+    }
+
+    /// Steps from one sample to the next with which a ladder begins. If rows are asked for whose interval divides the time
+    /// between samples, all steps of the ladder divide the interval between rows.
+    fn coarsest(&self, longest: f64, interval: f64) -> usize {
+        let steps = |whole: f64, longest: f64| (whole / longest - ROUNDING).ceil().max(1.0) as usize;
+        match self.rows {
+            None => (interval / longest).ceil().max(1.0) as usize,
+            Some(rows) if (interval / rows).round() >= 1.0 && divides(rows, interval) => {
+                (interval / rows).round() as usize * steps(rows, longest)
+            }
+            Some(rows) => steps(interval, longest.min(rows)),
+        }
     }
 
     fn tolerances(&self, method: &Method, scalar: ScalarKind) -> Vec<Rung> {
@@ -149,6 +165,15 @@ impl Plan {
             EngineKind::Compiled => " --engine compiled",
         }
     }
+}
+
+/// Relative difference up to which a quotient of times counts as whole.
+const ROUNDING: f64 = 1e-9;
+
+/// Is one time a multiple of the other?
+fn divides(part: f64, whole: f64) -> bool {
+    let times = whole / part;
+    (times - times.round()).abs() <= ROUNDING * times
 }
 
 /// The step of a ladder that divides the time between two samples into `steps`.

@@ -37,7 +37,7 @@ pub fn make(subject: &dyn Subject, seconds: f64, cut: bool, limit: Duration) -> 
         // Each attempt leaves some time for a shorter one.
         let left = end.saturating_sub(clock::now());
         let share = if cut { left / 3 } else { left };
-        let (trace, text, differences) = match pair(subject, Time { seconds, limit: share / 2 }) {
+        let (trace, text, differences) = match pair(subject, Time::new(seconds, share / 2)) {
             Ok(found) => found,
             Err(Stop::Late { reached, .. }) if cut && reached > LEAST * asked => {
                 last =
@@ -60,6 +60,18 @@ pub fn make(subject: &dyn Subject, seconds: f64, cut: bool, limit: Duration) -> 
         last = format!("after {seconds} s the two references still differ by {difference:.1e}");
     }
     Err(last)
+}
+
+/// The warning about a reference that covers only the start of a run of so many seconds.
+#[must_use]
+pub fn unexamined(truth: &Truth, asked: f64) -> Option<String> {
+    (truth.seconds < asked).then(|| {
+        format!(
+            "errors are known over the first {} s of {asked} s only; later ones may be of any size, as where motion is chaotic or \
+             friction decides",
+            truth.seconds
+        )
+    })
 }
 
 fn words(time: Duration) -> String {

@@ -8,7 +8,7 @@ use std::time::Duration;
 
 /// If equations are smooth, the reference is used for the time over which references differ by at most this (m or rad).
 pub const AGREEMENT: f64 = 1e-8;
-/// Number of times at which runs are compared, equally spaced, the last one at the end.
+/// Number of times at which runs are compared with the reference, equally spaced, the last one at the end.
 pub const SAMPLES: usize = 10;
 
 /// A method of integration.
@@ -39,26 +39,73 @@ impl Trace {
     pub fn differences(&self, other: &Trace) -> Vec<f64> {
         let largest = |(a, b): (&Vec<f64>, &Vec<f64>)| {
             let differences = a.iter().zip(b).map(|(a, b)| (a - b).abs());
-            // NaN counts as the largest difference.
-            differences.fold(0.0, |m: f64, d| if d <= m { m } else { d })
+            differences.fold(0.0, larger)
         };
         self.samples.iter().zip(&other.samples).map(largest).collect()
     }
 
-    /// Largest difference at any sample.
+    /// Largest difference at any time at which both have a sample; one may have more of them than the other.
     #[must_use]
     pub fn difference(&self, other: &Trace) -> f64 {
-        self.differences(other).into_iter().fold(0.0, |m: f64, d| if d <= m { m } else { d })
+        self.thinned(other).differences(&other.thinned(self)).into_iter().fold(0.0, larger)
+    }
+
+    /// As [`Trace::difference`], at all times but the [`SAMPLES`], where the reference tells the error itself.
+    #[must_use]
+    pub fn difference_between(&self, other: &Trace) -> f64 {
+        let differences = self.thinned(other).differences(&other.thinned(self));
+        let each = (differences.len() / SAMPLES).max(1);
+        let between = differences.into_iter().enumerate().filter(|(n, _)| (n + 1) % each != 0);
+        between.map(|(_, difference)| difference).fold(0.0, larger)
+    }
+
+    /// Only the samples at times at which another trace over the same time has one, too.
+    fn thinned(&self, other: &Trace) -> Trace {
+        let (own, others) = (self.samples.len(), other.samples.len());
+        let every = own / greatest_divisor(own, others).max(1);
+        let samples = self.samples.iter().skip(every.max(1) - 1).step_by(every.max(1)).cloned().collect();
+        Trace { samples, ..*self }
+    }
+
+    /// Size of the motion: the largest change of a coordinate between two samples.
+    #[must_use]
+    pub fn extent(&self) -> f64 {
+        let n = self.samples.first().map_or(0, Vec::len);
+        let range = |i: usize| {
+            let column = self.samples.iter().map(|s| s[i]);
+            column.clone().fold(f64::NEG_INFINITY, f64::max) - column.fold(f64::INFINITY, f64::min)
+        };
+        (0..n).map(range).fold(0.0, f64::max)
     }
 }
 
-/// Simulated time and the limit on computing time.
+/// The larger number; NaN counts as the largest.
+#[must_use]
+pub fn larger(most: f64, x: f64) -> f64 {
+    if x <= most { most } else { x }
+}
+
+fn greatest_divisor(a: usize, b: usize) -> usize {
+    if b == 0 { a } else { greatest_divisor(b, a % b) }
+}
+
+/// Simulated time, times of samples and the limit on computing time.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Time {
     /// Simulated time (s).
     pub seconds: f64,
+    /// Number of samples, equally spaced, the last one at the end; steps end there.
+    pub samples: usize,
     /// Computing time.
     pub limit: Duration,
+}
+
+impl Time {
+    /// With [`SAMPLES`].
+    #[must_use]
+    pub fn new(seconds: f64, limit: Duration) -> Self {
+        Self { seconds, samples: SAMPLES, limit }
+    }
 }
 
 /// Kinds of subjects.

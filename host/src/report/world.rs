@@ -8,7 +8,7 @@
 use super::clock::{self, Deadline, Stop};
 use super::point::Control;
 use super::sheet::Sheet;
-use super::subject::{AGREEMENT, Kind, Method, SAMPLES, Subject, Time, Trace};
+use super::subject::{AGREEMENT, Kind, Method, Subject, Time, Trace};
 use crate::engine::ScalarKind;
 use crate::failure::Failure;
 use crate::model_argument;
@@ -150,19 +150,19 @@ impl World {
     }
 
     /// A step of at most `longest` (s), and the number of steps after which each sample is taken.
-    fn steps(&self, longest: f64, seconds: f64) -> Result<(f64, Vec<usize>), Stop> {
+    fn steps(&self, longest: f64, Time { seconds, samples, .. }: Time) -> Result<(f64, Vec<usize>), Stop> {
         let parts = |whole: f64| (whole / longest - 1e-9).ceil().max(1.0) as usize;
         if !self.is_controlled() {
-            let interval = seconds / SAMPLES as f64;
+            let interval = seconds / samples as f64;
             let steps = parts(interval);
-            return Ok((interval / steps as f64, (1..=SAMPLES).map(|i| i * steps).collect()));
+            return Ok((interval / steps as f64, (1..=samples).map(|i| i * steps).collect()));
         }
         let own = self.assembly.run.step;
         let (count, each) = ((seconds / own + 1e-9).floor() as usize, parts(own));
         if count == 0 {
             return Err(format!("a run of {seconds} s is shorter than the scene's step, {own} s").into());
         }
-        Ok((own / each as f64, (1..=SAMPLES).map(|i| each * (i * count).div_ceil(SAMPLES)).collect()))
+        Ok((own / each as f64, (1..=samples).map(|i| each * (i * count).div_ceil(samples)).collect()))
     }
 
     fn sample(&self, engine: &mut dyn Engine) -> Result<Vec<f64>, Stop> {
@@ -170,19 +170,14 @@ impl World {
         Ok(self.coordinates.iter().map(|n| state[*n]).collect())
     }
 
-    fn trace(
-        &self,
-        method: Option<&str>,
-        longest: f64,
-        Time { seconds, limit }: Time,
-    ) -> Result<Trace, Stop> {
-        let deadline = Deadline::within(limit);
+    fn trace(&self, method: Option<&str>, longest: f64, time: Time) -> Result<Trace, Stop> {
+        let deadline = Deadline::within(time.limit);
         let mut start = self.start.clone();
         if let (Start::Carried(world), Some(method)) = (&mut start, method) {
             world.choose(method)?;
         }
         let engine = start.engine();
-        let (h, ends) = self.steps(longest, seconds)?;
+        let (h, ends) = self.steps(longest, time)?;
         let mut feedback = match self.is_controlled() {
             true => {
                 let mut assembly = self.assembly.clone();
@@ -191,7 +186,7 @@ impl World {
             }
             false => None,
         };
-        let (mut samples, mut events) = (Vec::with_capacity(SAMPLES), Vec::new());
+        let (mut samples, mut events) = (Vec::with_capacity(time.samples), Vec::new());
         let begin = clock::now();
         for i in 0..=ends.last().copied().unwrap_or(0) {
             if i % LOOK == 0 {
@@ -203,7 +198,7 @@ impl World {
             if let Some(feedback) = &mut feedback {
                 feedback.look(i as u64, engine)?;
             }
-            for _ in ends.iter().filter(|end| **end == i) {
+            while ends.get(samples.len()) == Some(&i) {
                 samples.push(self.sample(engine)?);
             }
         }
@@ -213,7 +208,7 @@ impl World {
     /// Runs with the world's own step, halved as long as the next run fits into the time.
     fn halved(&self, time: Time) -> Result<Trace, Stop> {
         let deadline = clock::now() + time.limit;
-        let mut step = self.assembly.run.step.min(time.seconds / SAMPLES as f64);
+        let mut step = self.assembly.run.step.min(time.seconds / time.samples as f64);
         let mut best = self.trace(None, step, time)?;
         for _ in 0..HALVINGS {
             let left = deadline.saturating_sub(clock::now());
@@ -231,7 +226,11 @@ impl World {
         Ok(best)
     }
 
-    fn dop853(&self, world: &CarriedWorld, Time { seconds, limit }: Time) -> Result<Trace, Stop> {
+    fn dop853(
+        &self,
+        world: &CarriedWorld,
+        Time { seconds, samples: count, limit }: Time,
+    ) -> Result<Trace, Stop> {
         let deadline = Deadline::within(limit);
         let (mut world, mut shown) = (world.clone(), world.clone());
         let mut fault = None;
@@ -246,8 +245,8 @@ impl World {
         };
         let mut solver = Dop853::new(rates, 0.0, start, 1e-13, self.assembly.run.step);
         let mut samples = Vec::new();
-        for i in 1..=SAMPLES {
-            let end = seconds * i as f64 / SAMPLES as f64;
+        for i in 1..=count {
+            let end = seconds * i as f64 / count as f64;
             while solver.t < end {
                 solver.advance(end).map_err(|t| format!("t = {t} s: no step of DOP853 was small enough"))?;
                 deadline.check(solver.t)?;
@@ -259,7 +258,11 @@ impl World {
         Ok(Trace { samples, evaluations, elapsed: clock::now() - begin })
     }
 
-    fn dormand_prince(&self, world: &CarriedWorld, Time { seconds, limit }: Time) -> Result<Trace, Stop> {
+    fn dormand_prince(
+        &self,
+        world: &CarriedWorld,
+        Time { seconds, samples: count, limit }: Time,
+    ) -> Result<Trace, Stop> {
         let deadline = Deadline::within(limit);
         let mut world = world.clone();
         let mut x = world.numbers().to_vec();
@@ -270,8 +273,8 @@ impl World {
         let mut adaptive =
             DormandPrince::new(x.len(), tolerance, self.assembly.run.step, &mut memory).map_err(words)?;
         let (mut t, mut samples, begin) = (0.0, Vec::new(), clock::now());
-        for i in 1..=SAMPLES {
-            let end = seconds * i as f64 / SAMPLES as f64;
+        for i in 1..=count {
+            let end = seconds * i as f64 / count as f64;
             loop {
                 let before = t;
                 let done = world.with(|mut island| {

@@ -18,10 +18,10 @@ pub struct Arguments {
     /// The model or scene: a path, or a name under models/.
     pub model: String,
     /// Simulated time in s [default: the file's].
-    #[arg(long, value_name = "T")]
+    #[arg(long, value_name = "T", allow_negative_numbers = true)]
     pub seconds: Option<f64>,
     /// Step in s; of an adaptive method the first step [default: the file's]. Not with --error or --budget.
-    #[arg(long, value_name = "H")]
+    #[arg(long, value_name = "H", allow_negative_numbers = true)]
     pub step: Option<f64>,
     /// Integration method [default: the file's]. Of a mechanism: euler, semi-implicit, rk4 or dormand-prince
     /// (adaptive); of a scene: see docs/scenes.md.
@@ -29,11 +29,11 @@ pub struct Arguments {
     pub method: Option<String>,
     /// Error allowed per step, absolute (SI) and relative [default: 1e-9]. Only for adaptive methods; refused by
     /// scenes of format 2.
-    #[arg(long, value_name = "E")]
+    #[arg(long, value_name = "E", allow_negative_numbers = true)]
     pub tolerance: Option<f64>,
     /// Choose the fastest method and step whose error in every coordinate is at most this (m or rad), by trial runs
     /// of some seconds. Not with --step, --tolerance or --budget.
-    #[arg(long, value_name = "E", conflicts_with_all = ["step", "tolerance", "budget"])]
+    #[arg(long, value_name = "E", allow_negative_numbers = true, conflicts_with_all = ["step", "tolerance", "budget"])]
     pub error: Option<f64>,
     /// Choose the most accurate method and step that take at most this computing time per simulated second, with its
     /// unit: ns, us, ms or s. Not with --step, --tolerance or --error.

@@ -18,6 +18,7 @@ use crate::scene::run::{EventRecord, Row, csv_header, csv_line, run_until};
 use crate::view::film::{Film, Series};
 use crate::view::scene::stage;
 use smartbed_codegen::words::count;
+use smartbed_runtime::contact::ContactLaw;
 use smartbed_runtime::real::Scalar;
 use smartbed_runtime::scene::{MAX_EVENTS, MAX_SUBSTEPS};
 use std::collections::BTreeMap;
@@ -111,18 +112,25 @@ impl Done {
             self.total[0],
             self.total[1],
             self.imbalance
-        ) + &self.cut_short()
+        ) + &self.cut_short(scene)
     }
 
     /// What the limit on work per step has changed.
-    fn cut_short(&self) -> String {
+    fn cut_short(&self, scene: &Scene) -> String {
         if self.cut_short == 0 {
             return String::new();
         }
+        // A compliant ground has no touches to be located, only changes between sticking and slipping.
+        let law = scene.around.ground.as_ref().map(|ground| ground.law);
+        let (events, rest) = match law {
+            Some(ContactLaw::Penalty { .. } | ContactLaw::HuntCrossley { .. }) => {
+                ("changes between sticking and slipping", "locating these")
+            }
+            _ => ("touches and releases", "locating touches, all of them plastic (Moreau, e = 0)"),
+        };
         format!(
-            "warning: {} held more than {MAX_EVENTS} touches and releases (or {MAX_SUBSTEPS} tries): the rest of \
-             each was computed without locating touches, all of them plastic (Moreau, e = 0); take a smaller \
-             step\n",
+            "warning: {} held more than {MAX_EVENTS} {events} (or {MAX_SUBSTEPS} tries): the rest of each was computed without {rest}; take \
+             a smaller step\n",
             count(self.cut_short, "step")
         )
     }

@@ -14,13 +14,20 @@ use crate::report::subject::{Kind, Subject};
 use crate::report::world::World;
 use std::path::Path;
 
-/// The arguments with method and step instead of the error or budget; says on standard error what was picked and why.
+/// Relative difference up to which a quotient of times counts as whole.
+const ROUNDING: f64 = 1e-6;
+
+/// The arguments with method and step instead of the error or budget, and what was not examined; says on standard error
+/// what was picked and why.
 ///
 /// # Errors
 /// [`Failure::Wrong`] for a wrong error or budget, or one that no method meets.
-pub(super) fn resolve(arguments: &Arguments, (path, kind): (&Path, FileKind)) -> Result<Arguments, Failure> {
+pub(super) fn resolve(
+    arguments: &Arguments,
+    (path, kind): (&Path, FileKind),
+) -> Result<(Arguments, Option<String>), Failure> {
     let aim = match (arguments.error, &arguments.budget) {
-        (None, None) => return Ok(arguments.clone()),
+        (None, None) => return Ok((arguments.clone(), None)),
         _ if arguments.resume.is_some() => {
             return Err(Failure::Wrong(
                 "--resume: a run goes on with the step it began with; leave --error and --budget out"
@@ -51,7 +58,8 @@ pub(super) fn resolve(arguments: &Arguments, (path, kind): (&Path, FileKind)) ->
         takes_method = world.takes_method();
         (Box::new(world), interval)
     } else if kind == FileKind::Body {
-        let body = Body::open(&arguments.model, &path.display().to_string(), &super::body::settings(&plain))?;
+        let path = path.display().to_string();
+        let body = Body::open(&arguments.model, &path, &super::body::settings(&plain))?.in_steps_of_rows();
         let interval = body.scene().step * body.scene().every as f64;
         (Box::new(body), interval)
     } else {
@@ -59,7 +67,7 @@ pub(super) fn resolve(arguments: &Arguments, (path, kind): (&Path, FileKind)) ->
         let interval = mechanism.row_interval();
         (Box::new(mechanism), interval)
     };
-    // The interval between rows stays as asked for, whatever the step; and a scene has only one engine.
+    // A scene has only one engine.
     let engine = match subject.kind() {
         Kind::Mechanism => arguments.engine,
         Kind::Body | Kind::World => EngineKind::Interpreter,
@@ -68,17 +76,18 @@ pub(super) fn resolve(arguments: &Arguments, (path, kind): (&Path, FileKind)) ->
     if let Some(name) = method {
         crate::report::check_name(subject.as_ref(), name)?;
     }
-    let picked = pick(subject.as_ref(), aim, (method, arguments.scalar, engine))?;
+    let picked = pick(subject.as_ref(), aim, interval, (method, arguments.scalar, engine))?;
     output::say(&format!("{} [{:.1} s]", picked.text, clock.seconds()));
     plain.method = takes_method.then_some(picked.method);
     match picked.control {
         Control::Step(step) => {
             plain.step = Some(step);
-            plain.every = Some((interval / step).round().max(1.0) as usize);
+            // The interval between rows stays as asked for, or less where no step divides it.
+            plain.every = Some((interval / step + ROUNDING).floor().max(1.0) as usize);
         }
         Control::Tolerance(tolerance) => plain.tolerance = Some(tolerance),
     }
-    Ok(plain)
+    Ok((plain, picked.warning))
 }
 
 /// A time with its unit: 300ns, 200us, 1.5ms, 0.1s.

@@ -94,12 +94,14 @@ fn any(arguments: &Arguments) -> Result<Outcome, Failure> {
                 .to_owned(),
         ));
     }
-    let arguments = &choose::resolve(arguments, (&path, kind))?;
-    match kind {
+    let (arguments, unexamined) = &choose::resolve(arguments, (&path, kind))?;
+    let mut outcome = match kind {
         FileKind::World => world::simulate(arguments, &path),
         FileKind::Body => body::simulate(arguments, &path),
         _ => mechanism::run(arguments),
-    }
+    }?;
+    outcome.findings.extend(unexamined.clone());
+    Ok(outcome)
 }
 
 /// Prints the summary, unless rows go there; then the findings, which `--strict` turns into a failure.

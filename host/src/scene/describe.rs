@@ -34,10 +34,12 @@ pub fn describe<S: Scalar>(error: &BodyError<S>) -> String {
              `massless`, or take another law"
         ),
         BodyError::PressureTooHigh { pressure, spring } => format!(
-            "a gauge pressure of {:.6} Pa is too much: spring {spring} was stretched beyond {} rest lengths, and no \
-             equilibrium exists; lower the pressure or let the gas follow p V^n",
+            "a gauge pressure of {:.6} Pa is too {}: spring {spring} was stretched beyond {} rest lengths, and no \
+             equilibrium exists; {} the pressure or let the gas follow p V^n",
             pressure.to_f64(),
-            smartbed_runtime::flexible::spring::STRETCH_LIMIT
+            if *pressure < S::ZERO { "low" } else { "much" },
+            smartbed_runtime::flexible::spring::STRETCH_LIMIT,
+            if *pressure < S::ZERO { "raise" } else { "lower" }
         ),
         BodyError::Collapsed { volume } => {
             format!("the enclosed volume is {:.6e} m^3: the gas law has no pressure there", volume.to_f64())

@@ -157,7 +157,9 @@ impl Fields {
         match self.get(key) {
             None => Ok(default),
             Some(value) => {
-                finite(value).ok_or_else(|| self.error(key, &format!("expected a number, found {value}")))
+                let help = || as_number(value).map_or(String::new(), |x| format!("; write {x:?}"));
+                let message = || format!("expected a number, found {value}{}", help());
+                finite(value).ok_or_else(|| self.error(key, &message()))
             }
         }
     }
@@ -187,7 +189,10 @@ impl Fields {
     pub fn count(&self, key: &str, default: usize, least: usize) -> Result<usize, String> {
         let Some(value) = self.get(key) else { return Ok(default) };
         let count = value.as_u64().and_then(|n| usize::try_from(n).ok()).filter(|n| *n >= least);
-        count.ok_or_else(|| self.error(key, &format!("expected a whole number >= {least}, found {value}")))
+        let whole = as_number(value).filter(|x| x.fract() == 0.0 && *x >= least as f64 && *x < 1e15);
+        let help = || whole.map_or(String::new(), |x| format!("; write {x}"));
+        let message = || format!("expected a whole number >= {least}, found {value}{}", help());
+        count.ok_or_else(|| self.error(key, &message()))
     }
 
     /// A word, or `default`.
@@ -326,6 +331,11 @@ impl Fields {
 #[must_use]
 pub fn finite(value: &Value) -> Option<f64> {
     value.as_f64().filter(|x| x.is_finite())
+}
+
+/// The number that a value stands for, as one in quotes does, or `.5`, which is none in TOML.
+fn as_number(value: &Value) -> Option<f64> {
+    finite(value).or_else(|| value.as_str()?.trim().parse().ok().filter(|x: &f64| x.is_finite()))
 }
 
 /// N finite numbers.

@@ -16,6 +16,7 @@ pub mod rest;
 pub mod run;
 pub mod shape;
 pub mod simulation;
+pub mod surface;
 
 pub mod graph;
 pub mod pictures;

@@ -154,7 +154,7 @@ mod tests {
     fn what_the_walk_does_not_know_is_named() {
         for (changes, why) in [
             ("pressure = 50\npressure_form = \"facet\"\n", "pressure_form is not `exact`"),
-            ("pressure = 50\ngas = \"polytropic\"\n", "gas is not `constant`"),
+            ("pressure = 50\ngas = \"polytropic\"\ndead_volume = 1\n", "gas is not `constant`"),
             ("fixed = [0]\n", "the frame is not what is fixed"),
         ] {
             assert_eq!(tables(changes).expect_err(changes), why);

@@ -1,11 +1,13 @@
 //! The `smartbed` program as its users run it: answers, messages, exit statuses.
 
+mod aims;
 mod bed;
 mod bed_in_f32;
 mod bed_manual;
 mod bed_mesh;
 mod bed_page;
 mod bed_supervised;
+mod bodies;
 mod browser;
 mod check_and_derive;
 mod derived_parameters;

@@ -4,6 +4,7 @@ pub mod body;
 mod surroundings;
 mod view;
 
+use smartbed_codegen::words::count;
 use smartbed_runtime::contact::ContactLaw;
 use smartbed_runtime::contact::stable_step::FORMULA;
 use smartbed_runtime::flexible::BodyError;
@@ -15,6 +16,7 @@ use super::keys::{self, Choice};
 use super::lists::Lists;
 use super::method::{self, Chosen, Situation};
 use super::simulation::{Simulation, Surroundings};
+use super::surface::open_edges;
 use crate::input;
 use crate::number::six_digits;
 
@@ -138,7 +140,9 @@ fn parse_varied(path: &str, text: &str, layers: [&[String]; 2]) -> Result<Scene,
     }
     forget_unread(&mut fields)?;
     let mut lists = body::read(&fields)?;
+    let dampers = count_dampers(&lists);
     let around = surroundings::read(&fields, &mut lists)?;
+    let left_out = dampers - count_dampers(&lists);
     let step = fields.positive("step", 1e-3)?;
     let bound = |method: &str| {
         let place = if fields.get("shape").is_some() { "shape" } else { "points" };
@@ -171,6 +175,17 @@ fn parse_varied(path: &str, text: &str, layers: [&[String]; 2]) -> Result<Scene,
     check_step(&fields, &scene)?;
     choose_anchor(&fields, &mut scene)?;
     scene.warnings.extend(warn_of_gain(path, &scene));
+    scene.warnings.extend(warn_of_rim(path, &scene));
+    if left_out > 0 {
+        scene.warnings.push(fields.error(
+            "C",
+            &format!(
+                "{left_out} of {} left out: a spring at a massless point has none, because the point's position follows from \
+                 forces without speeds",
+                count(dampers, "damper")
+            ),
+        ));
+    }
     Ok(scene)
 }
 
@@ -283,12 +298,43 @@ fn check_step(fields: &Fields, scene: &Scene) -> Result<(), String> {
         && scene.step > largest * (1.0 + 1e-12)
     {
         let message = format!(
-            "{} s is larger than the largest stable step {largest:.6e} s: {FORMULA}; take a smaller step or say allow_unstable = true",
-            scene.step
+            "{} s is larger than the largest stable step {largest:.6e} s: {FORMULA}; take a smaller step{} or say allow_unstable = \
+             true",
+            scene.step,
+            without_dampers(scene, largest)
         );
         return Err(fields.error("step", &message));
     }
     Ok(())
+}
+
+/// Number of springs with a damper.
+fn count_dampers(lists: &Lists) -> usize {
+    lists.damping.iter().filter(|c| **c > 0.0).count()
+}
+
+/// Advice for dampers that limit the step much more than springs do.
+fn without_dampers(scene: &Scene, largest: f64) -> String {
+    let situation = Situation::new(&scene.around, &scene.lists.damping, 0.0);
+    let name = "damped_verlet";
+    match largest_step(&scene.lists, &scene.around, name) {
+        Ok(Some(step)) if step > 2.0 * largest && situation.order(name).is_ok() => {
+            format!(", method = \"{name}\", which dampers do not limit (up to {step:.1e} s),")
+        }
+        _ => String::new(),
+    }
+}
+
+/// A warning if a constant pressure acts on an open surface whose rim moves: its work then depends on the way, and no
+/// energy stands for it.
+fn warn_of_rim(path: &str, scene: &Scene) -> Option<String> {
+    scene.around.inflation?;
+    let open = open_edges(&scene.lists.facets);
+    let point = open.keys().find(|point| !scene.lists.fixed[**point])?;
+    Some(format!(
+        "{path}: `pressure`: the surface is open and its rim, such as point {point}, is free: the pressure is a load that \
+         follows the facets, without caps, and its work has no potential; the row `pressure` and the imbalance mean nothing"
+    ))
 }
 
 /// A warning if energy compensation and the step's own energy error add up. A method that conserves energy exactly has

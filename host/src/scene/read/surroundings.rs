@@ -1,12 +1,15 @@
 //! The surroundings of a scene's body: gravity, air, ground with its law, gas.
 
 use smartbed_runtime::contact::{ContactLaw, Ground};
+use smartbed_runtime::flexible::pressure::enclosed_volume;
 use smartbed_runtime::flexible::{Gas, Inflation, PressureForm};
+use smartbed_runtime::vec3;
 
 use super::super::fields::{Fields, finite, row};
 use super::super::keys;
 use super::super::lists::Lists;
 use super::super::simulation::Surroundings;
+use super::super::surface::open_edges;
 use crate::suggest;
 
 /// Points within this fraction of the shortest rest length touch together.
@@ -15,6 +18,10 @@ const CLUSTER: f64 = 1e-11;
 const WIDEST_CLUSTER: f64 = 1e-3;
 /// A normal whose length differs from 1 by less than this, because it has few digits, is scaled to a unit vector.
 const UNIT: f64 = 1e-3;
+/// A rim is in a plane if its points are off by less than this fraction of its size.
+const FLAT: f64 = 1e-9;
+/// Pressure of the air outside unless it is given (Pa, absolute).
+const AMBIENT: f64 = 101_325.0;
 
 /// Reads the surroundings; the mass of massless points is distributed to their neighbours.
 ///
@@ -171,14 +178,58 @@ fn read_inflation(fields: &Fields, lists: &Lists) -> Result<Option<Inflation<f64
         }
     };
     let gas = match gas(fields)? {
-        "polytropic" => Gas::Polytropic {
-            pressure,
-            ambient: fields.not_negative("ambient", 101_325.0)?,
-            volume: fields.positive("volume", 1.0)?,
-            exponent: fields.positive("exponent", 1.4)?,
-            dead_volume: fields.not_negative("dead_volume", 0.0)?,
-        },
+        "polytropic" => polytropic(fields, lists, pressure)?,
         _ => Gas::Constant(pressure),
     };
+    let ambient = if let Gas::Polytropic { ambient, .. } = gas { ambient } else { AMBIENT };
+    if pressure + ambient <= 0.0 {
+        let message = format!(
+            "{pressure} Pa below the {ambient} Pa outside is less than a vacuum; expected a gauge pressure above {} Pa",
+            -ambient
+        );
+        return Err(fields.error("pressure", &message));
+    }
     Ok(Some(Inflation { gas, form }))
+}
+
+/// Gas whose pressure follows its volume, which an open surface has only where its rim stays in a plane through the
+/// origin, which is its base. Unless the text gives it, the volume at which the pressure holds is that at the start.
+fn polytropic(fields: &Fields, lists: &Lists, pressure: f64) -> Result<Gas<f64>, String> {
+    let open = open_edges(&lists.facets);
+    if let Some((a, b)) = open.iter().next().filter(|_| !has_base(lists, open.keys())) {
+        let message = format!(
+            "gas needs a closed surface, or a fixed rim in a plane through the origin, which closes it: the edge from point {a} \
+             to point {b} belongs to one facet only; take gas = \"constant\", or more `facets`, counter-clockwise seen from outside"
+        );
+        return Err(fields.error("gas", &message));
+    }
+    let dead_volume = fields.not_negative("dead_volume", 0.0)?;
+    let filled = enclosed_volume(&lists.facets, &lists.points) + dead_volume;
+    if filled <= 0.0 {
+        let message = format!(
+            "the gas has {filled:.3e} m^3 at the start; expected facets that go counter-clockwise seen from outside, or a \
+             `dead_volume`"
+        );
+        return Err(fields.error("gas", &message));
+    }
+    Ok(Gas::Polytropic {
+        pressure,
+        ambient: fields.not_negative("ambient", AMBIENT)?,
+        volume: fields.positive("volume", filled)?,
+        exponent: fields.positive("exponent", 1.4)?,
+        dead_volume,
+    })
+}
+
+/// Is the rim fixed, in a plane through the origin? Facets and this plane then enclose a volume, to which the plane itself
+/// adds nothing.
+fn has_base<'a>(lists: &Lists, rim: impl Iterator<Item = &'a usize> + Clone) -> bool {
+    let places = rim.clone().map(|point| lists.points[*point]);
+    let size = places.clone().map(|x| vec3::dot(x, x)).fold(0.0, f64::max).sqrt();
+    let first = places.clone().find(|x| vec3::dot(*x, *x) > 0.0).unwrap_or_default();
+    let normals = places.clone().map(|x| vec3::cross(first, x));
+    let normal = normals.fold([0.0; 3], |a, b| if vec3::dot(b, b) > vec3::dot(a, a) { b } else { a });
+    let length = vec3::dot(normal, normal).sqrt();
+    let is_flat = |x: [f64; 3]| vec3::dot(x, normal).abs() <= FLAT * length * size;
+    rim.clone().all(|point| lists.fixed[*point]) && places.clone().all(is_flat)
 }

@@ -7,6 +7,7 @@ use crate::scene::Lists;
 use crate::scene::fields::Fields as Plain;
 use crate::scene::keys::{Choice, READERS, shapes};
 use crate::scene::read::body;
+use crate::scene::surface::open_edges;
 use crate::world::assembly::Flexible;
 use serde_json::{Map, Value as Json};
 use smartbed_codegen::diagnostic::{Diagnostic, Diagnostics};
@@ -15,7 +16,6 @@ use smartbed_codegen::model::document::{Table, Value};
 use smartbed_runtime::flexible::pressure::enclosed_volume;
 use smartbed_runtime::gas::{Chamber, Gas, Line, Nozzle, Regulated, Source};
 use smartbed_runtime::world::Content;
-use std::collections::BTreeMap;
 
 /// Keys of shapes and bodies with their units; whole numbers and lists of them have none.
 const UNITS: [(&str, &str); 18] = [
@@ -179,35 +179,6 @@ fn close_below(lists: &mut Lists, depth: f64) {
     for k in 1..rim.len() - 1 {
         lists.facets.push([low[0], low[k + 1], low[k], low[k]]);
     }
-}
-
-/// Boundary edges: edges of facets that no other facet has in the opposite direction, from each node to the next.
-pub(super) fn open_edges(facets: &[[usize; 4]]) -> BTreeMap<usize, usize> {
-    // Edges by their ends, whatever their direction, so that those of two neighbours are adjacent after sorting. Each
-    // edge is one number (lower node, higher node, direction), because numbers are sorted four times as fast as tuples.
-    const NODE: u32 = 31;
-    let mut edges = Vec::with_capacity(4 * facets.len());
-    for [a, b, c, d] in facets.iter().copied() {
-        for (from, to) in [(a, b), (b, c), (c, d), (d, a)] {
-            if from != to {
-                let (low, high) = (from.min(to) as u64, from.max(to) as u64);
-                edges.push((low << NODE | high) << 1 | u64::from(from < to));
-            }
-        }
-    }
-    edges.sort_unstable();
-    let mut open = BTreeMap::new();
-    for alike in edges.chunk_by(|one, other| one >> 1 == other >> 1) {
-        let ends = alike[0] >> 1;
-        let (low, high) = ((ends >> NODE) as usize, (ends & ((1 << NODE) - 1)) as usize);
-        let rising = alike.iter().filter(|edge| *edge & 1 == 1).count();
-        let falling = alike.len() - rising;
-        if rising != falling {
-            open.extend((rising > 0).then_some((low, high)));
-            open.extend((falling > 0).then_some((high, low)));
-        }
-    }
-    open
 }
 
 /// The boundary nodes of an open surface in the order of its facets; `None` unless there is exactly one closed
