@@ -9,7 +9,7 @@
 //! stiff spring every weight is small, though the spring carries nothing.
 
 use super::rates::Flat;
-use super::search::{Rates, Search, Unknown};
+use super::search::{Rates, Search};
 use nalgebra::{DMatrix, DVector};
 use smartbed_codegen::expr::rounding::Rounded;
 use smartbed_runtime::mechanism::Mechanism;
@@ -74,17 +74,11 @@ impl Search<'_> {
         rates.map(|rate| finite(rate.error)).collect()
     }
 
-    /// Bounds of the errors of the slopes by the state: of their rounding, and of what is left of the way.
-    pub(super) fn slope_errors(&mut self, here: &Rates) -> DMatrix<f64> {
+    /// Bounds of the rounding errors of the slopes by the state. The state counts as exact but for its own last digit: a
+    /// spring of length 0 has its direction from a length that is nothing but what is left of the way.
+    pub(super) fn slope_errors(&mut self) -> DMatrix<f64> {
         let n = self.state.len();
-        let (mut q, mut u, inputs) = self.with_rounding();
-        let step = self.newton_step(here, Flat::Ranges).filter(|_| self.unknown == Unknown::State);
-        let free = self.state.iter().filter(|entry| !entry.is_held);
-        for (entry, d) in free.zip(step.iter().flat_map(|step| step.iter())).filter(|(_, d)| d.abs() <= CLOSE)
-        {
-            let list = if entry.is_speed { &mut u } else { &mut q };
-            list[entry.place].error += (entry.scale * d).abs();
-        }
+        let [q, u, inputs] = [&self.q, &self.u, &self.inputs].map(|values| exact(values));
         match self.rounded.function(0, (Rounded::ZERO, &q, &u, &inputs, &[])) {
             Ok(near) => DMatrix::from_row_iterator(n, n, near[..n * n].iter().map(|x| finite(x.error))),
             Err(_) => DMatrix::zeros(n, n),
@@ -100,13 +94,16 @@ impl Search<'_> {
 
     /// Coordinates, speeds and inputs here, each with its own rounding.
     fn with_rounding(&self) -> (Vec<Rounded>, Vec<Rounded>, Vec<Rounded>) {
-        let exact = |values: &[f64]| values.iter().map(|x| Rounded::from_f64(*x)).collect::<Vec<_>>();
         let dependent = |(i, q): (usize, &f64)| match self.configurations.is_independent(i) {
             true => Rounded::from_f64(*q),
             false => Rounded::new(*q, SOLVED * f64::EPSILON * self.half_range(i)),
         };
         (self.q.iter().enumerate().map(dependent).collect(), exact(&self.u), exact(&self.inputs))
     }
+}
+
+fn exact(values: &[f64]) -> Vec<Rounded> {
+    values.iter().map(|x| Rounded::from_f64(*x)).collect()
 }
 
 fn finite(x: f64) -> f64 {

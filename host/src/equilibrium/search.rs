@@ -282,7 +282,7 @@ impl<'p> Search<'p> {
                 .outputs(0.0, &self.q, &self.u, &self.inputs)
                 .map_err(|fault| fault.reason().to_owned())?,
             left: (name, value),
-            errors: self.slope_errors(&here),
+            errors: self.slope_errors(),
             slopes: here.slopes,
             is_motion,
         })

@@ -155,6 +155,16 @@ fn slow_motions_beside_fast_ones_are_told() {
 }
 
 #[test]
+fn a_damped_spring_of_length_0_has_its_damping() {
+    // 2 s^2 + 0.5 s + 30 = 0; the search ends some 1e-16 m from O.
+    let text = "[coordinates]\nx = { unit = \"m\" }\n[points]\nA = \"x*N.x\"\n[bodies]\nb = { centre = \"A\", mass = 2 }\n\
+                [springs]\nf = { between = [\"O\", \"A\"], stiffness = 30, rest_length = 0, damping = 0.5 }\n[start]\nx = 1\n";
+    let all = modes(&found(&model("length_0", text)));
+    close(all[0].0, -0.125, 1e-12, "decay");
+    close(all[0].1, (15.0_f64 - 0.125 * 0.125).sqrt(), 1e-12, "circular frequency");
+}
+
+#[test]
 fn repeated_eigenvalues_have_shapes_of_their_own() {
     let text = "[coordinates]\nx = { unit = \"m\" }\ny = { unit = \"m\" }\n[points]\nP = \"x*N.x + y*N.y\"\n\
                 [bodies]\nb = { centre = \"P\", mass = 2 }\n\
