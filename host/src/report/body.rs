@@ -129,7 +129,7 @@ fn trace<S: Scalar>(scene: &Scene, steps: usize, time: Time) -> Result<Trace, St
                     .into());
             }
             evaluations += report.evaluations as u64;
-            if (sample * steps + step) % looks == 0 {
+            if (sample * steps + step).is_multiple_of(looks) {
                 deadline.check(simulation.t().to_f64())?;
             }
         }

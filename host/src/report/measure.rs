@@ -92,7 +92,7 @@ fn ladder(
     let rounding = STILL * epsilon(scalar) * largest(truth);
     let (mut least, mut last_time, mut last_work) = (f64::INFINITY, Duration::ZERO, None);
     let (mut taken, mut idle) = (0, 0);
-    let (mut refusal, mut open) = (None, None);
+    let (mut refusal, mut open, mut is_done) = (None, None, false);
     for rung in plan.rungs(subject, method, scalar, truth.seconds) {
         let no_time = taken > 0 && clock::now() > end;
         if no_time || last_time.mul_f64(rung.work) > plan.run {
@@ -135,34 +135,43 @@ fn ladder(
         let worked = evaluations.is_none_or(|e| last_work.is_none_or(|last| e > last));
         idle = if error <= GAIN * least { 0 } else { idle + usize::from(worked) };
         last_work = evaluations;
-        if error <= truth.reference.agreement || idle == 2 {
+        if error <= truth.reference.agreement.max(plan.enough) || idle == 2 {
+            is_done = true;
             break;
         }
         least = least.min(error);
     }
-    // What no finer run has confirmed is not told; the only point gets a finer run of its own.
+    // What no finer run has confirmed is not told.
     if let Some(last) = open {
-        let finer = match measured.points[last.point].control {
-            Some(control) if taken == 1 => {
-                rows(subject, truth, plan, (&method.name, finer(control, plan), scalar))
-            }
-            _ => Ok(None),
-        };
-        match finer {
-            Ok(Some(finer)) => {
-                let point = &mut measured.points[last.point];
-                point.error = larger(point.error, last.rows.difference_between(&finer) * share(method, plan));
-            }
-            other => {
-                measured.points.truncate(last.point);
-                taken -= 1;
-                refusal = other.err().map(|stop| stop.to_string()).or(refusal);
-            }
+        let confirmed =
+            if is_done { Ok(None) } else { confirm(subject, truth, plan, (method, scalar), &last, measured) };
+        if !matches!(confirmed, Ok(Some(()))) {
+            measured.points.truncate(last.point);
+            taken -= 1;
+            refusal = confirmed.err().map(|stop| stop.to_string()).or(refusal);
         }
     }
     if let (0, Some(why)) = (taken, refusal) {
         measured.notes.push(format!("{} {}: {why}", method.name, name_of(scalar)));
     }
+}
+
+/// The error of a ladder's last point, where time ended the ladder, by a finer run for this alone; `None` if there is
+/// nothing to be run.
+fn confirm(
+    subject: &dyn Subject,
+    truth: &Truth,
+    plan: &Plan,
+    (method, scalar): (&Method, ScalarKind),
+    last: &Open,
+    measured: &mut Measured,
+) -> Result<Option<()>, Stop> {
+    let point = &mut measured.points[last.point];
+    let Some(control) = point.control else { return Ok(None) };
+    let finer = rows(subject, truth, plan, (&method.name, finer(control, plan), scalar))?;
+    Ok(finer.map(|finer| {
+        point.error = larger(point.error, last.rows.difference_between(&finer) * share(method, plan));
+    }))
 }
 
 /// Of a calibration, a run with a sample at the end of each step, or at each row of an adaptive method; beyond
@@ -180,7 +189,8 @@ fn rows(
     };
     let each = (truth.seconds / SAMPLES as f64 / longest - 1e-9).ceil().max(1.0) as usize;
     let most = MOST / SAMPLES / truth.trace.samples.first().map_or(1, Vec::len).max(1);
-    let every = (1..=each).find(|every| each % every == 0 && each / every <= most.max(1)).unwrap_or(each);
+    let every =
+        (1..=each).find(|every| each.is_multiple_of(*every) && each / every <= most.max(1)).unwrap_or(each);
     let time = Time { samples: SAMPLES * each / every, ..Time::new(truth.seconds, LONGEST * plan.run) };
     subject.run(how, time).map(Some)
 }

@@ -1,8 +1,7 @@
 //! Picks method and step for a given error or computing time, from curves measured at once.
 //!
-//! The subject's own motion is run with every method and a ladder of steps, as in a report, within about two
-//! seconds. The
-//! cost of an error depends on the motion, so that curves of another scene or machine would be a guess.
+//! The subject's own motion is run with every method and a ladder of steps, as in a report, within some seconds. The cost
+//! of an error depends on the motion, so that curves of another scene or machine would be a guess.
 
 use super::markdown::duration;
 use super::measure::{Measured, measure};
@@ -39,9 +38,9 @@ pub struct Pick {
 
 /// Time limits of the calibration: for one run, for all runs.
 const RUN: Duration = Duration::from_millis(80);
-const ALL: Duration = Duration::from_millis(1500);
+const ALL: Duration = Duration::from_millis(3000);
 /// Factor of these limits for a world, a step of which costs as much as many steps of one body.
-const WORLD: u32 = 12;
+const WORLD: u32 = 10;
 /// Time limit for the reference.
 const REFERENCE: Duration = Duration::from_secs(6);
 /// Most work of a calibration, in springs times simulated seconds.
@@ -73,7 +72,10 @@ pub fn pick(
     rows: f64,
     how: (Option<&str>, ScalarKind, EngineKind),
 ) -> Result<Pick, Failure> {
-    let plan = plan(subject.kind(), rows, how);
+    let mut plan = plan(subject.kind(), rows, how);
+    if let Aim::Error(e) = aim {
+        plan.enough = e;
+    }
     let wrong = |e: String| Failure::Wrong(format!("calibration of {}: {e}", subject.name()));
     let truth = reference::make(subject, plan.seconds(subject), true, plan.reference).map_err(wrong)?;
     let Measured { points, notes, .. } = measure(subject, &truth, &plan);

@@ -44,6 +44,8 @@ pub struct Plan {
     /// Of a calibration: the time between two rows of the run that it is made for (s). No step is longer, and errors are
     /// measured at all step ends.
     pub rows: Option<f64>,
+    /// A ladder ends with the first error of at most this (m or rad).
+    pub enough: f64,
 }
 
 impl Plan {
@@ -64,6 +66,7 @@ impl Plan {
             scalar: None,
             engine: EngineKind::Compiled,
             rows: None,
+            enough: 0.0,
         }
     }
 
