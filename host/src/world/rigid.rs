@@ -304,18 +304,19 @@ impl Engine for RigidWorld {
     }
 }
 
+/// Why there are no contact forces where friction jams, and what to do.
+pub(super) const JAMMED: &str = "friction jams a sliding body (Painleve's paradox): no contact force exists; take less friction, or \
+    impact = \"moreau\"";
+/// The same where they were not found.
+pub(super) const UNBALANCED: &str = "the forces of redundant contacts were not found: the sweeps over them do not converge, as where \
+    much friction jams; take less friction, or impact = \"moreau\"";
+
 fn message(fault: Fault) -> String {
     match fault {
         Fault::TooManyContacts => "more contacts at once than the memory allows".to_owned(),
         Fault::WrongSizes => "the lists of the parts have different lengths".to_owned(),
-        Fault::Jammed => {
-            "friction jams a sliding body (Painleve's paradox): no contact force exists; take less friction"
-                .to_owned()
-        }
-        Fault::Unbalanced => {
-            "the forces of redundant contacts were not found: the sweeps over them do not converge; take impact = \"moreau\""
-                .to_owned()
-        }
+        Fault::Jammed => JAMMED.to_owned(),
+        Fault::Unbalanced => UNBALANCED.to_owned(),
         Fault::TooFast => "a part turns too far in one step; take a smaller step".to_owned(),
     }
 }

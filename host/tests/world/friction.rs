@@ -2,7 +2,7 @@
 //! events and take friction, alone and beside a flexible part.
 
 use super::rigid::G;
-use super::support::{ELSEWHERE, json, number, scene};
+use super::support::{ELSEWHERE, fails, json, number, scene};
 
 const LAWS: [&str; 3] = ["plastic", "stronge", "compensation"];
 
@@ -44,6 +44,51 @@ fn a_box_slides_down_an_incline_from_rest_without_turning() {
                     done["warnings"]
                 );
             }
+        }
+    }
+}
+
+/// Friction of the first contact changed for one run; the slope's closed form.
+#[test]
+fn keys_of_contacts_are_set_by_number() {
+    let path = scene("set_by_number", &on_incline(20.0, "plastic", ""));
+    let done = json(&[&path, "--set", "contacts[0].friction=0.1"]);
+    let last = |what: &str| number(&done["last"][what]);
+    let (sine, cosine) = 20.0_f64.to_radians().sin_cos();
+    let gone = (last("box.x") - 0.05 * sine).hypot(last("box.z") - 0.05 * cosine);
+    let expected = 0.125 * G * (sine - 0.1 * cosine);
+    assert!((gone - expected).abs() < 1e-10, "{gone} against {expected}");
+    for (setting, told) in [
+        ("contacts[1].friction=0.1", "`contacts` is a list of 1 entry, numbered from 0"),
+        ("contacts.friction=0.1", "--set contacts[0]"),
+    ] {
+        let text = fails(&["run", &path, "--set", setting]);
+        assert!(text.contains(told), "{text}");
+    }
+}
+
+/// Four corners that slip in different directions leave open how they share the weight, and friction's torque depends on
+/// it. 1.1541939552 cos 0.2 is the spin of a planar motion with normal forces linear in the place of the corners, as on
+/// springs of one stiffness, by scipy's DOP853 to 1e-11.
+#[test]
+fn a_box_slides_and_turns_down_an_incline_alike_in_every_step_alone_and_beside() {
+    let expected = -1.154_193_955_2 * 0.2_f64.cos();
+    for (more, name, within) in [("", "alone", 1e-5), (ELSEWHERE, "beside", 1e-8)] {
+        for step in ["2e-3", "1e-3", "2.5e-4"] {
+            let text = format!(
+                "format = 2\n[parts.ground]\nrigid = \"half_space\"\nstart = {{ axis = [0, 1, 0], angle = 0.2 }}\n\
+                 [parts.b]\nrigid = \"box\"\nsize = [0.3, 0.2, 0.1]\nmass = 2\ninertia = [0.02, 0.03, 0.045]\n\
+                 start = {{ position = [0.009933466539753064, 0, 0.04900332889206208],\
+                 axis = [0.09297939928698411, 0.3641368359819642, 0.9266926113816142],\
+                 angle = 0.5377384348400953, velocity = [0.9800665778412416, 0.2, -0.19866933079506124],\
+                 spin = [-0.794677323180245, 0, -3.9202663113649665] }}\n{more}\
+                 [[contacts]]\nbetween = [\"b\", \"ground\"]\nimpact = \"plastic\"\nfriction = 0.3\n\
+                 [run]\nseconds = 0.4\nstep = {step}\n"
+            );
+            let done = json(&[&scene(&format!("turning_{name}_{step}"), &text)]);
+            let spin = number(&done["last"]["b.wz"]);
+            assert!((spin - expected).abs() < within, "{name}, {step}: {spin} against {expected}");
+            assert_eq!(done["warnings"].as_array().map(Vec::len), Some(0), "{name}: {}", done["warnings"]);
         }
     }
 }

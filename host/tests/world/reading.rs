@@ -96,7 +96,16 @@ fn what_is_wrong_in_a_world_is_said_with_its_place() {
             3,
         ),
         (format!("{TILE}command = {{ hX = \"1_m\" }}"), "unknown coordinate `hX`", 4),
-        (format!("{TILE}command = {{ hA = \"1_kg\" }}"), "what `tile` changes in its model is wrong", 2),
+        (
+            format!("{TILE}command = {{ hA = \"1_kg\" }}"),
+            "what `tile` changes in its model is wrong: `hA` must be",
+            4,
+        ),
+        (
+            format!("{GROUND}{BALL}start = {{ height = 1, spin = [\"3 rev/s\", 0, 0] }}"),
+            "`spin`: unknown unit `rev`",
+            8,
+        ),
         (format!("{TILE}{SHEET}attach = [{{ nodes = \"rim\", to = \"tile.top\" }}]"), "has no port `top`", 9),
         (
             format!("{TILE}{SHEET}attach = [{{ nodes = \"rim\", to = \"tile\" }}]"),

@@ -8,13 +8,14 @@
 //! sliding: T = -mu N v_t/|v_t|          resting: |T| <= mu N, against the acceleration it cannot stop
 //! ```
 //! Solved by Gauss-Seidel sweeps over the contacts, to the last digits, accelerated where they converge slowly
-//! (`anderson`: a box on a smaller one). Where contacts are redundant (a box on four
-//! corners) forces are not unique, but accelerations are.
+//! (`anderson`: a box on a smaller one). Where contacts are redundant (a box on four corners) forces are not unique, and
+//! where they slip in different directions accelerations depend on which are taken: `share` says which.
 
 use super::anderson::Ahead;
 use super::contact::{Contact, Inertia, Twist, onto_disc};
 use super::impact::InverseMass;
 use super::several::rubbed;
+use super::share::share;
 use super::sweeps::{PLAIN, Patience, fine};
 use super::trail::{Swept, Trail};
 use crate::real::Scalar;
@@ -78,6 +79,8 @@ pub struct Held<S> {
     pub bias: Vec3<S>,
     /// None where the contact sticks.
     pub slip: Option<Slip<S>>,
+    /// The force at which a contact that yields has not given way (N).
+    pub(super) unyielded: Vec3<S>,
     /// History of the sweeps over it.
     pub(crate) trail: Trail<S>,
 }
@@ -86,7 +89,7 @@ impl<S: Scalar> Held<S> {
     /// A contact that sticks, with its K and W' u.
     #[must_use]
     pub fn new(contact: Contact<S>, inverse_mass: InverseMass<S>, bias: Vec3<S>) -> Self {
-        Held { contact, inverse_mass, bias, slip: None, trail: Trail::empty() }
+        Held { contact, inverse_mass, bias, slip: None, unyielded: vec3::zero(), trail: Trail::empty() }
     }
 }
 
@@ -142,19 +145,13 @@ pub fn hold<S: Scalar>(
     for h in held.iter_mut().map(AsMut::as_mut) {
         h.contact.push(inertia, accelerations, h.contact.impulse);
     }
+    // One sweep without yielding then gives contacts that do not touch one another their exact forces.
+    let shared = share(held, Sought { pulls, rough }, scale, inertia, accelerations)?;
     let (mut left, mut ahead, mut patience) = (S::ZERO, Ahead::new(), Patience::of_forces(rough));
     for number in 0..SWEEPS {
-        let (mut moved, mut largest) = (S::ZERO, scale);
-        for h in held.iter_mut().map(AsMut::as_mut) {
-            let before = h.contact.impulse;
-            h.update((number < TURNS, pulls), inertia, accelerations)?;
-            h.trail.moved = vec3::sub(h.contact.impulse, before);
-            moved = moved.max(vec3::norm(h.trail.moved));
-            largest = largest.max(vec3::norm(h.contact.impulse));
-        }
-        left = moved / largest;
+        left = sweep(held, (number < TURNS, pulls, S::ZERO), scale, inertia, accelerations)?;
         let stays = patience.iter_mut().any(|patience| patience.ends(number, left));
-        if stays || moved <= fine::<S>(number) * largest {
+        if shared || stays || left <= fine::<S>(number) {
             return Ok(());
         }
         if (PLAIN..SWEEPS - 1).contains(&number) {
@@ -163,6 +160,26 @@ pub fn hold<S: Scalar>(
         }
     }
     if patience.iter().any(|patience| patience.accepts(left)) { Ok(()) } else { Err(Unheld::Unbalanced) }
+}
+
+/// One sweep: whether friction turns, whether contacts pull, how much they yield. Returns its largest change relative to
+/// the largest force or `scale`.
+pub(super) fn sweep<S: Scalar>(
+    held: &mut [impl AsMut<Held<S>>],
+    how: (bool, bool, S),
+    scale: S,
+    inertia: &(impl Inertia<S> + ?Sized),
+    accelerations: &mut [Twist<S>],
+) -> Result<S, Unheld> {
+    let (mut moved, mut largest) = (S::ZERO, scale);
+    for h in held.iter_mut().map(AsMut::as_mut) {
+        let before = h.contact.impulse;
+        h.update(how, inertia, accelerations)?;
+        h.trail.moved = vec3::sub(h.contact.impulse, before);
+        moved = moved.max(vec3::norm(h.trail.moved));
+        largest = largest.max(vec3::norm(h.contact.impulse));
+    }
+    Ok(if moved > S::ZERO { moved / largest } else { S::ZERO })
 }
 
 impl<S: Scalar> Held<S> {
@@ -184,23 +201,24 @@ impl<S: Scalar> Held<S> {
     /// Changes the force so that it fits the contact, given those of all others.
     fn update(
         &mut self,
-        (turns, pulls): (bool, bool),
+        (turns, pulls, yields): (bool, bool, S),
         inertia: &(impl Inertia<S> + ?Sized),
         accelerations: &mut [Twist<S>],
     ) -> Result<(), Unheld> {
-        let [a, x, y] = vec3::add(self.contact.relative(accelerations), self.bias);
-        let ([k, kx, ky], [n, tx, ty]) = (self.inverse_mass[0], self.contact.impulse);
+        let [_, x, y] = self.acceleration(S::ZERO, accelerations);
         let mu = self.contact.friction;
         if let Some(slip) = self.slip.filter(|_| turns) {
             self.slip = Some(Slip { against: self.turned(&slip, [x, y]), ..slip });
         }
         let direction = self.slip.map(|slip| slip.against);
+        let ([[k, kx, ky], [_, kxx, _], [.., kyy]], [n, tx, ty]) = (self.inverse_mass, self.contact.impulse);
         // Sliding, friction on the rim changes the normal acceleration too.
-        let yields = direction.map_or(k, |[x, y]| k - mu * (kx * x + ky * y));
-        if k <= S::ZERO || yields <= S::from_f64(JAMMED) * k {
+        let rigid = direction.map_or(k, |[x, y]| k - mu * (kx * x + ky * y));
+        if k <= S::ZERO || rigid <= S::from_f64(JAMMED) * k {
             return Err(Unheld::Jammed);
         }
-        let normal = n - a / yields;
+        let soft = yields * (k + kxx + kyy) / S::from_f64(3.0);
+        let normal = n - self.acceleration(soft, accelerations)[0] / (rigid + soft);
         let normal = if pulls { normal } else { normal.max(S::ZERO) };
         let radius = mu * normal;
         let [x, y] = direction.map_or_else(
@@ -209,11 +227,19 @@ impl<S: Scalar> Held<S> {
         );
         self.set([normal, x, y], inertia, accelerations);
         if direction.is_none() && radius > S::ZERO {
-            let [_, a, b] = vec3::add(self.contact.relative(accelerations), self.bias);
-            let [x, y] = rubbed(&self.inverse_mass, [x, y], [a, b], radius);
+            let [_, a, b] = self.acceleration(soft, accelerations);
+            let mut k = self.inverse_mass;
+            (k[1][1], k[2][2]) = (k[1][1] + soft, k[2][2] + soft);
+            let [x, y] = rubbed(&k, [x, y], [a, b], radius);
             self.set([normal, x, y], inertia, accelerations);
         }
         Ok(())
+    }
+
+    /// Relative acceleration along n, t1, t2, with that by which a contact yields to a force: `soft` (1/kg) of it.
+    fn acceleration(&self, soft: S, accelerations: &[Twist<S>]) -> Vec3<S> {
+        let bodies = vec3::add(self.contact.relative(accelerations), self.bias);
+        vec3::axpy(bodies, soft, vec3::sub(self.contact.impulse, self.unyielded))
     }
 
     /// Direction against which friction acts, given the tangential acceleration.

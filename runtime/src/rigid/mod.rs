@@ -14,6 +14,7 @@ pub mod motion;
 pub mod narrow;
 pub mod scene;
 pub mod several;
+mod share;
 pub(crate) mod sweeps;
 mod swerve;
 pub mod touch;

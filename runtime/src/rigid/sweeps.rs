@@ -13,6 +13,12 @@ pub(crate) fn fine<S: Scalar>(number: usize) -> S {
     S::from_f64(if number < PLAIN { 4.0 } else { 64.0 }) * S::EPSILON
 }
 
+/// What may be left of forces in the end, relative to the largest; with `rough` more.
+pub(crate) fn accepted<S: Scalar>(rough: bool) -> S {
+    let cancels = S::from_f64(0.01) * S::EPSILON.sqrt();
+    if rough { cancels.max(S::from_f64(1e-6)) } else { cancels }
+}
+
 /// Ends sweeps that gain nothing: the least that one leaves has not halved within so many of them. Extrapolation may
 /// have stirred the last one, so that one of the better ones ends them.
 #[derive(Clone, Copy)]
@@ -36,9 +42,9 @@ impl<S: Scalar> Patience<S> {
     /// that cancel one another change for ever. With `rough` more may be left late, since contacts that contradict one
     /// another have no exact forces.
     pub(crate) fn of_forces(rough: bool) -> [Self; 3] {
-        let [soon, cancels] = [S::from_f64(64.0) * S::EPSILON, S::from_f64(0.01) * S::EPSILON.sqrt()];
-        let late = if rough { [1e-8, 1e-6].map(S::from_f64) } else { [S::ZERO; 2] };
-        let [some, more] = late.map(|allowed| allowed.max(cancels));
+        let soon = S::from_f64(64.0) * S::EPSILON;
+        let some = if rough { accepted::<S>(false).max(S::from_f64(1e-8)) } else { accepted(false) };
+        let more = accepted(rough);
         [Patience::new(10, soon.max(S::from_f64(1e-11))), Patience::new(40, some), Patience::new(160, more)]
     }
 

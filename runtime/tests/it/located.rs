@@ -4,7 +4,7 @@ use crate::island::Platform;
 use crate::scenery::{Part, Scene};
 use smartbed_runtime::rigid::law::Kind;
 use smartbed_runtime::surface::{Frame, Shape, Sphere};
-use smartbed_runtime::vec3;
+use smartbed_runtime::vec3::{self, Vec3};
 use smartbed_runtime::world::{Commanded, Place, Thing};
 
 const G: f64 = 9.81;
@@ -104,6 +104,83 @@ fn a_ball_on_a_commanded_plane_rolls_or_slides_to_the_methods_order() {
     let order = [0, 1, 2].map(|k| (errors[0][k] / errors[1][k]).log2());
     println!("orders {order:?}");
     assert!(order[0] > 3.7 && order[1] > 3.7 && order[2] > 3.5 && errors[1][0] < 1e-7, "{errors:?}");
+}
+
+/// Spin and way across of a box on a plane inclined by `ANGLE` after it has slid down and turned: a planar motion under
+/// friction of four corners, whose normal forces are a plane over the corners, as for springs of one stiffness.
+fn turned_on_springs(half: Vec3<f64>, mu: f64, [down, across, spin]: [f64; 3], seconds: f64) -> [f64; 2] {
+    let (sine, cosine) = ANGLE.sin_cos();
+    let inertia = (half[0] * half[0] + half[1] * half[1]) / 3.0;
+    let rates = |[_, turn, vx, vy, w]: [f64; 5]| {
+        let (s, c) = turn.sin_cos();
+        let corners = [[1.0, 1.0], [-1.0, 1.0], [-1.0, -1.0], [1.0, -1.0]].map(|[i, j]: [f64; 2]| {
+            let (a, b) = (i * half[0], j * half[1]);
+            let (x, y) = (c * a - s * b, s * a + c * b);
+            let (sx, sy) = (vx - w * y, vy + w * x);
+            let speed = sx.hypot(sy);
+            [x, y, -mu * sx / speed, -mu * sy / speed]
+        });
+        // Forces a + b x + c y: their sum carries the weight, their moments with friction's vanish.
+        let mut rows = [[0.0; 3]; 3];
+        for [x, y, dx, dy] in corners {
+            for (row, arm) in rows.iter_mut().zip([1.0, y + half[2] * dy, x + half[2] * dx]) {
+                row.iter_mut().zip([1.0, x, y]).for_each(|(to, shape)| *to += arm * shape);
+            }
+        }
+        let turned = vec3::cross(rows[1], rows[2]);
+        let [a, b, c] = vec3::scale(turned, G * cosine / vec3::dot(rows[0], turned));
+        let mut sum = [0.0, 0.0, vy, w, G * sine, 0.0, 0.0];
+        for [x, y, dx, dy] in corners {
+            let n = a + b * x + c * y;
+            assert!(n > 0.0, "a corner lifts");
+            sum[4] += n * dx;
+            sum[5] += n * dy;
+            sum[6] += n * (x * dy - y * dx) / inertia;
+        }
+        [sum[2], sum[3], sum[4], sum[5], sum[6]]
+    };
+    let (n, mut x) = (4000, [0.0, 0.0, down, across, spin]);
+    let h = seconds / f64::from(n);
+    let ahead = |x: [f64; 5], h: f64, k: [f64; 5]| std::array::from_fn(|i| x[i] + h * k[i]);
+    for _ in 0..n {
+        let a = rates(x);
+        let b = rates(ahead(x, 0.5 * h, a));
+        let c = rates(ahead(x, 0.5 * h, b));
+        let d = rates(ahead(x, h, c));
+        x = std::array::from_fn(|i| x[i] + h / 6.0 * (a[i] + 2.0 * (b[i] + c[i]) + d[i]));
+    }
+    [x[4], x[0]]
+}
+
+/// Friction of corners that slip in different directions depends on how these share the weight, which four contacts of
+/// one body leave open; every step must find them share it alike.
+#[test]
+fn a_box_slides_and_turns_on_an_inclined_plane_alike_in_every_step() {
+    let (half, mu, start, seconds) = ([0.15, 0.1, 0.05], 0.3, [1.0, 0.2, -4.0], 0.4);
+    let expected = turned_on_springs(half, mu, start, seconds);
+    let (s, c) = ANGLE.sin_cos();
+    let (down, up) = ([c, 0.0, -s], [s, 0.0, c]);
+    for h in [2e-3, 1e-3, 2.5e-4, 1.25e-4] {
+        let mut scene = Scene::falling();
+        let place = Place { origin: [0.0; 3], axes: [down, [0.0, 1.0, 0.0], up] };
+        let plane = scene.thing(Thing::Rigid { shape: Shape::HalfSpace, port: None, place });
+        let velocity = vec3::axpy(vec3::scale(down, start[0]), start[1], [0.0, 1.0, 0.0]);
+        let block = scene.cuboid(2.0, half, vec3::scale(up, half[2]), velocity);
+        scene.q[3..].copy_from_slice(&[(0.5 * ANGLE).cos(), 0.0, (0.5 * ANGLE).sin(), 0.0]);
+        let inertia = 2.0 * (half[0] * half[0] + half[1] * half[1]) / 3.0;
+        scene.u[3..].copy_from_slice(&vec3::scale(up, inertia * start[2]));
+        scene.pair(block, plane, mu, 0.0);
+        let steps = (seconds / h).round() as u32;
+        let (x, imbalance, _) =
+            scene.run_located(Kind::Stronge, (h, steps), |report, _, _| assert_eq!(report.pressing, 4));
+        let (w, y) = (vec3::dot([x[10], x[11], x[12]], up) / inertia, x[1]);
+        println!(
+            "h = {h}: spin {w} against {}, across {y} against {}, {imbalance:e}",
+            expected[0], expected[1]
+        );
+        assert!((w - expected[0]).abs() < 1e-8 && (y - expected[1]).abs() < 1e-9, "{h}: {w}, {y}");
+        assert!(imbalance.abs() < 1e-9, "{h}: {imbalance:e}");
+    }
 }
 
 /// A level plane that rises at one speed, as commanded.

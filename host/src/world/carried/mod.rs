@@ -28,6 +28,7 @@ use super::books::Books;
 use super::carriers::HostCarrier;
 use super::engine::Event;
 use super::ported::Ported;
+use super::rigid;
 use super::touching::{How, Stepped, Touching};
 use crate::scene::grid::Woven;
 use methods::{Contacts, Stepping};
@@ -116,7 +117,11 @@ pub struct CarriedWorld<S: Scalar = f64> {
 }
 
 fn words(fault: Fault) -> String {
-    format!("{}; take a smaller step or a smaller load", fault.reason())
+    match fault {
+        Fault::Jammed => rigid::JAMMED.to_owned(),
+        Fault::Unbalanced => rigid::UNBALANCED.to_owned(),
+        _ => format!("{}; take a smaller step or a smaller load", fault.reason()),
+    }
 }
 
 impl<S: Scalar> CarriedWorld<S> {

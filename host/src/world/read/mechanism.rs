@@ -5,9 +5,10 @@
 
 use super::value::{list, one_of};
 use crate::world::assembly::Mechanism;
-use smartbed_codegen::diagnostic::{Diagnostic, Diagnostics};
+use smartbed_codegen::diagnostic::{Diagnostic, Diagnostics, Severity};
 use smartbed_codegen::model::document::{Value, wrong_kind};
 use smartbed_codegen::model::{self, Fields, Model, Speed, SpeedMeaning};
+use smartbed_codegen::source::Span;
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
@@ -143,6 +144,7 @@ fn extended(fields: &Fields<'_>, path: &Path, changed: &str, found: &mut Diagnos
     let shown = path.with_file_name(format!("parts.{}", fields.name));
     match model::parse(&shown.display().to_string(), &text) {
         Ok(model) => Some(model),
+        Err(wrong) if told_in_scene(fields, &text, &wrong, found) => None,
         Err(wrong) => {
             // A command is a closed form, beside which coordinates are dependent unless they say otherwise.
             let help = match fields.get("command") {
@@ -158,4 +160,44 @@ fn extended(fields: &Fields<'_>, path: &Path, changed: &str, found: &mut Diagnos
             None
         }
     }
+}
+
+/// Tells errors of the model at the places of the scene that its changes were written from; false where one has none.
+fn told_in_scene(fields: &Fields<'_>, text: &str, wrong: &Diagnostics, found: &mut Diagnostics) -> bool {
+    let place = |item: &Diagnostic| {
+        let [label] = item.labels.as_slice() else { return None };
+        Some((origin(fields, text, label.span)?, label.text.clone()))
+    };
+    let errors = || wrong.items.iter().filter(|item| item.severity == Severity::Error);
+    let Some(places) = errors().map(place).collect::<Option<Vec<_>>>() else { return false };
+    for (item, (span, label)) in errors().zip(places) {
+        let message = format!("what `{}` changes in its model is wrong: {}", fields.name, item.message);
+        let error = Diagnostic::error(message).label(span, label);
+        found.push(match &item.help {
+            Some(help) => error.help(help.clone()),
+            None => error,
+        });
+    }
+    true
+}
+
+/// The place in the scene of a place in the value of a line `KEY = ...` written from it.
+fn origin(fields: &Fields<'_>, text: &str, at: Span) -> Option<Span> {
+    // The first file is this text; those of the model that it extends have places of their own.
+    let before = text.get(..at.start).filter(|_| at.file == 0)?;
+    let start = before.rfind('\n').map_or(0, |end| end + 1);
+    let line = text.get(start..)?.lines().next()?;
+    let (key, _) = line.split_once(" = ")?;
+    let given = |section: &'static str| match fields.get(section)? {
+        Value::Table(table) => match table.get(key)? {
+            Value::Text(given) => {
+                line.find(&format!("{:?}", given.text)).map(|quote| (given, start + quote + 1))
+            }
+            _ => None,
+        },
+        _ => None,
+    };
+    let (given, first) = ["command", "set", "law", "start"].into_iter().find_map(given)?;
+    let inside = first <= at.start && at.end <= first + given.text.len();
+    Some(if inside { given.place(at.start - first..at.end - first) } else { given.span })
 }

@@ -1,8 +1,8 @@
-//! Applies `--set parts.load.mass=7_kg`: changes keys of a scene for one run. Each setting is a text of its own in
-//! messages.
+//! Applies `--set parts.load.mass=7_kg`, `--set contacts[0].friction=0.1`: changes keys of a scene for one run. Each
+//! setting is a text of its own in messages.
 
 use smartbed_codegen::diagnostic::{Diagnostic, Diagnostics};
-use smartbed_codegen::model::document::{self, Table, Value};
+use smartbed_codegen::model::document::{self, Key, Table, Value};
 use smartbed_codegen::source::{File, Source, Span};
 use std::sync::Arc;
 
@@ -10,20 +10,38 @@ use std::sync::Arc;
 pub(crate) fn apply(mut table: Table, settings: &[String], found: &mut Diagnostics) -> Table {
     for setting in settings {
         let file = u32::try_from(found.source.files.len()).unwrap_or(u32::MAX);
-        let (text, read) = toml(setting, file);
+        let (text, read) = toml(&dotted(setting), file);
+        let end = text.len().max(1);
         let mut files: Vec<File> = found.source.files.to_vec();
         files.push(File::new("--set".to_owned(), text));
         found.source = Source { files: Arc::new(files) };
         match read {
-            Some(given) => merge(&mut table, given),
+            Some(given) => merge(&mut table, given, found),
             None => {
-                let span = Span { start: 0, end: setting.len().max(1), file };
+                let span = Span { start: 0, end, file };
                 let error = Diagnostic::error("a setting is KEY=VALUE").label(span, "this is none");
-                found.push(error.help("for example --set run.seconds=2, --set parts.load.mass=7_kg"));
+                found.push(error.help("for example --set run.seconds=2, --set parts.load.mass=7_kg, --set contacts[0].friction=0.1"));
             }
         }
     }
     table
+}
+
+/// The setting with the numbers of entries of lists as names: `contacts.0.friction=0.1` for `contacts[0].friction=0.1`.
+fn dotted(setting: &str) -> String {
+    let Some((key, value)) = setting.split_once('=').filter(|(key, _)| !key.contains('"')) else {
+        return setting.to_owned();
+    };
+    let is_number = |text: &str| !text.is_empty() && text.bytes().all(|c| c.is_ascii_digit());
+    let mut parts = key.split('[');
+    let mut path = parts.next().unwrap_or_default().to_owned();
+    for part in parts {
+        match part.split_once(']').filter(|(number, _)| is_number(number)) {
+            Some((number, rest)) => path += &format!(".{number}{rest}"),
+            None => return setting.to_owned(),
+        }
+    }
+    format!("{path}={value}")
 }
 
 /// A setting as TOML, with its value unchanged or, if that is no TOML, as a quoted string.
@@ -37,14 +55,32 @@ fn toml(setting: &str, file: u32) -> (String, Option<Table>) {
     (quoted, table)
 }
 
-/// Values in `given` override those of the same keys, table by table.
-fn merge(table: &mut Table, given: Table) {
+/// Values in `given` override those of the same keys, table by table and in lists entry by entry.
+fn merge(table: &mut Table, given: Table, found: &mut Diagnostics) {
     for (key, value) in given.entries {
         let known = table.entries.iter_mut().find(|(own, _)| own.name == key.name);
         match (known, value) {
-            (Some((_, Value::Table(own))), Value::Table(inner)) => merge(own, inner),
+            (Some((_, Value::Table(own))), Value::Table(inner)) => merge(own, inner, found),
+            (Some((_, Value::Array(own, _))), Value::Table(inner)) => merge_list(&key, own, inner, found),
             (Some(entry), value) => *entry = (key, value),
             (None, value) => table.entries.push((key, value)),
+        }
+    }
+}
+
+/// The same for the entries of a list, whose numbers are the keys.
+fn merge_list(list: &Key, own: &mut [Value], given: Table, found: &mut Diagnostics) {
+    let count = own.len();
+    for (key, value) in given.entries {
+        match (key.name.parse().ok().and_then(|number: usize| own.get_mut(number)), value) {
+            (Some(Value::Table(own)), Value::Table(inner)) => merge(own, inner, found),
+            (Some(entry), value) => *entry = value,
+            (None, _) => {
+                let entries = smartbed_codegen::words::count(count, "entry");
+                let message = format!("`{}` is a list of {entries}, numbered from 0", list.name);
+                let error = Diagnostic::error(message).label(key.span, "no entry of it");
+                found.push(error.help(format!("name one: --set {}[0]...", list.name)));
+            }
         }
     }
 }

@@ -1,0 +1,100 @@
+//! How redundant contacts share their load: as if each yielded a little, all alike.
+//!
+//! In: contacts as `hold` has them, from any forces. Out: their forces, and whether these are exact.
+//! ```text
+//! G lambda + D (lambda - lambda_before) = -(W M^-1 f + W' u)     D = share of K, from lambda_before = 0, repeated
+//! ```
+//! Many forces of redundant contacts give the same accelerations where these slip in one direction, but not where they
+//! slip in different ones: the pattern + - + - at the corners of a box that turns is a torque of friction. Contacts that
+//! yield have one solution, in whatever order and from whatever forces they are swept. In the limit of the repetitions they
+//! yield no more, and D lambda fits one motion of the bodies: under a box, the normal forces are a plane over its corners,
+//! as on springs of one stiffness. Nor do contacts whose accelerations contradict one another by rounding
+//! drive the forces away: each repetition moves them by that rounding over D only.
+
+use super::anderson::Ahead;
+use super::contact::{Inertia, Twist};
+use super::hold::{Held, Sought, Unheld, sweep};
+use super::sweeps::{Patience, accepted, fine};
+use crate::real::Scalar;
+use crate::vec3;
+
+/// D: the acceleration by which a contact yields to a force, as a share of the one that the force gives its bodies.
+const YIELDS: f64 = 1e-3;
+/// Most repetitions.
+const TIMES: usize = 12;
+/// Most sweeps of each; where many contacts need more, forces are those that plain sweeps find from there.
+const SWEEPS: usize = 200;
+/// Sweeps within which what is left halves at least, and what may be left else (rounding units).
+const PATIENCE: usize = 20;
+const ROUGHEST: f64 = 4096.0;
+/// A repetition that leaves more than this share of what the one before left gains nothing: contacts contradict one another.
+const STAYS: f64 = 0.9;
+/// Sweeps of each before acceleration begins.
+const PLAIN: usize = 4;
+
+/// Finds forces and adds their effect to the accelerations; returns whether nothing is left to sweep. `scale`: least
+/// force (N) that counts as large.
+pub(super) fn share<S: Scalar>(
+    held: &mut [impl AsMut<Held<S>>],
+    Sought { pulls, rough }: Sought,
+    scale: S,
+    inertia: &(impl Inertia<S> + ?Sized),
+    accelerations: &mut [Twist<S>],
+) -> Result<bool, Unheld> {
+    // Without friction all forces that fit give the same accelerations.
+    let rubs = held.iter_mut().any(|h| h.as_mut().contact.friction > S::ZERO);
+    if held.len() < 2 || !rubs {
+        return Ok(false);
+    }
+    held.iter_mut().for_each(|h| h.as_mut().unyielded = vec3::zero());
+    let mut before = S::from_f64(f64::INFINITY);
+    for _ in 0..TIMES {
+        if !settle(held, pulls, scale, inertia, accelerations)? {
+            return Ok(false);
+        }
+        let left = yielded(held, scale);
+        if left <= fine::<S>(SWEEPS) {
+            return Ok(true);
+        }
+        if left > S::from_f64(STAYS) * before {
+            return Ok(rough && left <= accepted(rough));
+        }
+        before = left;
+    }
+    Ok(false)
+}
+
+/// Sweeps over contacts that yield; returns whether they came to an end.
+fn settle<S: Scalar>(
+    held: &mut [impl AsMut<Held<S>>],
+    pulls: bool,
+    scale: S,
+    inertia: &(impl Inertia<S> + ?Sized),
+    accelerations: &mut [Twist<S>],
+) -> Result<bool, Unheld> {
+    let (mut ahead, mut patience) =
+        (Ahead::new(), Patience::new(PATIENCE, S::from_f64(ROUGHEST) * S::EPSILON));
+    for number in 0..SWEEPS {
+        let left = sweep(held, (true, pulls, S::from_f64(YIELDS)), scale, inertia, accelerations)?;
+        if left <= fine::<S>(number) || patience.ends(number, left) {
+            return Ok(true);
+        }
+        if number >= PLAIN {
+            ahead.note(held);
+            ahead.go_on(held, inertia, accelerations);
+        }
+    }
+    Ok(false)
+}
+
+/// What contacts have yielded to, relative to the largest force; they do not yield to it again.
+fn yielded<S: Scalar>(held: &mut [impl AsMut<Held<S>>], scale: S) -> S {
+    let (mut most, mut largest) = (S::ZERO, scale);
+    for h in held.iter_mut().map(AsMut::as_mut) {
+        let force = h.contact.impulse;
+        most = most.max(vec3::norm(vec3::sub(force, h.unyielded)));
+        largest = largest.max(vec3::norm(force));
+        h.unyielded = force;
+    }
+    if most > S::ZERO { S::from_f64(YIELDS) * most / largest } else { S::ZERO }
+}
