@@ -239,7 +239,11 @@ impl<S: Scalar> Held<S> {
     /// Relative acceleration along n, t1, t2, with that by which a contact yields to a force: `soft` (1/kg) of it.
     fn acceleration(&self, soft: S, accelerations: &[Twist<S>]) -> Vec3<S> {
         let bodies = vec3::add(self.contact.relative(accelerations), self.bias);
-        vec3::axpy(bodies, soft, vec3::sub(self.contact.impulse, self.unyielded))
+        if soft > S::ZERO {
+            vec3::axpy(bodies, soft, vec3::sub(self.contact.impulse, self.unyielded))
+        } else {
+            bodies
+        }
     }
 
     /// Direction against which friction acts, given the tangential acceleration.

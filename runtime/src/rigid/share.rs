@@ -13,13 +13,17 @@
 
 use super::anderson::Ahead;
 use super::contact::{Inertia, Twist};
-use super::hold::{Held, Sought, Unheld, sweep};
+use super::hold::{Held, Slip, Sought, Unheld, sweep};
 use super::sweeps::{Patience, accepted, fine};
 use crate::real::Scalar;
 use crate::vec3;
 
 /// D: the acceleration by which a contact yields to a force, as a share of the one that the force gives its bodies.
 const YIELDS: f64 = 1e-3;
+/// Fewest contacts whose normal forces fit in more than one way.
+const REDUNDANT: usize = 4;
+/// Directions of slip that differ by more (rad) are different.
+const TURNED: f64 = 1e-6;
 /// Most repetitions.
 const TIMES: usize = 12;
 /// Most sweeps of each; where many contacts need more, forces are those that plain sweeps find from there.
@@ -41,9 +45,7 @@ pub(super) fn share<S: Scalar>(
     inertia: &(impl Inertia<S> + ?Sized),
     accelerations: &mut [Twist<S>],
 ) -> Result<bool, Unheld> {
-    // Without friction all forces that fit give the same accelerations.
-    let rubs = held.iter_mut().any(|h| h.as_mut().contact.friction > S::ZERO);
-    if held.len() < 2 || !rubs {
+    if held.len() < REDUNDANT || !turns(held) {
         return Ok(false);
     }
     held.iter_mut().for_each(|h| h.as_mut().unyielded = vec3::zero());
@@ -62,6 +64,21 @@ pub(super) fn share<S: Scalar>(
         before = left;
     }
     Ok(false)
+}
+
+/// Whether contacts slip in different directions: else all forces that fit give the same accelerations.
+fn turns<S: Scalar>(held: &mut [impl AsMut<Held<S>>]) -> bool {
+    let mut first = None;
+    held.iter_mut().any(|h| {
+        let Held { contact, slip, .. } = h.as_mut();
+        let Some(Slip { direction: [x, y], .. }) = slip.filter(|_| contact.friction > S::ZERO) else {
+            return false;
+        };
+        let [_, t1, t2] = contact.axes;
+        let slip = vec3::axpy(vec3::scale(t1, x), y, t2);
+        let other = *first.get_or_insert(slip);
+        vec3::norm(vec3::sub(slip, other)) > S::from_f64(TURNED)
+    })
 }
 
 /// Sweeps over contacts that yield; returns whether they came to an end.
