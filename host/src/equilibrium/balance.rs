@@ -8,8 +8,7 @@
 //! The former is a running bound over all operations at this state. Slopes times ranges alone are no measure: beside a
 //! stiff spring every weight is small, though the spring carries nothing.
 
-use super::rates::Flat;
-use super::search::{Rates, Search};
+use super::search::{Fault, Flat, Rates, Search};
 use nalgebra::{DMatrix, DVector};
 use smartbed_codegen::expr::rounding::Rounded;
 use smartbed_runtime::mechanism::Mechanism;
@@ -21,15 +20,6 @@ const CLOSE: f64 = 1e-9;
 const SOLVED: f64 = 4.0;
 /// Rates within this many bounds of their rounding are 0.
 const BOUNDS: f64 = 4.0;
-
-/// Why a state is no equilibrium.
-#[derive(Clone, Copy, PartialEq, Debug)]
-pub(super) enum Fault {
-    /// Something accelerates.
-    Unbalanced,
-    /// The equations are singular there: the worst pivot, relative to nominal.
-    Singular(f64),
-}
 
 impl Search<'_> {
     /// Why this is no equilibrium; `None` if it is one.

@@ -3,22 +3,13 @@
 //! In: a [`Search`] with its present state. Out: the rates there, which of them have to vanish, their derivatives by the
 //! unknowns, Newton's step, and how far from balance they are.
 
-use super::search::{Rates, Search, Slopes, Unknown};
+use super::search::{Flat, Rates, Search, Slopes, Unknown};
 use nalgebra::{DMatrix, DVector};
 
 /// Derivatives by a coordinate below this fraction of the largest are rounding: nothing depends on it.
 pub(super) const NO_SLOPE: f64 = 1e-12;
 /// Passes of scaling rows and columns to entries of size 1.
 const PASSES: usize = 8;
-
-/// In which directions of the unknowns nothing changes, so that a step has no part along them.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(super) enum Flat {
-    /// Where slopes over the ranges are below 1e-9 of the largest. Steps along lines of equilibria stay small.
-    Ranges,
-    /// Where slopes are rounding, with rows and columns scaled: a soft spring behind a stiff one is not flat.
-    Scaled,
-}
 
 impl Flat {
     /// Singular values below this fraction of the largest are zero.

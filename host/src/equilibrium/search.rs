@@ -9,8 +9,6 @@
 //! A step is halved as long as it does not reduce r or cannot be assembled. `balance` says whether the end is a solution.
 //! Where it is none, or outside a range, the search starts again elsewhere (`restart`).
 
-use super::balance::Fault;
-use super::rates::Flat;
 use crate::configuration::Configurations;
 use crate::engine::Engine;
 use nalgebra::{DMatrix, DVector};
@@ -66,6 +64,24 @@ pub(super) type Place = (Vec<f64>, Vec<f64>, Vec<f64>);
 
 /// The largest rate, relative to its change over the ranges, with its name.
 pub(super) type Rest = (String, f64);
+
+/// In which directions of the unknowns nothing changes, so that a step has no part along them.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum Flat {
+    /// Where slopes over the ranges are below 1e-9 of the largest. Steps along lines of equilibria stay small.
+    Ranges,
+    /// Where slopes are rounding, with rows and columns scaled: a soft spring behind a stiff one is not flat.
+    Scaled,
+}
+
+/// Why a state is no equilibrium.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(super) enum Fault {
+    /// Something accelerates.
+    Unbalanced,
+    /// The equations are singular there: the worst pivot, relative to nominal.
+    Singular(f64),
+}
 
 /// The end of a search.
 pub(super) struct End {

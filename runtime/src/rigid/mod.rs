@@ -7,6 +7,7 @@
 pub(crate) mod anderson;
 pub mod attitude;
 pub mod contact;
+mod held;
 pub mod hold;
 pub mod impact;
 pub mod law;

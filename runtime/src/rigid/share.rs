@@ -13,7 +13,7 @@
 
 use super::anderson::Ahead;
 use super::contact::{Inertia, Twist};
-use super::hold::{Held, Slip, Sought, Unheld, sweep};
+use super::held::{Held, Slip, Sought, Unheld, sweep};
 use super::sweeps::{Patience, accepted, fine};
 use crate::real::Scalar;
 use crate::vec3;
