@@ -12,14 +12,14 @@ use super::search::{Fault, Flat, Rates, Search};
 use nalgebra::{DMatrix, DVector};
 use smartbed_codegen::expr::rounding::Rounded;
 use smartbed_runtime::mechanism::Mechanism;
-use smartbed_runtime::real::Real;
+use smartbed_runtime::real::{Real, Scalar};
 
 /// The equilibrium is at most this far away, in units of half the ranges.
 const CLOSE: f64 = 1e-9;
 /// Dependent coordinates are solved for to this many epsilons of half their ranges.
 const SOLVED: f64 = 4.0;
-/// Rates within this many bounds of their rounding are 0.
-const BOUNDS: f64 = 4.0;
+/// What is within this many bounds of its rounding is 0.
+pub(super) const BOUNDS: f64 = 4.0;
 
 impl Search<'_> {
     /// Why this is no equilibrium; `None` if it is one.
@@ -28,7 +28,7 @@ impl Search<'_> {
             return Some(Fault::Unbalanced);
         }
         // NaN counts as singular.
-        let is_regular = here.pivot.abs() >= <f64 as smartbed_runtime::real::Scalar>::ROOT_EPSILON;
+        let is_regular = here.pivot.abs() >= f64::ROOT_EPSILON;
         (!is_regular).then_some(Fault::Singular(here.pivot))
     }
 
@@ -37,18 +37,21 @@ impl Search<'_> {
         let rows = self.rows(here);
         let slopes = self.slopes_of_unknowns(here, &rows);
         let rounding = self.rounding();
-        let none = Some(DVector::zeros(slopes.ncols()));
-        let mut steps =
-            vec![none, self.newton_step(here, Flat::Ranges), self.newton_step(here, Flat::Scaled)];
-        steps.retain(|step| step.as_ref().is_some_and(|step| step.iter().all(|d| d.abs() <= CLOSE)));
-        steps.into_iter().flatten().any(|step| {
-            (0..rows.len()).all(|i| {
-                let left = here.x_dot[rows[i]] + (slopes.row(i) * &step)[0];
-                // Steps are below the ranges, so that this bounds the rounding of J dz too.
-                let over_ranges: f64 = slopes.row(i).iter().map(|x| x.abs()).sum();
-                left.abs() <= BOUNDS * rounding[rows[i]] + f64::EPSILON * over_ranges
-            })
-        })
+        let explains = |step: DVector<f64>| {
+            let is_close = step.iter().all(|d| d.abs() <= CLOSE);
+            is_close
+                && (0..rows.len()).all(|i| {
+                    let left = here.x_dot[rows[i]] + (slopes.row(i) * &step)[0];
+                    // Steps are below the ranges, so that this bounds the rounding of J dz too.
+                    let over_ranges: f64 = slopes.row(i).iter().map(|x| x.abs()).sum();
+                    left.abs() <= BOUNDS * rounding[rows[i]] + f64::EPSILON * over_ranges
+                })
+        };
+        explains(DVector::zeros(slopes.ncols()))
+            || [Flat::Ranges, Flat::Scaled]
+                .into_iter()
+                .filter_map(|flat| self.newton_step(here, flat))
+                .any(explains)
     }
 
     /// Bounds of the rounding errors of the rates here, by the entries of the state; 0 where there is no finite bound.

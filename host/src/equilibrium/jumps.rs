@@ -3,14 +3,12 @@
 //! In: a model. Out: the model with one more output for the argument of each `sign` that its loads read, directly or
 //! through definitions and laws; and, at a state, a warning for each of them that is 0 up to its rounding.
 
+use super::balance::BOUNDS;
 use super::search::Search;
 use smartbed_codegen::diagnostic::{Diagnostic, Diagnostics};
 use smartbed_codegen::model::expression::{Expr, ExprKind, Function};
 use smartbed_codegen::model::{Model, Output};
 use smartbed_codegen::source::Span;
-
-/// Bounds of its rounding within which an argument is 0.
-const BOUNDS: f64 = 4.0;
 
 /// A `sign` in a load.
 pub(super) struct Jump {

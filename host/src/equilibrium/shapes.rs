@@ -4,6 +4,7 @@
 //! (Z'AZ - lambda) v = 0, as are independent. Where there are several any mixture of them is one too; each of those given
 //! has an entry of its own, the largest that there is, in which the others have no part.
 
+use super::spectrum::vanishing;
 use nalgebra::linalg::balancing;
 use nalgebra::{Complex, ComplexField, DMatrix};
 
@@ -45,12 +46,10 @@ fn null_space(a: &DMatrix<f64>, eigenvalue: Complex<f64>, most: usize) -> Matrix
     }
     let svd = shifted.svd(false, true);
     let Some(rows) = svd.v_t else { return Matrix::zeros(n, 0) };
-    let mut order: Vec<usize> = (0..n).collect();
-    order.sort_by(|&i, &j| svd.singular_values[i].total_cmp(&svd.singular_values[j]));
-    let none = NONE * svd.singular_values.max();
-    let dimension = order.iter().take(most).filter(|&&i| svd.singular_values[i] <= none).count().max(1);
+    let mut null = vanishing(&svd.singular_values, NONE * svd.singular_values.max());
+    null.truncate(most);
     let scales = Matrix::from_diagonal(&scales.map(|x| Complex::new(x, 0.0)));
-    scales * rows.select_rows(&order[..dimension]).adjoint()
+    scales * rows.select_rows(&null).adjoint()
 }
 
 /// An entry for each column, in which the columns are as large and as independent as can be.

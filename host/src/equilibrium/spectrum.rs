@@ -10,7 +10,7 @@
 //! as wide as rounding splits the eigenvalue.
 
 use nalgebra::linalg::{Schur, balancing};
-use nalgebra::{Complex, ComplexField, DMatrix};
+use nalgebra::{Complex, ComplexField, DMatrix, DVector};
 
 /// Iterations for the eigenvalues of one block, at most.
 const SWEEPS: usize = 10_000;
@@ -74,16 +74,22 @@ fn bound(block: &DMatrix<f64>, errors: &DMatrix<f64>, value: Complex<f64>) -> f6
     let rounding = n as f64 * f64::EPSILON * block.norm();
     let svd = (block.map(|x| Complex::new(x, 0.0)) - DMatrix::identity(n, n) * value).svd(true, true);
     let (Some(left), Some(right)) = (&svd.u, &svd.v_t) else { return f64::INFINITY };
-    let mut order: Vec<usize> = (0..n).collect();
-    order.sort_by(|&i, &j| svd.singular_values[i].total_cmp(&svd.singular_values[j]));
-    let none = WIDER * (rounding + errors.norm());
-    let dimension = order.iter().filter(|&&i| svd.singular_values[i] <= none).count().max(1);
-    let y = left.select_columns(&order[..dimension]);
-    let x = right.select_rows(&order[..dimension]).adjoint();
+    let null = vanishing(&svd.singular_values, WIDER * (rounding + errors.norm()));
+    let y = left.select_columns(&null);
+    let x = right.select_rows(&null).adjoint();
     let overlap = (y.adjoint() * &x).singular_values().min();
     let size = |of: &DMatrix<Complex<f64>>| of.map(|x| x.modulus());
     let by_errors = (size(&y).transpose() * errors * size(&x)).norm();
     WIDER * (rounding + by_errors) / overlap.max(f64::MIN_POSITIVE)
+}
+
+/// Places of the singular values up to `none`, of the smallest one at least, the smallest first.
+pub(super) fn vanishing(singular_values: &DVector<f64>, none: f64) -> Vec<usize> {
+    let mut order: Vec<usize> = (0..singular_values.len()).collect();
+    order.sort_by(|&i, &j| singular_values[i].total_cmp(&singular_values[j]));
+    let count = order.iter().filter(|&&i| singular_values[i] <= none).count();
+    order.truncate(count.max(1));
+    order
 }
 
 #[cfg(test)]

@@ -3,7 +3,7 @@
 use super::clock::{Deadline, Stop};
 use super::point::Control;
 use super::sheet::Sheet;
-use super::subject::{Kind, Method, Subject, Time, Trace};
+use super::subject::{Kind, Method, Subject, Time, Trace, parts};
 use super::{clock, closed_form, sheet_body};
 use crate::engine::ScalarKind;
 use crate::failure::Failure;
@@ -85,11 +85,6 @@ impl Body {
         read::open_varied(&self.path, &self.settings, &variation)
     }
 
-    /// Steps per sample so that none is longer than `longest`.
-    fn divided(interval: f64, longest: f64) -> usize {
-        (interval / longest - 1e-9).ceil().max(1.0) as usize
-    }
-
     fn trace(
         &self,
         (method, control, scalar): (&str, Control, ScalarKind),
@@ -100,7 +95,7 @@ impl Body {
             Control::Step(h) => (1e-9, h),
             Control::Tolerance(e) => (e, outer),
         };
-        let steps = Self::divided(time.seconds / time.samples as f64, longest);
+        let steps = parts(time.seconds / time.samples as f64, longest);
         let scene = self.with(method, tolerance, time.seconds / (time.samples * steps) as f64)?;
         match scalar {
             ScalarKind::F32 => trace::<f32>(&scene, steps, time),

@@ -8,7 +8,7 @@ use super::clock::{self, Stop};
 use super::plan::Plan;
 use super::point::{Control, Point};
 use super::reference::Truth;
-use super::subject::{Method, SAMPLES, Subject, Time, Trace, larger};
+use super::subject::{Method, SAMPLES, Subject, Time, Trace, larger, parts};
 use crate::engine::ScalarKind;
 use std::time::Duration;
 
@@ -187,7 +187,7 @@ fn rows(
         Control::Step(h) => h,
         Control::Tolerance(_) => rows,
     };
-    let each = (truth.seconds / SAMPLES as f64 / longest - 1e-9).ceil().max(1.0) as usize;
+    let each = parts(truth.seconds / SAMPLES as f64, longest);
     let most = MOST / SAMPLES / truth.trace.samples.first().map_or(1, Vec::len).max(1);
     let every =
         (1..=each).find(|every| each.is_multiple_of(*every) && each / every <= most.max(1)).unwrap_or(each);

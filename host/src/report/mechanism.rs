@@ -5,7 +5,7 @@ use super::clock::{Deadline, Stop};
 use super::point::Control;
 use super::sheet::Sheet;
 use super::sheet_mechanism::{self, Plant64};
-use super::subject::{Kind, Method, Subject, Time, Trace};
+use super::subject::{Kind, Method, Subject, Time, Trace, parts};
 use crate::engine::{self, EngineKind, EngineScalar, ScalarKind, explain};
 use crate::failure::Failure;
 use crate::model_argument;
@@ -140,7 +140,7 @@ impl Mechanism {
         let begin = clock::now();
         match (method.fixed(), control) {
             (Some(fixed), Control::Step(longest)) => {
-                let steps = (interval / longest - 1e-9).ceil().max(1.0) as usize;
+                let steps = parts(interval, longest);
                 let mut scratch = vec![S::ZERO; fixed.scratch(n)];
                 let h = interval / steps as f64;
                 for i in 0..time.samples * steps {

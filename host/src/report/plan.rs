@@ -1,7 +1,7 @@
 //! The extent of the measurements: the full report, the quick one, or one point.
 
 use super::point::Control;
-use super::subject::{Method, SAMPLES, Subject};
+use super::subject::{Method, ROUNDING, SAMPLES, Subject, parts};
 use crate::engine::{EngineKind, ScalarKind};
 use std::time::Duration;
 
@@ -140,13 +140,12 @@ impl Plan {
     /// Steps from one sample to the next with which a ladder begins. If rows are asked for whose interval divides the time
     /// between samples, all steps of the ladder divide the interval between rows.
     fn coarsest(&self, longest: f64, interval: f64) -> usize {
-        let steps = |whole: f64, longest: f64| (whole / longest - ROUNDING).ceil().max(1.0) as usize;
         match self.rows {
             None => (interval / longest).ceil().max(1.0) as usize,
             Some(rows) if (interval / rows).round() >= 1.0 && divides(rows, interval) => {
-                (interval / rows).round() as usize * steps(rows, longest)
+                (interval / rows).round() as usize * parts(rows, longest)
             }
-            Some(rows) => steps(interval, longest.min(rows)),
+            Some(rows) => parts(interval, longest.min(rows)),
         }
     }
 
@@ -169,9 +168,6 @@ impl Plan {
         }
     }
 }
-
-/// Relative difference up to which a quotient of times counts as whole.
-const ROUNDING: f64 = 1e-9;
 
 /// Is one time a multiple of the other?
 fn divides(part: f64, whole: f64) -> bool {

@@ -8,6 +8,8 @@ use std::time::Duration;
 
 /// If equations are smooth, the reference is used for the time over which references differ by at most this (m or rad).
 pub const AGREEMENT: f64 = 1e-8;
+/// Difference up to which a quotient of times counts as whole.
+pub const ROUNDING: f64 = 1e-9;
 /// Number of times at which runs are compared with the reference, equally spaced, the last one at the end.
 pub const SAMPLES: usize = 10;
 
@@ -77,6 +79,12 @@ impl Trace {
         };
         (0..n).map(range).fold(0.0, f64::max)
     }
+}
+
+/// Equal parts of a time so that none is longer than `longest`, but for rounding.
+#[must_use]
+pub fn parts(whole: f64, longest: f64) -> usize {
+    (whole / longest - ROUNDING).ceil().max(1.0) as usize
 }
 
 /// The larger number; NaN counts as the largest.

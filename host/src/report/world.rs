@@ -8,7 +8,7 @@
 use super::clock::{self, Deadline, Stop};
 use super::point::Control;
 use super::sheet::Sheet;
-use super::subject::{AGREEMENT, Kind, Method, Subject, Time, Trace};
+use super::subject::{AGREEMENT, Kind, Method, Subject, Time, Trace, parts};
 use crate::engine::ScalarKind;
 use crate::failure::Failure;
 use crate::model_argument;
@@ -151,14 +151,13 @@ impl World {
 
     /// A step of at most `longest` (s), and the number of steps after which each sample is taken.
     fn steps(&self, longest: f64, Time { seconds, samples, .. }: Time) -> Result<(f64, Vec<usize>), Stop> {
-        let parts = |whole: f64| (whole / longest - 1e-9).ceil().max(1.0) as usize;
         if !self.is_controlled() {
             let interval = seconds / samples as f64;
-            let steps = parts(interval);
+            let steps = parts(interval, longest);
             return Ok((interval / steps as f64, (1..=samples).map(|i| i * steps).collect()));
         }
         let own = self.assembly.run.step;
-        let (count, each) = ((seconds / own + 1e-9).floor() as usize, parts(own));
+        let (count, each) = ((seconds / own + 1e-9).floor() as usize, parts(own, longest));
         if count == 0 {
             return Err(format!("a run of {seconds} s is shorter than the scene's step, {own} s").into());
         }

@@ -114,7 +114,7 @@ fn total_work<S: Scalar>(touch: &Touch<S>, impulse: Vec3<S>) -> S {
 fn advance_straight<S: Scalar>(touch: &Touch<S>, at: &mut Progress<S>) -> bool {
     let (rate, slips) = impulse_rate(touch, at.velocity);
     let change = vec3::apply(&touch.inverse_mass, rate);
-    let (_, slip) = slip_of(at.velocity);
+    let (direction, slip) = slip_of(at.velocity);
     // Slip along -rate: its speed changes by the part of K rate along the direction of slip.
     let mut step = S::ZERO;
     let mut end = End::None;
@@ -124,8 +124,7 @@ fn advance_straight<S: Scalar>(touch: &Touch<S>, at: &mut Progress<S>) -> bool {
         }
     };
     // Without friction nothing changes where slip passes through 0.
-    if slips && slip > S::ZERO && touch.friction > S::ZERO {
-        let (direction, _) = slip_of(at.velocity);
+    if slip > S::ZERO && touch.friction > S::ZERO {
         let slowing = -(direction[0] * change[1] + direction[1] * change[2]);
         if slowing > S::ZERO {
             first(slip / slowing, End::Slip);

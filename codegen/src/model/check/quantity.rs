@@ -37,11 +37,25 @@ pub fn quantity(text: &Text, unit: Unit, what: &str, found: &mut Diagnostics) ->
 }
 
 /// Reads the short form `5 N s/m` or `5_kN/m`: a number, a blank or `_`, and a unit. The outer `None` means that the
-/// text has another form, the inner one that its unit is wrong (reported).
+/// text has another form, the inner one that its unit is wrong or unknown (reported).
 fn number_and_unit(text: &Text, wanted: Unit, what: &str, found: &mut Diagnostics) -> Option<Option<f64>> {
-    let (number, rest) = text.text.trim().split_once([' ', '_'])?;
+    let whole = text.text.trim();
+    let (number, rest) = whole.split_once([' ', '_'])?;
     let number: f64 = number.parse().ok().filter(|x: &f64| x.is_finite())?;
-    let scale = unit::parse(rest.trim()).ok()?;
+    let rest = rest.trim();
+    let scale = match unit::parse(rest) {
+        Ok(scale) => scale,
+        // No expression goes on with a word behind a number and a blank.
+        Err((message, _)) if !whole.contains('_') && rest.starts_with(char::is_alphabetic) => {
+            let help = unit::meant(rest).map(|meant| format!("did you mean `{meant}`?"));
+            let help =
+                help.unwrap_or_else(|| format!("give it as a number in {wanted}, or with such a unit"));
+            let error = Diagnostic::error(format!("{what}: {message}"));
+            found.push(error.label(text.span, "in this unit").help(help));
+            return Some(None);
+        }
+        Err(_) => return None,
+    };
     if scale.unit == wanted {
         return Some(Some(number * scale.factor));
     }
@@ -91,6 +105,7 @@ mod tests {
             ("5_kg/m", "this is in kg/m"),
             ("5", "the mass must be in kg"),
             ("5_kgg", "unknown unit `kgg`"),
+            ("3 rev/s", "the mass: unknown unit `rev`"),
             ("m + 1", "unknown name `m`"),
             ("1_kg/0", "no finite constant value"),
             ("t*1_kg/1_s", "no finite constant value"),

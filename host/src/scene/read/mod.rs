@@ -4,6 +4,8 @@ pub mod body;
 mod surroundings;
 mod view;
 
+pub use surroundings::AMBIENT;
+
 use smartbed_codegen::words::count;
 use smartbed_runtime::contact::ContactLaw;
 use smartbed_runtime::contact::stable_step::FORMULA;

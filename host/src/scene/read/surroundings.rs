@@ -21,7 +21,7 @@ const UNIT: f64 = 1e-3;
 /// A rim is in a plane if its points are off by less than this fraction of its size.
 const FLAT: f64 = 1e-9;
 /// Pressure of the air outside unless it is given (Pa, absolute).
-const AMBIENT: f64 = 101_325.0;
+pub const AMBIENT: f64 = 101_325.0;
 
 /// Reads the surroundings; the mass of massless points is distributed to their neighbours.
 ///

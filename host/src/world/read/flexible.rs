@@ -6,7 +6,7 @@ use super::value::{Bound, list, needed, number, scalar};
 use crate::scene::Lists;
 use crate::scene::fields::Fields as Plain;
 use crate::scene::keys::{Choice, READERS, shapes};
-use crate::scene::read::body;
+use crate::scene::read::{AMBIENT, body};
 use crate::scene::surface::open_edges;
 use crate::world::assembly::Flexible;
 use serde_json::{Map, Value as Json};
@@ -213,7 +213,7 @@ fn gas(table: &Table, lists: &Lists, found: &mut Diagnostics) -> Option<Filled> 
         return None;
     }
     let enclosed = enclosed_volume(&lists.facets, &lists.points);
-    let ambient = number(&fields, "ambient", "Pa", Bound::NotNegative, found).unwrap_or(101_325.0);
+    let ambient = number(&fields, "ambient", "Pa", Bound::NotNegative, found).unwrap_or(AMBIENT);
     // A flat surface encloses nothing yet, but regulated gas can inflate it.
     let encloses = |volume: f64| volume > 0.0 || !sealed && volume > -FLAT;
     let given = if sealed { number(&fields, "volume", "m^3", Bound::Positive, found) } else { None };

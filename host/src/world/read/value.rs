@@ -3,7 +3,7 @@
 //! A plain number is in SI units; a string is a number with its unit (`"20_mm"`, `"9.81 m/s^2"`) or an expression.
 
 use smartbed_codegen::diagnostic::{Diagnostic, Diagnostics};
-use smartbed_codegen::model::document::{Text, Value, wrong_kind};
+use smartbed_codegen::model::document::{Value, wrong_kind};
 use smartbed_codegen::model::unit::{self, Unit};
 use smartbed_codegen::model::{Fields, quantity};
 use smartbed_codegen::source::Span;
@@ -68,7 +68,6 @@ pub(crate) fn scalar(
 ) -> Option<f64> {
     let number = match value {
         Value::Number(number, _) if number.is_finite() => *number,
-        Value::Text(text) if unknown_unit(text, key, of, found) => return None,
         Value::Text(text) => quantity(text, unit(of), &format!("`{key}`"), found)?,
         other => {
             let expected = format!("a number in {}, or a text such as \"2 {of}\"", unit_name(of));
@@ -82,20 +81,6 @@ pub(crate) fn scalar(
     let error = Diagnostic::error(format!("`{key}` must be {}", bound.words()));
     found.push(error.label(value.span(), format!("this is {number}")).help("correct the number or its sign"));
     None
-}
-
-/// Tells of a unit that there is none: a number, a space, and what cannot be part of an expression.
-fn unknown_unit(text: &Text, key: &str, of: &str, found: &mut Diagnostics) -> bool {
-    let Some((number, named)) = text.text.trim().split_once(' ') else { return false };
-    let named = named.trim();
-    if number.parse::<f64>().is_err() || !named.starts_with(char::is_alphabetic) {
-        return false;
-    }
-    let Err((message, _)) = unit::parse(named) else { return false };
-    let meant = unit::meant(named).map(|meant| format!("did you mean `{meant}`?"));
-    let help = meant.unwrap_or_else(|| format!("{key} takes a number in {}", unit_name(of)));
-    found.push(Diagnostic::error(format!("`{key}`: {message}")).label(text.span, "in this unit").help(help));
-    true
 }
 
 fn unit_name(of: &str) -> &str {
