@@ -155,7 +155,7 @@ fn round(
         let mut passes = PASSES_DEFAULT;
         let on_request = place >= paired;
         let is_quick = effort == Effort::Default && (place == 0 || on_request);
-        if is_quick {
+        if is_quick || effort == Effort::All {
             multiples::propose(search.graph, &live);
         }
         if effort == Effort::All || (on_request && live.len() <= MOST_PAIRED) {

@@ -90,7 +90,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
 fn report(model: &Model, program: &Program, rank: &Rank, nearest: Option<&Nearest>) -> Report {
     let found = model_argument::warnings(model, program);
     let mut warnings: Vec<String> = found.items.iter().map(|w| w.message.clone()).collect();
-    let numeric = numeric_warnings(model, program, rank);
+    let numeric = numeric_warnings(model, program, rank, nearest);
     warnings.extend(numeric.iter().cloned());
     let at = |q: &[f64]| json!(place(model, program, q));
     let facts = json!({
@@ -202,7 +202,7 @@ fn place(model: &Model, program: &Program, q: &[f64]) -> Vec<String> {
     parts
 }
 
-fn numeric_warnings(model: &Model, program: &Program, rank: &Rank) -> Vec<String> {
+fn numeric_warnings(model: &Model, program: &Program, rank: &Rank, nearest: Option<&Nearest>) -> Vec<String> {
     let mut warnings = Vec::new();
     if rank.smallest < rank.largest {
         warnings.push(format!(
@@ -229,6 +229,15 @@ fn numeric_warnings(model: &Model, program: &Program, rank: &Rank) -> Vec<String
             found.nominal,
             found.worst,
             place(model, program, &found.worst_at).join(", ")
+        ));
+    } else if let Some(found) = nearest.filter(|found| found.pivot < NEARLY_SINGULAR) {
+        warnings.push(format!(
+            "within the ranges the equations of motion are nearly singular, while the constraints are regular: the \
+             worst pivot falls to {:.1e} of nominal, at {}; there two coordinates describe the same motion, or a \
+             motion moves no mass; narrow their `range`, or choose coordinates that are regular there (the joints \
+             \"spherical\" and \"free\" are so everywhere)",
+            found.pivot,
+            place(model, program, &found.q).join(", ")
         ));
     }
     warnings

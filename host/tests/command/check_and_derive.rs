@@ -115,6 +115,20 @@ fn check_tells_a_dead_point_from_a_singularity() {
     assert!(facts["constraints"]["conditioning"].as_f64().expect("a number") > 0.1, "{facts}");
 }
 
+/// Precession and spin turn about one axis where the top stands upright: no constraint is there to be singular, but the
+/// masses do not say which of the two turns.
+#[test]
+fn check_warns_where_the_masses_do_not_determine_the_motion() {
+    let model = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/../models/gyroscope.toml"));
+    let model = model.expect("a model");
+    let tilted = smartbed(&["check", &written("tilted.toml", &model)]);
+    assert!(tilted.out.contains("no warnings"), "{tilted:?}");
+    let model = model.replace("range = [\"20*deg\", \"160*deg\"]", "range = [\"-20*deg\", \"160*deg\"]");
+    let text = smartbed(&["check", &written("upright.toml", &model)]).out;
+    let warning = "warning: within the ranges the equations of motion are nearly singular";
+    assert!(text.contains(warning) && text.contains("theta = 0.0000 rad"), "{text}");
+}
+
 #[test]
 fn dropped_constraints_are_named_by_every_command_that_derives() {
     let model = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/../models/fourbar.toml"));
