@@ -134,7 +134,7 @@ impl<S: Scalar> Held<S> {
     /// Force (N) that would end the tangential acceleration left by friction on its limit, given all accelerations with
     /// the effect of the forces.
     pub(crate) fn missing(&self, accelerations: &[Twist<S>]) -> S {
-        let [_, x, y] = vec3::add(self.contact.relative(accelerations), self.bias);
+        let [_, x, y] = self.acceleration(accelerations);
         let [_, [_, a, _], [.., c]] = self.inverse_mass;
         let size = a.max(c);
         if size > S::ZERO { (x * x + y * y).sqrt() / size } else { S::ZERO }
@@ -143,7 +143,7 @@ impl<S: Scalar> Held<S> {
     /// Force (N) that would end the normal acceleration with which the contact opens, given all accelerations with the
     /// effect of the forces.
     pub(crate) fn opens(&self, accelerations: &[Twist<S>]) -> S {
-        (self.contact.relative(accelerations)[0] + self.bias[0]) / self.inverse_mass[0][0]
+        self.acceleration(accelerations)[0] / self.inverse_mass[0][0]
     }
 
     /// Changes the force so that it fits the contact, given those of all others.
@@ -153,7 +153,8 @@ impl<S: Scalar> Held<S> {
         inertia: &(impl Inertia<S> + ?Sized),
         accelerations: &mut [Twist<S>],
     ) -> Result<(), Unheld> {
-        let [_, x, y] = self.acceleration(S::ZERO, accelerations);
+        let bodies = self.acceleration(accelerations);
+        let [_, x, y] = bodies;
         let mu = self.contact.friction;
         if let Some(slip) = self.slip.filter(|_| turns) {
             self.slip = Some(Slip { against: self.turned(&slip, [x, y]), ..slip });
@@ -166,7 +167,7 @@ impl<S: Scalar> Held<S> {
             return Err(Unheld::Jammed);
         }
         let soft = yields * (k + kxx + kyy) / S::from_f64(3.0);
-        let normal = n - self.acceleration(soft, accelerations)[0] / (rigid + soft);
+        let normal = n - self.yielding(bodies, soft)[0] / (rigid + soft);
         let normal = if pulls { normal } else { normal.max(S::ZERO) };
         let radius = mu * normal;
         let [x, y] = direction.map_or_else(
@@ -175,7 +176,7 @@ impl<S: Scalar> Held<S> {
         );
         self.set([normal, x, y], inertia, accelerations);
         if direction.is_none() && radius > S::ZERO {
-            let [_, a, b] = self.acceleration(soft, accelerations);
+            let [_, a, b] = self.yielding(self.acceleration(accelerations), soft);
             let mut k = self.inverse_mass;
             (k[1][1], k[2][2]) = (k[1][1] + soft, k[2][2] + soft);
             let [x, y] = rubbed(&k, [x, y], [a, b], radius);
@@ -184,14 +185,14 @@ impl<S: Scalar> Held<S> {
         Ok(())
     }
 
-    /// Relative acceleration along n, t1, t2, with that by which a contact yields to a force: `soft` (1/kg) of it.
-    fn acceleration(&self, soft: S, accelerations: &[Twist<S>]) -> Vec3<S> {
-        let bodies = vec3::add(self.contact.relative(accelerations), self.bias);
-        if soft > S::ZERO {
-            vec3::axpy(bodies, soft, vec3::sub(self.contact.impulse, self.unyielded))
-        } else {
-            bodies
-        }
+    /// Relative acceleration along n, t1, t2.
+    fn acceleration(&self, accelerations: &[Twist<S>]) -> Vec3<S> {
+        vec3::add(self.contact.relative(accelerations), self.bias)
+    }
+
+    /// Adds to the acceleration of the bodies that by which the contact yields to its force: `soft` (1/kg) of it.
+    fn yielding(&self, bodies: Vec3<S>, soft: S) -> Vec3<S> {
+        vec3::axpy(bodies, soft, vec3::sub(self.contact.impulse, self.unyielded))
     }
 
     /// Direction against which friction acts, given the tangential acceleration.

@@ -26,7 +26,7 @@ const REDUNDANT: usize = 4;
 const TURNED: f64 = 1e-6;
 /// Most repetitions.
 const TIMES: usize = 12;
-/// Most sweeps of each; where many contacts need more, forces are those that plain sweeps find from there.
+/// Most sweeps of each; where many contacts would need more, forces are those that plain sweeps find from there.
 const SWEEPS: usize = 200;
 /// Sweeps within which what is left halves at least, and what may be left else (rounding units).
 const PATIENCE: usize = 20;
@@ -95,6 +95,9 @@ fn settle<S: Scalar>(
         let left = sweep(held, (true, pulls, S::from_f64(YIELDS)), scale, inertia, accelerations)?;
         if left <= fine::<S>(number) || patience.ends(number, left) {
             return Ok(true);
+        }
+        if patience.fails(number, SWEEPS) {
+            return Ok(false);
         }
         if number >= PLAIN {
             ahead.note(held);

@@ -28,14 +28,14 @@ pub(crate) struct Patience<S> {
     allowed: S,
     /// The least left before these sweeps, and by these.
     least: [S; 2],
-    /// Whether the sweeps before these gained nothing.
-    stays: bool,
+    /// What the sweeps before these left of what there was.
+    rate: S,
 }
 
 impl<S: Scalar> Patience<S> {
     /// Before the first sweep.
     pub(crate) fn new(sweeps: usize, allowed: S) -> Self {
-        Patience { sweeps, allowed, least: [S::from_f64(f64::INFINITY); 2], stays: false }
+        Patience { sweeps, allowed, least: [S::from_f64(f64::INFINITY); 2], rate: S::ZERO }
     }
 
     /// For forces, of whose changes relative to the largest rounding may be left soon, since those of redundant contacts
@@ -53,10 +53,21 @@ impl<S: Scalar> Patience<S> {
         let [before, now] = &mut self.least;
         *now = now.min(left);
         if number % self.sweeps == self.sweeps - 1 {
-            self.stays = *now > S::from_f64(0.5) * *before;
+            self.rate = *now / *before;
             (*before, *now) = (*now, S::from_f64(f64::INFINITY));
         }
-        self.stays && left <= S::from_f64(2.0) * *before && self.accepts(left)
+        self.stays() && left <= S::from_f64(2.0) * self.least[0] && self.accepts(left)
+    }
+
+    /// Whether sweeps that gain so little would leave too much even after `most` of them, given the number of this one.
+    pub(crate) fn fails(&self, number: usize, most: usize) -> bool {
+        let rounds = most.saturating_sub(number) / self.sweeps;
+        self.stays() && !self.accepts((0..rounds).fold(self.least[0], |left, _| left * self.rate))
+    }
+
+    /// Whether the sweeps before these gained nothing.
+    fn stays(&self) -> bool {
+        self.rate > S::from_f64(0.5)
     }
 
     /// Whether so much may be left.
