@@ -1,8 +1,10 @@
-"""Instructions of a simulated second of every scene and mechanism there was before worlds, now against then.
+"""Instructions of a simulated second of every scene and mechanism there was before worlds, and of some worlds, now against then.
 
-    python3 tests/instructions.py        status 1 where one takes more than 5 % more than before bodies were made of elements
+    python3 tests/instructions.py               status 1 where one takes more than 5 % more than then
+    python3 tests/instructions.py stack_boxes   these alone, with the programs that they need
 
-Both programs are built from git as committed, as a user builds them, in folders below target that are kept; valgrind counts.
+Then: bodies and mechanisms before bodies were made of elements, worlds before redundant contacts were shared out.
+The programs are built from git as committed, as a user builds them, in folders below target that are kept; valgrind counts.
 A run is counted twice, once longer, so that starting, reading and deriving are not counted.
 """
 
@@ -12,11 +14,11 @@ import subprocess
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-# The last commit before bodies were made of elements, which worlds began with.
-BEFORE = "41cd486"
+# The last commits before bodies were made of elements, which worlds began with, and before redundant contacts were shared out.
+ELEMENTS, SHARED = "41cd486", "e8e626b"
 MOST = 1.05
-# Names and two simulated times (s), a few thousand steps apart.
-SUBJECTS = {
+# Names and two simulated times (s): a few thousand steps apart, in worlds a few hundred.
+BODIES = {
     "single_spring": (0.5, 1.5),
     "double_spring": (0.5, 1.5),
     "mass_on_4_springs": (0.5, 1.5),
@@ -37,6 +39,17 @@ SUBJECTS = {
     "arm6": (1.0, 3.0),
     "tile": (1.0, 3.0),
 }
+WORLDS = {
+    "stack_boxes": (0.02, 0.3),
+    "box_bounce": (0.5, 2.0),
+    "rod_with_friction": (0.1, 0.5),
+    "two_cubes": (0.1, 0.5),
+    "stack_cubes": (0.1, 0.2),
+    "ball_on_bladder": (0.1, 0.3),
+    "arm6_pushes_wall": (0.1, 0.3),
+    "tile_with_bladder": (0.1, 0.3),
+}
+THEN = {name: ELEMENTS for name in BODIES} | {name: SHARED for name in WORLDS}
 
 
 def built(commit):
@@ -63,15 +76,19 @@ def counted(folder, name, seconds):
 
 
 def each(folder, name):
-    short, long = SUBJECTS[name]
+    short, long = (BODIES | WORLDS)[name]
     return (counted(folder, name, long) - counted(folder, name, short)) / (long - short)
 
 
-now, then = built("HEAD"), built(BEFORE)
+names = sys.argv[1:] or list(THEN)
+unknown = [name for name in names if name not in THEN]
+if unknown:
+    sys.exit(f"unknown: {', '.join(unknown)}; known: {', '.join(THEN)}")
+programs = {commit: built(commit) for commit in ["HEAD", *dict.fromkeys(THEN[name] for name in names)]}
 more = []
-for name in sys.argv[1:] or SUBJECTS:
-    ratio = each(now, name) / each(then, name)
-    print(f"{name}: {ratio:.3f} of the instructions of {BEFORE}", flush=True)
+for name in names:
+    ratio = each(programs["HEAD"], name) / each(programs[THEN[name]], name)
+    print(f"{name}: {ratio:.3f} of the instructions of {THEN[name]}", flush=True)
     if ratio > MOST:
         more.append(name)
 if more:
