@@ -1,5 +1,5 @@
-//! Quantities observed beside the motion: laws, energies, powers of loads, coordinates in closed form, positions of
-//! points and attitudes of bodies.
+//! Quantities observed beside the motion: laws, energies, powers of loads, coordinates in closed form, what commands
+//! switch by, positions of points and attitudes of bodies.
 //!
 //! In: a model. Out: the same model with these as its outputs, written in the model's own language and derived like any
 //! other output. The program that computes the motion is a different one and does not depend on them. Signs: `actuator`
@@ -8,7 +8,7 @@
 //! external.
 
 use smartbed_codegen::id::Id;
-use smartbed_codegen::model::expression::{Expr, ExprKind};
+use smartbed_codegen::model::expression::{Expr, ExprKind, Function};
 use smartbed_codegen::model::unit::Unit;
 use smartbed_codegen::model::{Axis, FrameId, Load, LoadKind, Model, Output};
 use smartbed_codegen::source::Span;
@@ -25,6 +25,8 @@ pub struct Observers {
     pub law_inputs: Vec<usize>,
     /// Name and unit of each coordinate in closed form, which is not part of the state.
     pub closed: Vec<(String, String)>,
+    /// Number of arguments by which functions of time alone switch.
+    pub switches: usize,
 }
 
 impl Observers {
@@ -36,11 +38,12 @@ impl Observers {
         let mut watched = model.clone();
         let law_inputs = model.laws.iter().map(|(input, _)| input.index()).collect();
         let laws = model.laws.iter().map(|(_, law)| law.clone());
-        let seen = laws.chain(ledger(model)).chain(closed_forms(model)).chain(places(model));
-        watched.outputs = seen.map(output).collect();
+        let switches = switches(model);
+        let seen = laws.chain(ledger(model)).chain(closed_forms(model));
+        watched.outputs = seen.chain(switches.iter().cloned()).chain(places(model)).map(output).collect();
         let closed = model.coordinates.iter().filter(|c| c.closed_form.is_some());
         let closed = closed.map(|c| (c.name.clone(), c.unit.clone())).collect();
-        Ok(Self { program: program::derive(&watched, choice)?, law_inputs, closed })
+        Ok(Self { program: program::derive(&watched, choice)?, law_inputs, closed, switches: switches.len() })
     }
 
     /// A program whose outputs are the laws.
@@ -61,12 +64,19 @@ impl Observers {
         self.part(self.law_inputs.len() + LEDGER.len(), 2 * self.closed.len())
     }
 
+    /// A program whose outputs change sign where a coordinate in closed form may have a kink or a jump in time: the
+    /// arguments of `abs` and `sign`, the differences of those of `min` and `max`.
+    #[must_use]
+    pub fn switches(&self) -> Program {
+        self.part(self.law_inputs.len() + LEDGER.len() + 2 * self.closed.len(), self.switches)
+    }
+
     /// A program whose outputs are the data of a picture of the mechanism: x, y, z of every point; for every body with
     /// a frame the frame's x and y axes; mass, Ixx, Iyy, Izz, Ixy, Ixz, Iyz of every body; gravity; the lengths of the
     /// shapes in `[view]`.
     #[must_use]
     pub fn places(&self) -> Program {
-        let first = self.law_inputs.len() + LEDGER.len() + 2 * self.closed.len();
+        let first = self.law_inputs.len() + LEDGER.len() + 2 * self.closed.len() + self.switches;
         self.part(first, self.program.outputs.len() - first)
     }
 
@@ -129,6 +139,42 @@ fn ledger(model: &Model) -> [Expr; 5] {
 fn closed_forms(model: &Model) -> impl Iterator<Item = Expr> + '_ {
     let closed = model.coordinates.enumerate().filter(|(_, c)| c.closed_form.is_some());
     closed.flat_map(|(id, _)| [node(ExprKind::Coordinate(id)), node(ExprKind::Rate(id))])
+}
+
+/// Functions of time alone at whose zeros the closed form of a coordinate may have a kink or a jump.
+fn switches(model: &Model) -> Vec<Expr> {
+    let mut found = Vec::new();
+    let forms = model.coordinates.iter().filter_map(|c| c.closed_form.as_ref());
+    forms.for_each(|form| switches_of(model, form, &mut found));
+    found.retain(|argument| !mentions(model, argument, &|e| is_state(model, e)));
+    found
+}
+
+/// Those of an expression and of the definitions that it reads.
+fn switches_of(model: &Model, expr: &Expr, found: &mut Vec<Expr>) {
+    expr.visit(&mut |e| match &e.kind {
+        ExprKind::Call(Function::Abs | Function::Sign, arguments) => found.extend(arguments.iter().cloned()),
+        ExprKind::Call(Function::Min | Function::Max, arguments) => {
+            if let [a, b] = &arguments[..] {
+                found.push(node(ExprKind::Subtract(Box::new(a.clone()), Box::new(b.clone()))));
+            }
+        }
+        ExprKind::Definition(id) => switches_of(model, &model.definitions[*id].value, found),
+        _ => {}
+    });
+}
+
+/// Does it depend on more than time?
+fn is_state(model: &Model, e: &Expr) -> bool {
+    use ExprKind::{AngularVelocity, Axis, Coordinate, Input, Point, Rate, Speed, Velocity};
+    match &e.kind {
+        Coordinate(id) => match &model.coordinates[*id].closed_form {
+            Some(form) => mentions(model, form, &|e| is_state(model, e)),
+            None => true,
+        },
+        Rate(_) | Speed(_) | Input(_) | Point(_) | Velocity(_) | AngularVelocity(_) | Axis(..) => true,
+        _ => false,
+    }
 }
 
 /// x, y, z in N of every point but the origin; axes of bodies; masses and moments; gravity.

@@ -15,6 +15,7 @@ use smartbed_runtime::real::Scalar;
 use smartbed_runtime::surface::Frame;
 use smartbed_runtime::vec3;
 use smartbed_runtime::world::{InverseInertia, Wrench};
+use std::cmp::Ordering;
 use std::ops::Range;
 
 /// The answers needed for each port.
@@ -51,6 +52,13 @@ pub struct Ported<S = f64> {
     /// Names and units of q and u.
     pub names: Vec<(String, String)>,
     closed_forms: Interpreted<S>,
+    switches: Interpreted<S>,
+    /// Whether a function of time alone that commands a coordinate may have kinks or jumps.
+    pub(super) has_switches: bool,
+    /// Name of the model, which is that of the part where that commands coordinates.
+    pub(super) name: String,
+    /// Times between which no command has a kink.
+    pub(super) smooth: [S; 2],
     /// Names and units of the coordinates in closed form, commanded ones among them.
     pub closed: Vec<(String, String)>,
 }
@@ -129,6 +137,10 @@ impl<S: Scalar> Ported<S> {
             ],
             names: quantities.map(|x| (x.name.clone(), x.unit.clone())).collect(),
             closed_forms: Interpreted::new(&observers.closed_forms()),
+            switches: Interpreted::new(&observers.switches()),
+            has_switches: observers.switches > 0,
+            name: model.name.clone(),
+            smooth: [f64::NEG_INFINITY, f64::INFINITY].map(S::from_f64),
             closed: observers.closed,
         };
         Ok((ported, start))
@@ -217,6 +229,21 @@ impl<S: Scalar> Ported<S> {
         self.engine.function(0, (t, q, u, &self.inputs, &self.u_dot))
     }
 
+    /// All answers of all ports, continued beyond the times at which commands have kinks by parabolas: differences of
+    /// frames in time look a little ahead and back.
+    fn continued(&mut self, t: S, q: &[S], u: &[S]) -> Result<Vec<S>, Fault> {
+        let [first, last] = self.smooth;
+        let edge = if t < first { first } else { last };
+        if first <= t && t <= last {
+            return self.asked(t, q, u);
+        }
+        let beyond = t - edge;
+        let [one, two, three] = [edge, edge - beyond, edge - beyond - beyond].map(|t| self.asked(t, q, u));
+        let (one, two, three) = (one?, two?, three?);
+        let inside = one.iter().zip(&two).zip(&three);
+        Ok(inside.map(|((a, b), c)| S::from_f64(3.0) * (*a - *b) + *c).collect())
+    }
+
     /// Number of coordinates.
     #[must_use]
     pub fn n_q(&self) -> usize {
@@ -243,7 +270,7 @@ impl<S: Scalar> Ported<S> {
         if self.first.is_empty() {
             return Ok(());
         }
-        let answers = self.asked(t, q, u)?;
+        let answers = self.continued(t, q, u)?;
         let three = |first: usize| [answers[first], answers[first + 1], answers[first + 2]];
         for ([position, rotation, twist, ..], frame) in self.first.iter().zip(frames) {
             let rows = [0, 3, 6].map(|row| three(rotation + row));
@@ -327,17 +354,22 @@ impl<S: Scalar> Ported<S> {
         self.engine.energy(q, u)
     }
 
-    /// Values of the coordinates in closed form.
+    /// Values and rates of the coordinates in closed form.
     ///
     /// # Errors
     /// The engine's.
-    pub fn closed_forms(&mut self, t: S, q: &[S], u: &[S]) -> Result<Vec<S>, Fault> {
+    pub fn closed_forms(&mut self, t: S, q: &[S], u: &[S]) -> Result<Vec<[S; 2]>, Fault> {
         if self.closed.is_empty() {
             return Ok(Vec::new());
         }
-        // A rate follows each value.
         let values = self.closed_forms.outputs(t, q, u, &self.inputs[..self.own])?;
-        Ok(values.into_iter().step_by(2).collect())
+        Ok(values.chunks_exact(2).map(|both| [both[0], both[1]]).collect())
+    }
+
+    /// Signs of the functions of time at whose zeros a command may have a kink or a jump.
+    pub(super) fn sides(&mut self, t: S, q: &[S], u: &[S]) -> Result<Vec<Ordering>, Fault> {
+        let values = self.switches.outputs(t, q, u, &self.inputs[..self.own])?;
+        Ok(values.iter().map(|value| value.partial_cmp(&S::ZERO).unwrap_or(Ordering::Equal)).collect())
     }
 
     /// Energies and powers at a state under wrenches.

@@ -215,3 +215,85 @@ fn rows_show_the_force_of_a_located_contact_at_their_time() {
         assert!((force - expected).abs() < 1e-6, "{t}: {force} {expected}");
     }
 }
+
+/// A plate that stands until `at` and then rises at 2 m/s, with a ball on it.
+fn kicked(name: &str, at: f64, law: &str) -> String {
+    Piston::world();
+    scene(
+        name,
+        &format!(
+            "format = 2\n[parts.piston]\nmechanism = \"piston_model\"\n\
+             command = {{ s = \"0.2_m + 1_m*(t/1_s - {at} + abs(t/1_s - {at}))\" }}\n\
+             [parts.top]\nrigid = \"box\"\nsize = [0.3, 0.3, 0.02]\non = \"piston.top\"\nstart = {{ position = [0, 0, -0.01] }}\n\
+             [parts.ball]\nrigid = \"sphere\"\nradius = 0.05\nmass = 1.3\nstart = {{ height = 0.2 }}\n\
+             [[contacts]]\nbetween = [\"ball\", \"top\"]\n{law}\n[run]\nseconds = 0.131\nstep = \"1_ms\"\n"
+        ),
+    )
+}
+
+/// The ball is struck by the speed that the plate has after the kink, wherever in a step that is.
+#[test]
+fn a_plate_whose_commanded_speed_jumps_strikes_what_lies_on_it() {
+    let laws = [
+        ("impact = \"plastic\"", 0.0, 1e-12),
+        ("impact = \"stronge\"\nrestitution = 0.5", 0.5, 1e-12),
+        ("impact = \"compensation\"\nshare = 0.25", 0.5, 1e-12),
+        // Of order 1: a step treats the impact as if at its end.
+        ("impact = \"moreau\"\nrestitution = 0.5", 0.5, 2e-3),
+    ];
+    for at in [0.1003, 0.1, 0.0] {
+        for (law, e, within) in laws {
+            let rows = rows(&[&kicked("kicked", at, law)]);
+            let (speed, late) = (2.0 * (1.0 + e), 0.131 - at);
+            let falls = if e > 0.0 { 0.5 * G * late * late } else { 0.0 };
+            let height = column(&rows, "ball.z").pop().expect("a row");
+            assert!(
+                (height - (0.25 + speed * late - falls)).abs() < within * late / 0.0307,
+                "{at} {law}: {height}"
+            );
+            let lost = column(&rows, "imbalance").pop().expect("a row");
+            assert!(lost.abs() < 1e-9, "{at} {law}: {lost} J in no account");
+        }
+    }
+}
+
+/// A plate that drops faster than things fall leaves its ball behind, and catches none when it stops below it.
+#[test]
+fn a_plate_that_drops_at_once_leaves_its_ball_behind() {
+    let falls = |t: f64| 0.25 - 0.5 * G * t * t;
+    let command = "0.2_m - 2_m*max(0, t/1_s - 0.0503)";
+    for law in ["plastic", "moreau"] {
+        let text = std::fs::read_to_string(kicked("dropped", 0.0, &format!("impact = \"{law}\"")))
+            .expect("the scene");
+        let (start, end) =
+            (text.find("command").expect("a command"), text.find("[parts.top]").expect("a plate"));
+        let text = format!("{}command = {{ s = \"{command}\" }}\n{}", &text[..start], &text[end..]);
+        let rows = rows(&[&scene("dropped", &text)]);
+        for (t, height) in column(&rows, "t").into_iter().zip(column(&rows, "ball.z")) {
+            let expected = falls((t - 0.0503).max(0.0));
+            assert!((height - expected).abs() < 1e-12, "{law} at {t}: {height} {expected}");
+        }
+    }
+}
+
+/// The drive's impulse on the cart leaves the block's momentum along its slope: m (r' + s' cos a).
+#[test]
+fn what_is_free_beside_a_commanded_kink_keeps_its_momentum() {
+    let text = std::fs::read_to_string(on_wedge("kinked_wedge", "")).expect("the scene");
+    let command = "0.3_m*t/1_s + 0.05_m*sin(6*t/1_s)";
+    let text =
+        text.replace(command, "0.3_m*max(0, t/1_s - 0.0503)").replace("seconds = 0.3", "seconds = 0.05031");
+    let rows = rows(&[&scene("kinked_wedge", &text.replace("-0.02_m", "-0.0470300261_m"))]);
+    let (before, after) = (column(&rows, "cart.u_r"), column(&rows, "imbalance"));
+    let speed = before.last().expect("a row");
+    assert!((speed + 0.3 * 0.5_f64.cos()).abs() < 1e-5, "{speed}");
+    assert!(after.last().expect("a row").abs() < 1e-7, "{after:?}");
+}
+
+#[test]
+fn a_command_whose_value_jumps_is_refused_by_name_and_time() {
+    let text = std::fs::read_to_string(kicked("leaps", 0.0, "impact = \"moreau\"")).expect("the scene");
+    let text = text.replace("0.2_m + 1_m*(t/1_s - 0 + abs(t/1_s - 0))", "0.2_m + 0.1_m*sign(t/1_s - 0.0503)");
+    let said = fails(&["run", &scene("leaps", &text), "--csv", "-"]);
+    assert!(said.contains("the command of `piston.s` jumps at t = 0.0503"), "{said}");
+}

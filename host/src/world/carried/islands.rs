@@ -8,6 +8,7 @@
 use super::reach::Reach;
 use super::subset::Subset;
 use super::{CarriedWorld, Place, words};
+use crate::world::carriers::HostCarrier;
 use crate::world::engine::Event;
 use smartbed_runtime::vec3;
 use smartbed_runtime::world::Carrier;
@@ -26,6 +27,8 @@ pub(super) struct Islands {
     component: Vec<Option<usize>>,
     /// By component: its bounding box and fastest speed.
     reaches: Vec<Reach>,
+    /// By component: whether a command may change its speed at once, so that its speed now says nothing of its reach.
+    leaps: Vec<bool>,
     /// By component: time for which it has been slow (s).
     quiet: Vec<f64>,
     /// Components whose parts may touch.
@@ -62,7 +65,15 @@ impl Islands {
         pairs.dedup();
         let threads = thread::available_parallelism().map_or(1, NonZero::get);
         let (reaches, quiet, groups) = (vec![Reach::NOTHING; count], vec![0.0; count], Vec::new());
-        Some(Islands { component, reaches, quiet, pairs, groups, sleep, threads })
+        let mut leaps = vec![false; count];
+        for (part, place) in world.places.iter().enumerate() {
+            if let (Place::Carrier(own, _), Some(component)) = (place, component[part])
+                && matches!(&world.carriers[*own], HostCarrier::Mechanism(own) if own.has_switches)
+            {
+                leaps[component] = true;
+            }
+        }
+        Some(Islands { component, reaches, leaps, quiet, pairs, groups, sleep, threads })
     }
 
     /// The values that a checkpoint needs.
@@ -137,7 +148,9 @@ impl Islands {
             }
         }
         let gravity = vec3::norm(whole.fixed.gravity);
-        let near = |[a, b]: &&[usize; 2]| self.reaches[*a].is_near(&self.reaches[*b], h, gravity);
+        let near = |[a, b]: &&[usize; 2]| {
+            self.leaps[*a] || self.leaps[*b] || self.reaches[*a].is_near(&self.reaches[*b], h, gravity)
+        };
         let groups = joined(self.reaches.len(), self.pairs.iter().filter(near).copied());
         if self.groups.iter().map(|group| &group.components).eq(&groups) {
             self.forget_reaches();

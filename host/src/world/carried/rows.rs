@@ -81,7 +81,9 @@ impl<S: Settle> Engine for CarriedWorld<S> {
                     [own_q, &own_u[..3], &spin[..]].concat()
                 }
                 HostCarrier::Mechanism(own) => {
-                    [own_q, own_u, &own.closed_forms(t, own_q, own_u).map_err(words)?].concat()
+                    let closed = own.closed_forms(t, own_q, own_u).map_err(words)?;
+                    let values: Vec<S> = closed.iter().map(|[value, _]| *value).collect();
+                    [own_q, own_u, &values].concat()
                 }
                 HostCarrier::Still(_) => Vec::new(),
             });

@@ -21,8 +21,8 @@ pub(super) enum Drivable {
 }
 
 impl<S: Scalar> CarriedWorld<S> {
-    /// A step of motion, lines of gas shut.
-    pub(super) fn move_on(&mut self, h: f64, found: &mut Vec<Event>) -> Result<(), String> {
+    /// A step of motion in which no command has a kink, lines of gas shut.
+    pub(super) fn move_smoothly(&mut self, h: f64, found: &mut Vec<Event>) -> Result<(), String> {
         if self.steps_as_world() {
             let (mut x, mut low) = (std::mem::take(&mut self.x), std::mem::take(&mut self.low));
             let done = self.step_touching(h, (&mut x, &mut low), false, found);

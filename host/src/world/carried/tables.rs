@@ -86,6 +86,17 @@ impl CarriedWorld {
             let why = "the chip steps worlds without lines of gas and controllers; leave supply, vent and [controllers] out";
             return Err(why.to_owned());
         }
+        let kinks = |part: &usize| {
+            let Place::Carrier(number, _) = self.places[*part] else { return false };
+            matches!(&self.carriers[number], HostCarrier::Mechanism(own) if own.has_switches)
+        };
+        if let Some(part) = (0..self.places.len()).find(kinks) {
+            return Err(format!(
+                "`{}`: a command with abs, sign, min or max may change its speed at once, where the chip cuts no step; write \
+                 a smooth one",
+                self.names[part]
+            ));
+        }
         match self.method.1 {
             Stepping::Ode(method) => Ok(Some(method)),
             Stepping::Moreau => Ok(None),
