@@ -126,3 +126,32 @@ fn a_grazing_touch_gives_no_more_than_it_has() {
         assert!((impulses[2] - 0.008046).abs() < 1e-5, "{step}: {impulses:?}");
     }
 }
+
+/// A contact that slides off a facet loses its support at once: the forces behind that instant are no works of the step.
+#[test]
+fn dampers_of_a_ball_that_a_box_strikes_take_what_they_take() {
+    let box_at = |place: &str, speed: u32| {
+        format!(
+            "start = {{ position = {place}, velocity = [{speed}, 0, 0], axis = [1, 2, 3], angle = \"30_deg\" }}\n"
+        )
+    };
+    let gas = "gas = { gauge = \"5_kPa\" }\n";
+    for (gas, start, e) in [
+        (gas, box_at("[-0.35, 0, 0]", 20), 0.5),
+        ("", box_at("[-0.35, 0.01, 0.02]", 10), 1.0),
+        ("", box_at("[-0.35, 0, 0]", 3), 0.5),
+    ] {
+        let text = format!(
+            "format = 2\ngravity = [0, 0, 0]\n[parts.ball]\nshape = \"ball\"\nradius = 0.1\nmass = 0.2\nK = 2000\nC = 2\n{gas}\
+             [parts.box]\nrigid = \"box\"\nsize = [0.1, 0.1, 0.1]\nmass = 0.5\n{start}\
+             [[contacts]]\nbetween = [\"box\", \"ball\"]\nimpact = \"stronge\"\nrestitution = {e}\n\
+             [run]\nseconds = 0.2\nstep = \"0.4_ms\"\n"
+        );
+        let last = &json(&[&scene("box_and_ball", &text)])["last"];
+        let [lost, damped] = ["imbalance", "damping"].map(|name| number(&last[name]));
+        assert!(
+            lost.abs() < 1e-3 && damped > 1e-3,
+            "{start}: {lost} J in no account, {damped} J in the dampers"
+        );
+    }
+}
