@@ -123,7 +123,7 @@ fn add(bed: &Bed, [a, b]: [usize; 2], [nodes, sheet]: [&Laid; 2], all: &mut Vec<
     let facets: Vec<[usize; 4]> = bed.lattice.facets().collect();
     let mut normals = vec![[0.0; 3]; sheet.places.len()];
     if !near.is_empty() {
-        vertex_normals(&facets, &sheet.places, &mut normals);
+        vertex_normals(&facets, &sheet.places, 0..sheet.places.len(), &mut normals);
     }
     let [wide, long] = bed.lattice.size;
     let [nx, ny] = bed.lattice.intervals;

@@ -2,7 +2,8 @@
 
 use crate::support::{command, timed};
 
-/// Bar (s) for the scene's own sheets of 3 x 3 nodes. On a quiet core it takes a quarter to a fifth of that.
+/// Bar (s) for sheets of up to 9 x 9 nodes. On a quiet core these take half of that, the scene's own of 3 x 3 nodes a
+/// tenth.
 const KEEPS_UP: f64 = 1.0;
 /// A start (s) that holds reading and settling, and the time (s) that is measured behind it.
 const TIMES: [f64; 2] = [0.1, 0.6];
@@ -35,13 +36,13 @@ fn second(scalar: &str, nodes: usize) -> (f64, f64) {
 
 #[test]
 fn the_bed_with_a_ball_keeps_up_with_time_in_f32() {
-    for (scalar, nodes) in [("f32", 3), ("f64", 3), ("f32", 9)] {
+    for (scalar, nodes) in [("f32", 3), ("f64", 3), ("f32", 9), ("f32", 13)] {
         let (taken, force) = second(scalar, nodes);
         println!(
             "{scalar}, {nodes} x {nodes} nodes a sheet: {taken:.2} s of processor time a simulated second"
         );
         // The ball of 5 kg presses with its weight, and more or less as tiles move.
         assert!((20.0..100.0).contains(&force), "{force} N");
-        assert!(nodes > 3 || taken < KEEPS_UP, "{scalar}: {taken} s");
+        assert!(nodes > 9 || taken < KEEPS_UP, "{scalar}: {taken} s");
     }
 }

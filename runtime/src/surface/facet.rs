@@ -8,6 +8,8 @@
 //! is solved by Newton's method. N is the same on both sides of an edge, so gap and normal are continuous from facet to
 //! facet; the normals of flat facets would jump there.
 
+use core::ops::Range;
+
 use crate::real::Scalar;
 use crate::vec3::{self, Vec3};
 
@@ -48,18 +50,26 @@ impl<S: Scalar> FacetNearest<S> {
     }
 }
 
-/// Unit normals at the points of a body: the sum of the vector areas of the adjacent facets, normalised.
+/// Unit normals at consecutive points of a body: the sum of the vector areas of the adjacent facets, normalised.
 ///
-/// `normals` has one row per point; points of no facet get the zero vector.
-pub fn vertex_normals<S: Scalar>(facets: &[[usize; 4]], pos: &[Vec3<S>], normals: &mut [Vec3<S>]) {
+/// `normals` has one row per point of `pos`; those at `points` are written, with the zero vector at points of no facet.
+/// Corners of facets that are not among them get none.
+pub fn vertex_normals<S: Scalar>(
+    facets: &[[usize; 4]],
+    pos: &[Vec3<S>],
+    points: Range<usize>,
+    normals: &mut [Vec3<S>],
+) {
+    let first = points.start;
+    let Some(normals) = normals.get_mut(points.clone()) else { return };
     normals.fill(vec3::zero());
     for facet in facets {
         let [a, b, c, d] = facet.map(|k| vec3::at(pos, k));
         let area = vec3::cross(vec3::sub(c, a), vec3::sub(d, b));
         for (number, corner) in facet.iter().enumerate() {
             // A triangle repeats its third corner.
-            if !facet.iter().take(number).any(|before| before == corner) {
-                vec3::add_at(normals, *corner, area);
+            if points.contains(corner) && !facet.iter().take(number).any(|before| before == corner) {
+                vec3::add_at(normals, *corner - first, area);
             }
         }
     }

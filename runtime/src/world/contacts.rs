@@ -4,7 +4,9 @@
 //! with its impulse, and the velocities that they leave.
 
 use super::carrier::{Carrier, Wrench};
-use super::island::Cut;
+use super::detect::Touch;
+use super::extent::Extent;
+use super::island::{Cut, Memory};
 use super::scenery::Scenery;
 use super::sweep::{self, sweep};
 use super::thing::Thing;
@@ -12,7 +14,7 @@ use super::whole::{StepMemory, World};
 use crate::mechanism::Fault;
 use crate::ode::Ode;
 use crate::real::Scalar;
-use crate::rigid::contact::{Contact, Twist};
+use crate::rigid::contact::{Contact, Side, Twist};
 use crate::surface::facet::vertex_normals;
 use crate::vec3::{self, Vec3};
 
@@ -36,8 +38,10 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         {
             return Err(Fault::Shape);
         }
-        for (index, (to, (from, rate))) in new.iter_mut().zip(middle.iter().zip(dot)).enumerate() {
-            *to = if index < n_q { *from } else { *from + h * *rate };
+        let turning = self.island.carrier.n_q();
+        new.iter_mut().zip(middle).take(turning).for_each(|(to, from)| *to = *from);
+        for (to, (from, rate)) in new.iter_mut().zip(middle.iter().zip(dot)).skip(n_q) {
+            *to = *from + h * *rate;
         }
         let [start, free, _] = twists;
         let lists = [(&mut **first, &mut **start, middle), (&mut **last, &mut **free, &*new)];
@@ -48,11 +52,11 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
             for (twist, frame) in of_ports.iter_mut().zip(frames.iter()) {
                 *twist = Twist { velocity: frame.velocity, angular: frame.angular_velocity };
             }
-            of_nodes.fill(Twist::zero());
-            for (node, velocity) in super::island::free_nodes(&self.island.body).zip(vel.chunks_exact(3)) {
-                if let (Some(twist), [x, y, z]) = (of_nodes.get_mut(node), velocity) {
-                    twist.velocity = [*x, *y, *z];
-                }
+            let mut velocities = vel.as_chunks::<3>().0.iter();
+            for (twist, fixed) in of_nodes.iter_mut().zip(self.island.body.fixed) {
+                let velocity = if *fixed { None } else { velocities.next() };
+                *twist =
+                    Twist { velocity: velocity.copied().unwrap_or_else(vec3::zero), angular: vec3::zero() };
             }
         }
         Ok(())
@@ -89,8 +93,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         if self.pairs.is_empty() {
             return Ok(());
         }
-        self.turn_normals(normals);
-        let count = self.scenery(normals, margin).find(self.pairs, now, extents)?;
+        let count = self.detect((margin, false), normals, extents, now)?;
         let island = &mut self.island;
         counts[0] = count;
         if count == 0 {
@@ -102,25 +105,52 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
             sides.flat_map(|side| side.points()).any(|point| point.body == port)
         };
         inertias.ask(&mut island.carrier, t, (q, u), touched)?;
-        for (node, yields) in inertias.nodes.iter_mut().enumerate() {
-            *yields = island.body.inverse_mass(node);
-        }
+        let ports = inertias.couplings.len();
         for touch in now.iter_mut().take(count) {
+            for node in
+                touch.contact.sides.iter().flat_map(Side::points).filter_map(|p| p.body.checked_sub(ports))
+            {
+                if let Some(yields) = inertias.nodes.get_mut(node) {
+                    *yields = island.body.inverse_mass(node);
+                }
+            }
             touch.inverse_mass = touch.contact.inverse_mass(inertias);
             touch.start = touch.contact.relative(start);
         }
         Ok(())
     }
 
-    /// Normals at the nodes as placed last; skipped where no facet can be touched.
-    pub(super) fn turn_normals(&self, normals: &mut [Vec3<S>]) {
-        if !normals.is_empty() {
-            vertex_normals(self.island.body.facets, self.island.memory.pos, normals);
+    /// Lists the contacts at the positions placed last with gaps up to a margin (m), and with what rides on facets if
+    /// asked; returns their number.
+    pub(super) fn detect(
+        &self,
+        (margin, rides): (S, bool),
+        normals: &mut [Vec3<S>],
+        extents: &mut [Extent<S>],
+        touches: &mut [Touch<S>],
+    ) -> Result<usize, Fault> {
+        self.scenery(&[], margin, rides).measure(extents);
+        let nears = |thing: usize| {
+            self.pairs.iter().any(|pair| pair.things.contains(&thing) && pair.may_meet(extents, margin))
+        };
+        self.turn_normals(normals, nears);
+        self.scenery(normals, margin, rides).find(self.pairs, touches, extents)
+    }
+
+    /// Normals at the nodes of the `wanted` things as placed last; skipped where no facet can be touched.
+    pub(super) fn turn_normals(&self, normals: &mut [Vec3<S>], wanted: impl Fn(usize) -> bool) {
+        for (number, thing) in self.things.iter().enumerate() {
+            if let Thing::Mesh { nodes: [first, end], facets: [first_facet, end_facet], .. } = thing
+                && wanted(number)
+            {
+                let facets = self.island.body.facets.get(*first_facet..*end_facet).unwrap_or_default();
+                vertex_normals(facets, self.island.memory.pos, *first..*end, normals);
+            }
         }
     }
 
     /// The geometry of everything as placed last.
-    pub(super) fn scenery<'s>(&'s self, normals: &'s [Vec3<S>], margin: S) -> Scenery<'s, S> {
+    pub(super) fn scenery<'s>(&'s self, normals: &'s [Vec3<S>], margin: S, rides: bool) -> Scenery<'s, S> {
         let island = &self.island;
         Scenery {
             things: self.things,
@@ -130,25 +160,28 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
             pos: island.memory.pos,
             normals,
             margin,
-            rides: false,
+            rides,
         }
     }
 
     /// Upper bound on how much a step may close a gap (m).
     fn margin(&self, h: S, memory: &StepMemory<'_, S>) -> S {
-        let (mut low, mut high) = (vec3::zero::<S>(), vec3::zero::<S>());
-        let origins = self.island.memory.frames.iter().map(|frame| frame.origin);
-        for (number, place) in origins.chain(self.island.memory.pos.iter().copied()).enumerate() {
-            for ((low, high), x) in low.iter_mut().zip(high.iter_mut()).zip(place) {
-                (*low, *high) = if number == 0 { (x, x) } else { (low.min(x), high.max(x)) };
+        let Memory { frames, pos, .. } = &self.island.memory;
+        let origins = frames.iter().map(|frame| frame.origin);
+        let bounds = origins.fold(Extent::around(pos), |bounds, origin| {
+            Some(bounds.unwrap_or(Extent { low: origin, high: origin }).with(origin))
+        });
+        let size = bounds.map_or(S::ZERO, |bounds| bounds.diagonal()) + self.largest();
+        let (mut fastest, mut square) = (S::ZERO, S::ZERO);
+        for twists in memory.twists.iter().take(2) {
+            let (of_ports, of_nodes) = twists.split_at(frames.len().min(twists.len()));
+            for Twist { velocity, angular } in of_ports {
+                fastest = fastest.max(vec3::norm(*velocity) + size * vec3::norm(*angular));
             }
+            square =
+                of_nodes.iter().fold(square, |most, own| most.max(vec3::dot(own.velocity, own.velocity)));
         }
-        let size = vec3::norm(vec3::sub(high, low)) + self.largest();
-        let mut fastest = S::ZERO;
-        for twist in memory.twists.iter().take(2).flat_map(|twists| twists.iter()) {
-            fastest = fastest.max(vec3::norm(twist.velocity) + size * vec3::norm(twist.angular));
-        }
-        S::from_f64(2.0) * h * fastest
+        S::from_f64(2.0) * h * fastest.max(square.sqrt())
     }
 
     /// Largest distance of a shape's surface from its port (m).
@@ -171,8 +204,14 @@ pub(super) fn press<S: Scalar>(h: S, memory: &mut StepMemory<'_, S>) -> sweep::S
     }
     let sweeps = sweep(now, h, inertias, end);
     sweep::take_no_more(now, free, inertias, end);
-    // Sweeps accumulate rounding errors in the velocities: recompute them from the impulses.
-    end.iter_mut().zip(free.iter()).for_each(|(to, from)| *to = *from);
+    // Sweeps accumulate rounding errors in the velocities that they change: recompute them from the impulses.
+    let ports = inertias.couplings.len();
+    end.iter_mut().zip(free.iter()).take(ports).for_each(|(to, from)| *to = *from);
+    for point in now.iter().flat_map(|touch| touch.contact.sides.iter().flat_map(Side::points)) {
+        if let (Some(to), Some(from)) = (end.get_mut(point.body), free.get(point.body)) {
+            *to = *from;
+        }
+    }
     now.iter().for_each(|touch| touch.contact.push(inertias, end, touch.contact.impulse));
     sweeps
 }

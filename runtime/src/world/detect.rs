@@ -13,7 +13,8 @@
 //! line. Exception: a node over a facet, where friction has the gap as its arm. Edges of facets that cross, and a mesh
 //! on itself, are not detected.
 
-use super::scenery::{EDGE, Extent, Feet, Foot, Mesh, Over, Scenery, Standing, shares};
+use super::extent::Extent;
+use super::scenery::{EDGE, Feet, Foot, Mesh, Over, Scenery, Standing, shares};
 use super::thing::{Pair, Thing};
 use crate::mechanism::Fault;
 use crate::real::Scalar;
@@ -179,20 +180,17 @@ pub(super) fn keep_only<S: Scalar>(
 }
 
 impl<'a, S: Scalar> Scenery<'a, S> {
-    /// Fills the list; returns its length. `extents` is memory for a bounding box of each thing, with which pairs too
-    /// far apart are skipped; pairs whose boxes have no room in it are always examined.
+    /// Fills the list; returns its length. Pairs whose bounding boxes are too far apart are skipped; those without boxes
+    /// are always examined.
     pub(super) fn find(
         &self,
         pairs: &[Pair<S>],
         touches: &mut [Touch<S>],
-        extents: &mut [Extent<S>],
+        extents: &[Extent<S>],
     ) -> Result<usize, Fault> {
         let mut found = Found { touches, count: 0, full: false };
-        extents.iter_mut().zip(self.things).for_each(|(extent, thing)| *extent = self.extent(thing));
         for pair in pairs.iter().enumerate() {
-            if let [Some(one), Some(other)] = pair.1.things.map(|thing| extents.get(thing))
-                && !one.is_near(other, self.margin)
-            {
+            if !pair.1.may_meet(extents, self.margin) {
                 continue;
             }
             let [Some(one), Some(other)] = pair.1.things.map(|thing| self.things.get(thing)) else {

@@ -83,6 +83,8 @@ pub struct Island<'a, S, C> {
     pub(super) attachments: &'a [Attachment<S>],
     pub(super) memory: Memory<'a, S>,
     pub(super) cells: &'a [Cell<S>],
+    /// Number of nodes that forces can move: neither fixed nor attached.
+    free: usize,
 }
 
 /// Nodes of a body that forces can move: neither fixed nor attached.
@@ -110,7 +112,8 @@ impl<'a, S: Scalar, C: Carrier<S>> Island<'a, S, C> {
         };
         let known = attachments.iter().all(|a| a.port < memory.frames.len() && is_held(a));
         let fits = fits && memory.frames.len() == carrier.n_ports();
-        let island = Island { carrier, body, attachments, memory, cells: &[] };
+        let free = free_nodes(&body).count();
+        let island = Island { carrier, body, attachments, memory, cells: &[], free };
         if fits && known { Ok(island) } else { Err(Fault::Shape) }
     }
 
@@ -125,11 +128,6 @@ impl<'a, S: Scalar, C: Carrier<S>> Island<'a, S, C> {
         let held = |grid: &Grid<S>| cells.iter().any(|cell| cell.holds(grid));
         let twice = self.body.inflation.is_some() && self.body.grids.iter().any(held);
         if known && !twice { Ok(self) } else { Err(Fault::Shape) }
-    }
-
-    /// Number of nodes that forces can move: neither fixed nor attached.
-    fn free(&self) -> usize {
-        free_nodes(&self.body).count()
     }
 
     /// The flexible body, all parts of it.
@@ -400,11 +398,11 @@ pub(super) struct Cut<T> {
 
 impl<S: Scalar, C: Carrier<S>> Ode<S> for Island<'_, S, C> {
     fn n_x(&self) -> usize {
-        self.carrier.n_q() + self.carrier.n_u() + 6 * self.free()
+        self.carrier.n_q() + self.carrier.n_u() + 6 * self.free
     }
 
     fn n_q(&self) -> usize {
-        self.carrier.n_q() + 3 * self.free()
+        self.carrier.n_q() + 3 * self.free
     }
 
     fn rates(&mut self, t: S, x: &[S], x_dot: &mut [S]) -> Result<S, Fault> {

@@ -3,6 +3,7 @@
 //! In: things, and the frames and nodes that carry them. Out: sides of contacts, the facet below a point, the two
 //! facets of a fold around it.
 
+use super::extent::Extent;
 use super::island::Attachment;
 use super::thing::Thing;
 use crate::flexible::Body;
@@ -65,33 +66,6 @@ pub(super) type Standing<S> = (Shape<S>, Option<usize>, Frame<S>);
 /// A facet and the foot of a point on it.
 pub(super) type Foot<'a, S> = (&'a [usize; 4], FacetNearest<S>);
 
-/// Axis-aligned box around a thing, in N (m); infinite for a thing without bounds.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Extent<S> {
-    pub(super) low: Vec3<S>,
-    pub(super) high: Vec3<S>,
-}
-
-impl<S: Scalar> Extent<S> {
-    /// The infinite box.
-    #[must_use]
-    pub fn everywhere() -> Extent<S> {
-        let far = S::from_f64(f64::INFINITY);
-        Extent { low: [-far; 3], high: [far; 3] }
-    }
-
-    /// Length of the box's diagonal (m); infinite without bounds.
-    #[must_use]
-    pub fn diagonal(&self) -> S {
-        vec3::norm(vec3::sub(self.high, self.low))
-    }
-
-    /// Whether points of the two boxes may be within `margin` (m) of each other.
-    pub(super) fn is_near(&self, other: &Extent<S>, margin: S) -> bool {
-        (0..3).all(|i| self.low[i] - margin <= other.high[i] && other.low[i] - margin <= self.high[i])
-    }
-}
-
 /// How far a facet is extended beyond its edges.
 #[derive(Clone, Copy, PartialEq)]
 pub(super) enum Beyond {
@@ -125,9 +99,9 @@ pub(super) enum Over {
 }
 
 impl<'a, S: Scalar> Scenery<'a, S> {
-    /// With what rides on facets, above them by up to their sagitta.
-    pub(super) fn with_riders(self) -> Self {
-        Self { rides: true, ..self }
+    /// Measures a bounding box of each thing.
+    pub(super) fn measure(&self, extents: &mut [Extent<S>]) {
+        extents.iter_mut().zip(self.things).for_each(|(extent, thing)| *extent = self.extent(thing));
     }
 
     pub(super) fn rigid(&self, thing: &Thing<S>) -> Option<Standing<S>> {
@@ -302,14 +276,7 @@ impl<'a, S: Scalar> Scenery<'a, S> {
     /// Box around a mesh's nodes.
     pub(super) fn bounds(&self, mesh: &Mesh<S>) -> Option<Extent<S>> {
         let [first, end] = mesh.nodes;
-        let places = self.pos.get(first..end)?;
-        let mut bounds = Extent { low: *places.first()?, high: *places.first()? };
-        for x in places {
-            for ((low, high), x) in bounds.low.iter_mut().zip(bounds.high.iter_mut()).zip(x) {
-                (*low, *high) = (low.min(*x), high.max(*x));
-            }
-        }
-        Some(bounds)
+        Extent::around(self.pos.get(first..end)?)
     }
 
     /// Box around a thing, enlarged by the depth to which something may be inside it.

@@ -113,13 +113,15 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         }
         let half = S::from_f64(0.5) * h;
 
-        // Half the step with the speeds at the start: `rest` holds q' there.
-        self.coast(t, state.x(), rest)?;
-        middle.iter_mut().zip(state.x()).for_each(|(to, from)| *to = *from);
-        let n_q = self.island.n_q();
-        let way = state.x().iter().zip(state.low()).zip(rest.iter()).take(n_q);
-        for (to, ((x, low), rate)) in middle.iter_mut().zip(way) {
-            *to = *x + (*low + half * *rate);
+        // Half the step with the speeds at the start: carriers turn by q', which `rest` holds, nodes move by their
+        // velocities.
+        let (turning, n_q) = (self.island.carrier.n_q(), self.island.n_q());
+        self.turn(t, state.x(), rest)?;
+        middle.copy_from_slice(state.x());
+        let Cut { vel, .. } = self.island.parts(state.x())?;
+        let rates = rest.iter().take(turning).chain(vel);
+        for (to, (low, rate)) in middle.iter_mut().zip(state.low().iter().zip(rates)) {
+            *to = *to + (*low + half * *rate);
         }
         let pivot = self.forces_at_middle(t_middle, middle, dot)?;
 
@@ -142,27 +144,15 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         for ((to, from), rate) in new.iter_mut().zip(middle.iter()).zip(dot.iter()).skip(n_q) {
             *to = *from + h * *rate;
         }
-        new.iter_mut().zip(middle.iter()).take(n_q).for_each(|(to, from)| *to = *from);
-        let speeds_rates = dot;
-        let (end, start) = (low, rest);
-        self.coast(t_middle, new, end)?;
-        // N at the end, so that both halves together are symmetric in time: order 2, and Euler parameters of unit length.
-        let turning = self.island.carrier.n_q();
         if turning > 0 {
-            let ends = new.iter_mut().zip(middle.iter().zip(end.iter()));
+            new.iter_mut().zip(middle.iter()).take(turning).for_each(|(to, from)| *to = *from);
+            self.turn(t_middle, new, low)?;
+            // N at the end, so that both halves together are symmetric in time: order 2, and Euler parameters of unit length.
+            let ends = new.iter_mut().zip(middle.iter().zip(low.iter()));
             ends.take(turning).for_each(|(to, (from, rate))| *to = *from + half * *rate);
-            self.coast(t_end, new, end)?;
+            self.turn(t_end, new, low)?;
         }
-        for (index, (start, (end, rate))) in
-            start.iter_mut().zip(end.iter().zip(speeds_rates.iter())).enumerate()
-        {
-            *start = if index < n_q { half * (*start + *end) } else { h * *rate };
-        }
-        let (delta, low) = (start, end);
-        let old = state.x().iter().zip(state.low()).zip(delta.iter());
-        for ((x, l), ((old, old_low), delta)) in new.iter_mut().zip(low.iter_mut()).zip(old) {
-            (*x, *l) = advance(*old, *old_low, *delta);
-        }
+        self.close(h, state, [rest, dot], [new, low])?;
         self.project(t_end, new, low, middle)?;
         for ((x, l), (new, new_low)) in state.entries().zip(new.iter().zip(low.iter())) {
             (*x, *l) = (*new, *new_low);
@@ -186,13 +176,57 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         checked(self.island.accelerate(t, middle, dot)?)
     }
 
+    /// Writes the state at the end: coordinates by the mean of their rates at start and end, speeds by those in the
+    /// middle. In: `start` and `low` hold the carriers' q' at start and end, `dot` the rates of speeds, `new` the speeds
+    /// at the end.
+    fn close(
+        &self,
+        h: S,
+        state: &State<'_, S>,
+        [start, dot]: [&[S]; 2],
+        [new, low]: [&mut [S]; 2],
+    ) -> Result<(), Fault> {
+        let carrier = &self.island.carrier;
+        let (turning, n_u, n_q) = (carrier.n_q(), carrier.n_u(), self.island.n_q());
+        let half = S::from_f64(0.5) * h;
+        let (places, speeds) = new.split_at_mut_checked(n_q).ok_or(Fault::Shape)?;
+        let Cut { vel: before, .. } = self.island.parts(state.x())?;
+        let after = speeds.get(n_u..).ok_or(Fault::Shape)?;
+        let old = || state.x().iter().zip(state.low());
+        let mut ends = places.iter_mut().zip(low.iter_mut()).zip(old());
+        for (((x, l), (old, old_low)), start) in ends.by_ref().zip(start).take(turning) {
+            (*x, *l) = advance(*old, *old_low, half * (*start + *l));
+        }
+        for (((x, l), (old, old_low)), (start, end)) in ends.zip(before.iter().zip(after)) {
+            (*x, *l) = advance(*old, *old_low, half * (*start + *end));
+        }
+        let rates = dot.iter().skip(n_q);
+        for (((x, l), (old, old_low)), rate) in
+            speeds.iter_mut().zip(low.iter_mut().skip(n_q)).zip(old().skip(n_q)).zip(rates)
+        {
+            (*x, *l) = advance(*old, *old_low, h * *rate);
+        }
+        Ok(())
+    }
+
+    /// Rates of the carriers' coordinates at the speeds of x, without wrenches; those of nodes are not written.
+    fn turn(&mut self, t: S, x: &[S], x_dot: &mut [S]) -> Result<(), Fault> {
+        let island = &mut self.island;
+        if island.carrier.n_q() > 0 {
+            island.memory.wrenches.iter_mut().for_each(|wrench| *wrench = Wrench::zero());
+            let Cut { q, u, .. } = island.parts(x)?;
+            let dot = island.parts_mut(x_dot)?;
+            island.carrier.rates(t, q, u, island.memory.wrenches, dot.q, dot.u)?;
+        }
+        Ok(())
+    }
+
     /// Rates of the coordinates at the speeds of x: of the carriers without wrenches, and of the nodes.
     pub(super) fn coast(&mut self, t: S, x: &[S], x_dot: &mut [S]) -> Result<(), Fault> {
-        let island = &mut self.island;
-        island.memory.wrenches.iter_mut().for_each(|wrench| *wrench = Wrench::zero());
-        let Cut { q, u, vel, .. } = island.parts(x)?;
+        self.turn(t, x, x_dot)?;
+        let island = &self.island;
+        let Cut { vel, .. } = island.parts(x)?;
         let dot = island.parts_mut(x_dot)?;
-        island.carrier.rates(t, q, u, island.memory.wrenches, dot.q, dot.u)?;
         dot.pos.iter_mut().zip(vel).for_each(|(to, from)| *to = *from);
         Ok(())
     }
@@ -214,8 +248,9 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
                 *low = if *before == *new { *low } else { S::ZERO };
             }
         }
-        let finite = new.iter().chain(low.iter()).all(|value| value.is_finite());
-        if finite { Ok(()) } else { Err(Fault::NonFinite) }
+        // Without stopping at the first that is not: so that the compiler can look at several at once.
+        let finite = |list: &[S]| list.iter().fold(true, |finite, value| finite & value.is_finite());
+        if finite(new) & finite(low) { Ok(()) } else { Err(Fault::NonFinite) }
     }
 
     /// Energy accounts of this step: work of the forces at the middle over the mean of the velocities at start and end.

@@ -1,5 +1,6 @@
 //! The things that can touch in a world, and which pairs of them may, by which law.
 
+use super::extent::Extent;
 use crate::real::Scalar;
 use crate::surface::{Frame, Shape};
 use crate::vec3::{self, Vec3};
@@ -68,4 +69,12 @@ pub struct Pair<S> {
     pub friction: S,
     /// Newton's e at each contact, 0 to 1; energy never rises.
     pub restitution: S,
+}
+
+impl<S: Scalar> Pair<S> {
+    /// Whether the boxes around its things are within `margin` (m) of each other; true where there are no boxes.
+    pub(super) fn may_meet(&self, extents: &[Extent<S>], margin: S) -> bool {
+        let [Some(one), Some(other)] = self.things.map(|thing| extents.get(thing)) else { return true };
+        one.is_near(other, margin)
+    }
 }

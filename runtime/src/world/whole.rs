@@ -1,9 +1,9 @@
 //! A world as a whole: the parts that move together, what of them can touch, and the memory of a step.
 
 use super::detect::Touch;
+use super::extent::Extent;
 use super::inertia::Inertias;
 use super::island::Island;
-use super::scenery::Extent;
 use super::thing::{Pair, Thing};
 use crate::real::Scalar;
 use crate::rigid::contact::Twist;

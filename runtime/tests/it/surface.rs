@@ -173,7 +173,7 @@ fn a_ball_of_facets_is_a_ball_to_second_order() {
     for (level, rings) in [16, 32].into_iter().enumerate() {
         let (facets, points) = ball(rings, 2 * rings);
         let mut normals = vec![[0.0; 3]; points.len()];
-        vertex_normals(&facets, &points, &mut normals);
+        vertex_normals(&facets, &points, 0..points.len(), &mut normals);
         for (point, normal) in points.iter().zip(&normals) {
             assert!(dot(*point, *normal) > 0.995, "outwards: {point:?} {normal:?}");
         }
@@ -217,7 +217,7 @@ fn over_an_edge_both_facets_agree_and_rates_are_those_of_finite_differences() {
         let facet = |number: usize, t: f64| {
             let moved: Vec<Vector> = points.iter().zip(&speeds).map(|(x, v)| along(*x, t, *v)).collect();
             let mut normals = vec![[0.0; 3]; 6];
-            vertex_normals(&facets, &moved, &mut normals);
+            vertex_normals(&facets, &moved, 0..moved.len(), &mut normals);
             Facet { corners: facets[number].map(|k| moved[k]), normals: facets[number].map(|k| normals[k]) }
         };
         let first = facet(0, 0.0);

@@ -141,7 +141,8 @@ impl<S: Scalar> CarriedWorld<S> {
         at_rest: bool,
         found: &mut Vec<Event>,
     ) -> Result<Stepped<S>, Fault> {
-        let (t, old) = (self.t, x.to_vec());
+        let t = self.t;
+        let old = self.of_carriers(x).map(<[S]>::to_vec);
         let real = S::from_f64;
         let how = if self.method.1 == Stepping::Conserving { How::Conserving } else { How::Freely };
         let mut touching = self.touching.take().ok_or(Fault::Shape)?;
@@ -158,24 +159,28 @@ impl<S: Scalar> CarriedWorld<S> {
         self.unsettled += usize::from(!report.settled);
         self.forced += usize::from(report.forced);
         // What the step's own accounts do not see of mechanisms: powers in the middle, but those of the wrenches.
-        let middle: Vec<S> = old.iter().zip(x.iter()).map(|(a, b)| real(0.5) * (*a + *b)).collect();
+        let mut middle = old;
+        for (old, new) in middle.iter_mut().zip(self.of_carriers(x)) {
+            old.iter_mut().zip(new).for_each(|(old, new)| *old = real(0.5) * (*old + *new));
+        }
         let (accounts, mut books) = (&mut report.accounts, self.books.take());
         // Simpson's rule for a mechanism that time alone moves.
-        let done = self.each_mechanism(&middle, |number, ported, q, u, wrenches| {
-            let none = vec![Wrench::zero(); wrenches.len()];
-            let ends: &[(f64, f64)] =
-                if u.is_empty() { &[(0.0, 1.0), (0.5, 4.0), (1.0, 1.0)] } else { &[(0.5, 6.0)] };
-            for (part, weight) in ends {
-                let account = ported.account(real(t + part * h), q, u, &none)?;
-                accounts.drive = accounts.drive + real(weight / 6.0 * h) * account.driven;
-                accounts.damping = accounts.damping + real(weight / 6.0 * h) * account.damped;
-                if let Some(books) = &mut books {
-                    books.driven[number] += weight / 6.0 * h * account.driven.to_f64();
-                    books.carrier_damped[number] += weight / 6.0 * h * account.damped.to_f64();
+        let done =
+            self.each_mechanism(middle.each_ref().map(Vec::as_slice), |number, ported, q, u, wrenches| {
+                let none = vec![Wrench::zero(); wrenches.len()];
+                let ends: &[(f64, f64)] =
+                    if u.is_empty() { &[(0.0, 1.0), (0.5, 4.0), (1.0, 1.0)] } else { &[(0.5, 6.0)] };
+                for (part, weight) in ends {
+                    let account = ported.account(real(t + part * h), q, u, &none)?;
+                    accounts.drive = accounts.drive + real(weight / 6.0 * h) * account.driven;
+                    accounts.damping = accounts.damping + real(weight / 6.0 * h) * account.damped;
+                    if let Some(books) = &mut books {
+                        books.driven[number] += weight / 6.0 * h * account.driven.to_f64();
+                        books.carrier_damped[number] += weight / 6.0 * h * account.damped.to_f64();
+                    }
                 }
-            }
-            Ok(())
-        });
+                Ok(())
+            });
         self.books = books;
         done.map(|()| report)
     }
@@ -222,7 +227,7 @@ impl<S: Scalar> CarriedWorld<S> {
         let (mut powers, mut books) = (Powers::default(), self.books.take());
         let forces = self.room.viscous.iter().zip(&self.room.vel);
         powers.damped = -forces.map(|(force, velocity)| vec3::dot(*force, *velocity).to_f64()).sum::<f64>();
-        let done = self.each_mechanism(x, |number, ported, q, u, wrenches| {
+        let done = self.each_mechanism(self.of_carriers(x), |number, ported, q, u, wrenches| {
             let account = ported.account(S::from_f64(t), q, u, wrenches)?;
             powers.driven += account.driven.to_f64();
             powers.damped += account.damped.to_f64();
@@ -236,19 +241,25 @@ impl<S: Scalar> CarriedWorld<S> {
         done.map(|()| powers)
     }
 
-    /// Calls a function for each mechanism with its number among the carriers, its part of the state and the wrenches at
-    /// its ports.
+    /// The coordinates and the speeds of the carriers in a state.
+    fn of_carriers<'x>(&self, x: &'x [S]) -> [&'x [S]; 2] {
+        let count = |size: fn(&HostCarrier<S>) -> usize| self.carriers.iter().map(size).sum::<usize>();
+        let (n_q, n_u, split) = (count(Carrier::n_q), count(Carrier::n_u), self.split());
+        [&x[..n_q], &x[split..split + n_u]]
+    }
+
+    /// Calls a function for each mechanism with its number among the carriers, its own of all their coordinates and
+    /// speeds, and the wrenches at its ports.
     fn each_mechanism(
         &mut self,
-        x: &[S],
+        [all_q, all_u]: [&[S]; 2],
         mut show: impl FnMut(usize, &mut Ported<S>, &[S], &[S], &[Wrench<S>]) -> Result<(), Fault>,
     ) -> Result<(), Fault> {
-        let n_q = self.split();
-        let (mut q, mut u, mut port) = (0, n_q, 0);
+        let (mut q, mut u, mut port) = (0, 0, 0);
         for (number, carrier) in self.carriers.iter_mut().enumerate() {
             let (next_q, next_u, next) = (q + carrier.n_q(), u + carrier.n_u(), port + carrier.n_ports());
             if let HostCarrier::Mechanism(ported) = carrier {
-                show(number, ported, &x[q..next_q], &x[u..next_u], &self.room.wrenches[port..next])?;
+                show(number, ported, &all_q[q..next_q], &all_u[u..next_u], &self.room.wrenches[port..next])?;
             }
             (q, u, port) = (next_q, next_u, next);
         }

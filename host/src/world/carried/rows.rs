@@ -126,7 +126,7 @@ impl<S: Settle> Engine for CarriedWorld<S> {
             friction: self.friction,
         };
         let mut endless = None;
-        self.each_mechanism(&x, |carrier, ported, q, u, wrenches| {
+        self.each_mechanism(self.of_carriers(&x), |carrier, ported, q, u, wrenches| {
             let account = ported.account(t, q, u, wrenches)?;
             let [kinetic, gravity, spring] = account.stored.map(S::to_f64);
             if !(kinetic.is_finite() && account.driven.to_f64().is_finite()) {
@@ -158,7 +158,7 @@ impl<S: Settle> Engine for CarriedWorld<S> {
         let (t, x) = (S::from_f64(self.t), self.x.clone());
         self.with(|mut island| island.place(t, &x)).map_err(words)?;
         let mut mechanisms = Vec::new();
-        self.each_mechanism(&x, |_, ported, q, u, _| {
+        self.each_mechanism(self.of_carriers(&x), |_, ported, q, u, _| {
             mechanisms.push(ported.picture(t, q, u)?);
             Ok(())
         })

@@ -296,9 +296,8 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         self.island.place(t, way.now[0])?;
         let StepMemory { twists: [_, twists, _], normals, extents, touches: [now, _], counts, .. } =
             &mut *way.memory;
-        self.turn_normals(normals);
         Pressed::read_twists(self, twists);
-        let found = self.scenery(normals, way.rounding.gap).with_riders().find(self.pairs, now, extents)?;
+        let found = self.detect((way.rounding.gap, true), normals, extents, now)?;
         let found = now.get_mut(..found).unwrap_or_default();
         let count = keep_only(found, 0, |_, touch, _| {
             touch.start = touch.contact.relative(twists);

@@ -105,8 +105,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         let StepMemory { twists: [gained, twists, _], normals, extents, touches: [known, found], .. } =
             &mut *way.memory;
         Pressed::read_twists(self, twists);
-        self.turn_normals(normals);
-        let count = self.scenery(normals, way.rounding.gap).with_riders().find(self.pairs, found, extents)?;
+        let count = self.detect((way.rounding.gap, true), normals, extents, found)?;
         let known = known.get(..way.known).unwrap_or_default();
         let mut clear = S::ONE;
         for touch in found.iter().take(count) {

@@ -155,9 +155,10 @@ impl<S: Scalar, C: Carrier<S>> Pressed<'_, '_, '_, S, C> {
     ) -> Result<(), Fault> {
         self.world.island.place(t, x)?;
         let StepMemory { twists: [_, twists, _], normals, .. } = &mut *self.memory;
-        self.world.turn_normals(normals);
+        let pairs = || self.list.iter().filter_map(|own| self.world.pairs.get(own.pair));
+        self.world.turn_normals(normals, |thing| pairs().any(|pair| pair.things.contains(&thing)));
         Self::read_twists(self.world, twists);
-        let scenery = self.world.scenery(normals, self.rounding[0]).with_riders();
+        let scenery = self.world.scenery(normals, self.rounding[0], true);
         for own in self.list.iter_mut() {
             let pair = self.world.pairs.get(own.pair).ok_or(Fault::Shape)?;
             if let Some(Meeting { gap, point, mut contact, sagitta }) = scenery.again(pair, own.id) {
