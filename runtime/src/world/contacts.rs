@@ -174,7 +174,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         let size = bounds.map_or(S::ZERO, |bounds| bounds.diagonal()) + self.largest();
         let (mut fastest, mut square) = (S::ZERO, S::ZERO);
         for twists in memory.twists.iter().take(2) {
-            let (of_ports, of_nodes) = twists.split_at(frames.len().min(twists.len()));
+            let (of_ports, of_nodes) = twists.split_at_checked(frames.len()).unwrap_or_default();
             for Twist { velocity, angular } in of_ports {
                 fastest = fastest.max(vec3::norm(*velocity) + size * vec3::norm(*angular));
             }

@@ -117,7 +117,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         // velocities.
         let (turning, n_q) = (self.island.carrier.n_q(), self.island.n_q());
         self.turn(t, state.x(), rest)?;
-        middle.copy_from_slice(state.x());
+        middle.iter_mut().zip(state.x()).for_each(|(to, from)| *to = *from);
         let Cut { vel, .. } = self.island.parts(state.x())?;
         let rates = rest.iter().take(turning).chain(vel);
         for (to, (low, rate)) in middle.iter_mut().zip(state.low().iter().zip(rates)) {
