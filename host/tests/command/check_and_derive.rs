@@ -1,6 +1,6 @@
 //! `check`, `derive` and the command line itself.
 
-use crate::support::{children_seconds, command, file, finish, lock, smartbed, written};
+use crate::support::{children_seconds, command, file, finish, lock, model, smartbed, written};
 use std::process::Command;
 
 #[test]
@@ -55,9 +55,7 @@ fn speeds_in_closed_form_are_no_freedom() {
 
 #[test]
 fn check_warns_of_what_is_never_used() {
-    let model = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/../models/pendulum3.toml"));
-    let model = model
-        .expect("a model")
+    let model = model("pendulum3")
         .replace("[repeat.link]\n", "spare = { value = 1, unit = \"kg\" }\n\n[repeat.link]\n");
     let path = written("spare.toml", &model);
     let text = smartbed(&["check", &path]).out;
@@ -70,8 +68,7 @@ fn check_warns_of_what_is_never_used() {
 fn check_finds_what_the_samples_miss() {
     // Crank almost as long as the rod: cos(b) is sqrt(1 - (r/l)^2) where the crank stands upright, in a
     // valley a few degrees wide that 64 samples over 355 degrees step over.
-    let model = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/../models/slider_crank.toml"));
-    let model = model.expect("a model").replace(
+    let model = model("slider_crank").replace(
         "q = { unit = \"rad\", independent = true, nominal = \"60*deg\", range = [-3.1, 3.1]",
         "q = { unit = \"deg\", independent = true, nominal = 20, range = [-60, 95]",
     );
@@ -98,8 +95,7 @@ fn check_finds_what_the_samples_miss() {
 /// regular there as anywhere, but the piston's speed no longer says how the crank turns.
 #[test]
 fn check_tells_a_dead_point_from_a_singularity() {
-    let model = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/../models/slider_crank.toml"));
-    let model = model.expect("a model");
+    let model = model("slider_crank");
     let of_crank = smartbed(&["check", &written("of_crank.toml", &model)]);
     assert!(of_crank.out.contains("no warnings"), "{of_crank:?}");
     let model =
@@ -119,8 +115,7 @@ fn check_tells_a_dead_point_from_a_singularity() {
 /// masses do not say which of the two turns.
 #[test]
 fn check_warns_where_the_masses_do_not_determine_the_motion() {
-    let model = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/../models/gyroscope.toml"));
-    let model = model.expect("a model");
+    let model = model("gyroscope");
     let tilted = smartbed(&["check", &written("tilted.toml", &model)]);
     assert!(tilted.out.contains("no warnings"), "{tilted:?}");
     let model = model.replace("range = [\"20*deg\", \"160*deg\"]", "range = [\"-20*deg\", \"160*deg\"]");
@@ -131,8 +126,7 @@ fn check_warns_where_the_masses_do_not_determine_the_motion() {
 
 #[test]
 fn dropped_constraints_are_named_by_every_command_that_derives() {
-    let model = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/../models/fourbar.toml"));
-    let model = model.expect("a model").replace(
+    let model = model("fourbar").replace(
         "[constraints.configuration]\n",
         "[constraints.configuration]\nagain = \"dot(D - C, N.x)*2\"\n",
     );
@@ -216,8 +210,7 @@ fn functions_named_like_other_items_are_renamed_and_named_as_emitted() {
 
 #[test]
 fn the_kinematic_form_needs_no_masses() {
-    let model = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/../models/fourbar.toml"));
-    let model = model.expect("a model");
+    let model = model("fourbar");
     let section = |name: &str| {
         let from = model.find(name).expect("the section");
         from..from + model[from..].find("\n[").map_or(model.len() - from, |n| n + 1)

@@ -1,6 +1,6 @@
 //! Texts of a model that try to become code or markup on their way through the commands.
 
-use crate::support::{command, file, finish, lock, smartbed};
+use crate::support::{command, file, finish, lock, model, smartbed};
 use std::path::PathBuf;
 use std::process::Command;
 
@@ -9,10 +9,9 @@ const CODE: &str = "compile_error!(\"a text became code\");";
 
 /// The pendulum with such lines in its descriptions and, where files may have them, in its file's name.
 fn hostile(folder: &str) -> PathBuf {
-    let model = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/../models/pendulum.toml"));
     let payload =
         format!("a\\n{}\\r{}\\n```\\n{0}\\n```\\n    {0}\\u202e \\u0000", CODE.replace('"', "\\\""), "*/");
-    let model = model.expect("a model").replace("mass at the end of the rod", &payload);
+    let model = model("pendulum").replace("mass at the end of the rod", &payload);
     let model = model.replace("Simple pendulum with friction in the pin.", &payload);
     let name = if cfg!(unix) { format!("a\n{}\nb.toml", CODE.replace('/', "")) } else { "a.toml".to_owned() };
     let path = file(folder).join(name);

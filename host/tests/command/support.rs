@@ -29,6 +29,12 @@ impl Done {
     }
 }
 
+/// The text of a model of the project.
+pub fn model(name: &str) -> String {
+    let models = Path::new(env!("CARGO_MANIFEST_DIR")).join("../models");
+    std::fs::read_to_string(models.join(name).with_extension("toml")).expect("a model")
+}
+
 /// The program with arguments, run at the root of the workspace.
 pub fn smartbed(arguments: &[&str]) -> Done {
     finish(command(arguments))

@@ -1,7 +1,7 @@
 //! `run --view` and `view`: the page is opened in a browser, played, stopped, moved to other times; a file is followed.
 
 use crate::browser::{Picture, open, screenshot};
-use crate::support::{command, file, smartbed, written};
+use crate::support::{command, file, model, smartbed, written};
 use std::io::{BufRead, BufReader, Read, Write};
 use std::net::TcpStream;
 use std::path::{Path, PathBuf};
@@ -133,8 +133,7 @@ fn springs_and_bodies_in_space_are_drawn() {
     let picture = seen(&page("arm6", "0.5"), "0.2");
     let (links, bodies) = (middle(&picture, is_covered_link).2, middle(&picture, is_body).2);
     assert!(links > 1000 && bodies > 3000, "{links} {bodies}");
-    let model = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/../models/fourbar.toml"));
-    let sprung = model.expect("a model").replace(
+    let sprung = model("fourbar").replace(
         "[torques]",
         "[springs]\ns = { between = [\"A\", \"D\"], stiffness = 40, rest_length = 1 }\n\n[torques]",
     );
