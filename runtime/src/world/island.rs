@@ -311,7 +311,7 @@ impl<'a, S: Scalar, C: Carrier<S>> Island<'a, S, C> {
     }
 
     /// Rates of the carrier alone, under the wrenches in memory.
-    fn carrier_rates(&mut self, t: S, x: &[S], x_dot: &mut [S]) -> Result<S, Fault> {
+    pub(super) fn carrier_rates(&mut self, t: S, x: &[S], x_dot: &mut [S]) -> Result<S, Fault> {
         let Cut { q, u, .. } = self.parts(x)?;
         let dot = self.parts_mut(x_dot)?;
         self.carrier.rates(t, q, u, self.memory.wrenches, dot.q, dot.u)

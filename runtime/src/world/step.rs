@@ -214,21 +214,15 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         let island = &mut self.island;
         if island.carrier.n_q() > 0 {
             island.memory.wrenches.iter_mut().for_each(|wrench| *wrench = Wrench::zero());
-            let Cut { q, u, .. } = island.parts(x)?;
-            let dot = island.parts_mut(x_dot)?;
-            island.carrier.rates(t, q, u, island.memory.wrenches, dot.q, dot.u)?;
+            island.carrier_rates(t, x, x_dot)?;
         }
         Ok(())
     }
 
     /// Rates of the coordinates at the speeds of x: of the carriers without wrenches, and of the nodes.
     pub(super) fn coast(&mut self, t: S, x: &[S], x_dot: &mut [S]) -> Result<(), Fault> {
-        self.turn(t, x, x_dot)?;
-        let island = &self.island;
-        let Cut { vel, .. } = island.parts(x)?;
-        let dot = island.parts_mut(x_dot)?;
-        dot.pos.iter_mut().zip(vel).for_each(|(to, from)| *to = *from);
-        Ok(())
+        self.island.memory.wrenches.iter_mut().for_each(|wrench| *wrench = Wrench::zero());
+        self.island.coordinate_rates(t, x, x_dot).map(|_| ())
     }
 
     /// Puts coordinates back on the constraints and checks the new state; `before` is memory.

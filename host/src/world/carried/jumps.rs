@@ -17,7 +17,6 @@ use smartbed_codegen::kinematics::linear;
 use smartbed_runtime::mechanism::Fault;
 use smartbed_runtime::real::Scalar;
 use smartbed_runtime::world::Carrier;
-use std::ops::Range;
 
 /// Most kinks of commands in a step.
 const MOST: usize = 64;
@@ -80,8 +79,8 @@ impl<S: Scalar> CarriedWorld<S> {
         let (now, x) = (self.t, self.x.clone());
         let (back, ahead) = ((now - BEYOND * h).max(0.0), end + BEYOND * h);
         let mut first: Option<[f64; 2]> = None;
-        self.each_with_kinks(&x, |ported, _, [q, u]| {
-            let mut sides = |t: S| ported.sides(t, &x[q.clone()], &x[u.clone()]);
+        self.each_mechanism(self.of_carriers(&x), |_, ported, q, u, _| {
+            let mut sides = |t: S| ported.sides(t, q, u);
             let (last, next) = (kink(&mut sides, now, back)?, kink(&mut sides, now, ahead)?);
             let cuts = sides(S::from_f64(end))? != sides(S::from_f64(now))?;
             if let Some([before, after]) =
@@ -100,20 +99,18 @@ impl<S: Scalar> CarriedWorld<S> {
     /// Changes the speeds of mechanisms whose commands have a kink between two times.
     fn pass(&mut self, [before, after]: [f64; 2]) -> Result<(), String> {
         let [early, late] = [before, after].map(S::from_f64);
-        let (mut x, mut works, mut jumped) = (self.x.clone(), Vec::new(), None);
-        let old = self.x.clone();
-        self.each_with_kinks(&old, |ported, number, [q, u]| {
-            let (q, own) = (&old[q], &old[u.clone()]);
-            if ported.sides(early, q, own)? == ported.sides(late, q, own)? {
+        let (mut changes, mut jumped, old) = (Vec::new(), None, self.x.clone());
+        self.each_mechanism(self.of_carriers(&old), |number, ported, q, u, _| {
+            if ported.sides(early, q, u)? == ported.sides(late, q, u)? {
                 return Ok(());
             }
-            let ends = [ported.closed_forms(early, q, own)?, ported.closed_forms(late, q, own)?];
+            let ends = [ported.closed_forms(early, q, u)?, ported.closed_forms(late, q, u)?];
             let leaps = ends[0].iter().zip(&ends[1]).position(|(a, b)| leaps(*a, *b, late - early));
             jumped = jumped.take().or(leaps.map(|form| format!("{}.{}", ported.name, ported.closed[form].0)));
-            let kinetic = ported.energy(early, q, own)?.0;
-            let new = kept(ported, [early, late], q, own)?;
-            works.push((number, (ported.energy(late, q, &new)?.0 - kinetic).to_f64()));
-            x[u].copy_from_slice(&new);
+            let kinetic = ported.energy(early, q, u)?.0;
+            let new = kept(ported, [early, late], q, u)?;
+            let work = (ported.energy(late, q, &new)?.0 - kinetic).to_f64();
+            changes.push((number, new, work));
             Ok(())
         })
         .map_err(words)?;
@@ -123,38 +120,16 @@ impl<S: Scalar> CarriedWorld<S> {
                  over some steps, for example by smooth_step"
             ));
         }
-        for (low, (x, old)) in self.low.iter_mut().zip(x.iter().zip(&old)) {
-            *low = if x == old { *low } else { S::ZERO };
-        }
-        self.x = x;
-        for (number, work) in works {
+        for (number, new, work) in changes {
+            let first = self.split() + self.carriers[..number].iter().map(Carrier::n_u).sum::<usize>();
+            self.x[first..first + new.len()].copy_from_slice(&new);
             self.drive += work;
             if let Some(books) = &mut self.books {
                 books.driven[number] += work;
             }
         }
-        Ok(())
-    }
-
-    /// Calls a function for each mechanism whose commands may have kinks, with its number among the carriers and the
-    /// places of its coordinates and speeds in the state.
-    fn each_with_kinks(
-        &mut self,
-        x: &[S],
-        mut look: impl FnMut(&mut Ported<S>, usize, [Range<usize>; 2]) -> Result<(), Fault>,
-    ) -> Result<(), Fault> {
-        let (mut q, mut u) = (0, self.split());
-        if x.len() < u {
-            return Err(Fault::Shape);
-        }
-        for (number, carrier) in self.carriers.iter_mut().enumerate() {
-            let (next_q, next_u) = (q + carrier.n_q(), u + carrier.n_u());
-            if let HostCarrier::Mechanism(ported) = carrier
-                && ported.has_switches
-            {
-                look(ported, number, [q..next_q, u..next_u])?;
-            }
-            (q, u) = (next_q, next_u);
+        for (low, (x, old)) in self.low.iter_mut().zip(self.x.iter().zip(&old)) {
+            *low = if x == old { *low } else { S::ZERO };
         }
         Ok(())
     }
