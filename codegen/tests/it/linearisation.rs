@@ -22,6 +22,57 @@ struct Exact {
     t: Twofold,
 }
 
+/// Accelerations over the parameters in twice the digits; q, u and inputs are held.
+struct ByParameters {
+    engine: Interpreted<Twofold>,
+    values: Vec<f64>,
+}
+
+impl ByParameters {
+    fn new(program: &Program) -> Self {
+        Self {
+            engine: Interpreted::new(program),
+            values: program.parameters.iter().map(|p| p.value).collect(),
+        }
+    }
+
+    /// The answer itself, evaluated in twice the digits.
+    fn answer(&mut self, state: &State) -> Vec<f64> {
+        let exact = |list: &[f64]| list.iter().map(|&x| Twofold::new(x)).collect::<Vec<_>>();
+        let [q, u, inputs, u_dot] = [&state.q, &state.u, &state.inputs, &state.u_dot].map(|list| exact(list));
+        let at = (Twofold::new(state.t), &q[..], &u[..], &inputs[..], &u_dot[..]);
+        self.engine.function(0, at).expect("lengths fit").iter().map(|x| x.high).collect()
+    }
+
+    /// With one parameter moved by `change`.
+    fn accelerations(&mut self, state: &State, column: usize, change: f64) -> Vec<Twofold> {
+        let exact = |list: &[f64]| list.iter().map(|&x| Twofold::new(x)).collect::<Vec<_>>();
+        let mut values = exact(&self.values);
+        values[column] = values[column] + Twofold::new(change);
+        self.engine.set_parameters(&values);
+        let (q, u, inputs, t) =
+            (exact(&state.q), exact(&state.u), exact(&state.inputs), Twofold::new(state.t));
+        let (mut q_dot, mut u_dot) = (q.clone(), u.clone());
+        self.engine.set_time(t);
+        self.engine.rates(t, &q, &u, &inputs, &mut q_dot, &mut u_dot).expect("lengths fit");
+        u_dot
+    }
+
+    /// Slopes by one parameter. Central differences of fourth order: their error is the step's fourth power, some 1e-20.
+    fn slopes(&mut self, state: &State, column: usize) -> Vec<f64> {
+        let step = 1e-5 * self.values[column].abs().max(1e-2);
+        let [a, b, c, d] = [-2.0, -1.0, 1.0, 2.0].map(|n| self.accelerations(state, column, n * step));
+        slopes([&a, &b, &c, &d], step)
+    }
+}
+
+/// Slopes of numbers at -2, -1, 1 and 2 steps, to fourth order.
+fn slopes([a, b, c, d]: [&[Twofold]; 4], step: f64) -> Vec<f64> {
+    let eight = Twofold::new(8.0);
+    let slope = |i: usize| (a[i] - d[i] + eight * (c[i] - b[i])) / Twofold::new(12.0 * step);
+    (0..a.len()).map(|i| slope(i).high).collect()
+}
+
 /// Most corrections onto the constraints, and the change by one of them that counts as none.
 const CORRECTIONS: (usize, f64) = (80, 1e-27);
 
@@ -71,9 +122,7 @@ impl Exact {
     fn slopes(&mut self, state: &State, direction: &[f64]) -> Vec<f64> {
         const STEP: f64 = 1e-5;
         let [a, b, c, d] = [-2.0, -1.0, 1.0, 2.0].map(|n| self.rates(state, direction, n * STEP));
-        let eight = Twofold::new(8.0);
-        let slope = |i: usize| (a[i] - d[i] + eight * (c[i] - b[i])) / Twofold::new(12.0 * STEP);
-        (0..a.len()).map(|i| slope(i).high).collect()
+        slopes([&a, &b, &c, &d], STEP)
     }
 }
 
@@ -143,29 +192,39 @@ fn linearisation_is_the_slope_of_rates_and_outputs() {
 
 #[test]
 fn parameter_derivatives_are_slopes_of_the_accelerations() {
-    for name in ["pendulum3", "fourbar", "tile", "bicycle"] {
+    for name in [
+        "arm6",
+        "bicycle",
+        "cart_pole",
+        "delta",
+        "fourbar",
+        "pendulum3",
+        "rolling_disc",
+        "slider_crank",
+        "stewart",
+        "tile",
+        "tile_minimal",
+    ] {
         let mut asking = Asking::new(name, &["parameter_derivatives"]);
         let state = asking.state.clone();
-        let found = asking.part(&state, "parameter_derivatives", "u_dot");
-        let values: Vec<f64> = asking.program.parameters.iter().map(|p| p.value).collect();
-        for (column, &value) in values.iter().enumerate() {
-            let slopes = difference(
-                |change| {
-                    let mut changed = values.clone();
-                    changed[column] += change;
-                    asking.engine.set_parameters(&changed);
-                    asking.rates(&state).1
-                },
-                1e-3 * value.abs().max(1e-2),
-            );
-            let own: Vec<f64> = found.chunks(values.len()).map(|row| row[column]).collect();
-            let size = slopes.iter().fold(1e-2_f64, |m, x| m.max(x.abs()));
-            for (a, b) in own.iter().zip(&slopes) {
-                assert!(
-                    (a - b).abs() <= 1e-7 * size,
-                    "{name}, {}: {a:e} {b:e}",
-                    asking.program.parameters[column].name
-                );
+        let in_f64 = asking.part(&state, "parameter_derivatives", "u_dot");
+        let mut exact = ByParameters::new(&asking.program);
+        let in_twofold = exact.answer(&state);
+        assert_eq!(in_f64.len(), in_twofold.len(), "{name}: u_dot is the only part");
+        let n = exact.values.len();
+        let slopes: Vec<Vec<f64>> = (0..n).map(|column| exact.slopes(&state, column)).collect();
+        for row in 0..state.u.len() {
+            // What a change of each parameter by its own size would do: the terms of the row.
+            let weight = |column: usize| exact.values[column].abs().max(1e-2);
+            let terms = (0..n).map(|column| slopes[column][row].abs() * weight(column)).fold(1e-3, f64::max);
+            for (column, slope) in slopes.iter().enumerate() {
+                let (slope, place) = (slope[row], row * n + column);
+                let parameter = &asking.program.parameters[column].name;
+                let formula =
+                    (in_twofold[place] - slope).abs() / slope.abs().max(1e-9 * terms / weight(column));
+                assert!(formula <= 1e-13, "{name}, {parameter}: the formula is off by {formula:e}");
+                let rounding = (in_f64[place] - slope).abs() * weight(column) / terms;
+                assert!(rounding <= 1e-12, "{name}, {parameter}: rounded by {rounding:e}");
             }
         }
     }
