@@ -219,6 +219,30 @@ class Arm(Mechanism):
             loads += [(-p[f"m{i}"] * p["g"], up.dot(velocity)), (w[i], u[i])]
         return bodies, loads, []
 
+    def inverse(self, S, q, u, u_dot, p):
+        """Torques by Newton-Euler recursion about the joints."""
+        n = 6
+        seats = [(Turn("x", *self.alpha[i]), Turn("z", S.cos(q[i]), S.sin(q[i]))) for i in range(n)]
+        back = lambda i, v: seats[i][1].back(seats[i][0].back(v))
+        out = lambda i, v: seats[i][0].out(seats[i][1].out(v))
+        joint = [Vec(*(p[f"{x}{i}"] for x in ("px", "py", "pz"))) for i in range(n)]
+        spin, change, push = Vec(0, 0, 0), Vec(0, 0, 0), Vec(0, 0, p["g"])
+        forces, moments = [], []
+        for i in range(n):
+            if i:
+                push = push + change.cross(joint[i]) + spin.cross(spin.cross(joint[i]))
+            push, spin, change = back(i, push), back(i, spin), back(i, change)
+            change = change + Vec(spin.c[1] * u[i], -spin.c[0] * u[i], u_dot[i])
+            spin = spin + Vec(0, 0, u[i])
+            m, inertia, first = self._about_joint(p, i)
+            forces.append(push.times(m) + change.cross(first) + spin.cross(spin.cross(first)))
+            moments.append(self._times(inertia, change) + spin.cross(self._times(inertia, spin)) + first.cross(push))
+        for i in reversed(range(1, n)):
+            force = out(i, forces[i])
+            forces[i - 1] = forces[i - 1] + force
+            moments[i - 1] = moments[i - 1] + out(i, moments[i]) + joint[i].cross(force)
+        return [moment.c[2] for moment in moments]
+
     def composite(self, S, q, u, w, p):
         """(M, torque - bias) by Newton-Euler recursion and composite bodies about the joints."""
         n = 6

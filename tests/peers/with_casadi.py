@@ -89,7 +89,11 @@ def reduced(mechanism, mass, force, rows, q, u):
 
 def build(mechanism):
     """(C source with `void eval(const double*, double*)`, operations)."""
-    f = function(mechanism)
+    return compiled(function(mechanism))
+
+
+def compiled(f):
+    """The same of any function named f."""
     kinds = [f.instruction_id(i) for i in range(f.n_instructions())]
     unknown = set(kinds) - COUNTED - FREE
     assert not unknown, unknown
@@ -100,3 +104,18 @@ def build(mechanism):
         " casadi_int iw[%d]; double w[%d]; f(a, r, iw, w, 0); }\n"
     ) % (max(f.sz_arg(), 1), max(f.sz_res(), 1), max(f.sz_iw(), 1), max(f.sz_w(), 1))
     return generator.dump() + wrapper, sum(kind in COUNTED for kind in kinds)
+
+
+def per_evaluation(f, n):
+    """Operations of f that depend on its first n numbers: the others could be prepared, as ours are."""
+    moving, count = set(), 0
+    for k in range(f.n_instructions()):
+        kind, sources, targets = f.instruction_id(k), f.instruction_input(k), f.instruction_output(k)
+        if kind == ca.OP_INPUT:
+            changes = sources[1] < n
+        else:
+            changes = kind not in (ca.OP_CONST, ca.OP_OUTPUT) and not moving.isdisjoint(sources)
+        if kind != ca.OP_OUTPUT:
+            (moving.update if changes else moving.difference_update)(targets)
+        count += changes and kind in COUNTED
+    return count

@@ -61,7 +61,7 @@ def compile_source(text, directory, name):
     libraries = [str(x) for x in sorted((prefix / "lib").glob("libpinocchio_default.so*"))[:1]]
     # The wheel leaves Eigen's headers out; CasADi's wheel brings them.
     eigen = [f"-I{x}" for x in (pathlib.Path("/usr/include/eigen3"), *prefix.parent.glob("*/include/eigen3")) if x.exists()]
-    command = ["g++", "-O3", "-DNDEBUG", "-std=c++17", "-w", "-DBOOST_MPL_LIMIT_LIST_SIZE=30", "-DBOOST_MPL_CFG_NO_PREPROCESSED_HEADERS", "-shared", "-fPIC", str(source), "-o", str(so), f"-I{prefix}/include",
+    command = ["g++", "-O3", "-DNDEBUG", "-std=c++17", "-w", "-DBOOST_MPL_LIMIT_LIST_SIZE=30", "-DBOOST_MPL_CFG_NO_PREPROCESSED_HEADERS", "-DBOOST_FUSION_INVOKE_MAX_ARITY=10", "-shared", "-fPIC", str(source), "-o", str(so), f"-I{prefix}/include",
                *eigen, *libraries, f"-Wl,-rpath,{prefix}/lib"]
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     if done.returncode:
