@@ -6,13 +6,9 @@
 Point masses at the ends of rods on hinges about x, y and z in turn, with 10, 20 and 40 links, as in
 codegen/tests/it/hinge_by_hinge.rs. The status is 1 if a chain takes more than 0.3 of Pinocchio's time, or if the two differ.
 """
-import argparse
 import ctypes
-import os
-import pathlib
 import random
 import subprocess
-import sys
 
 import run
 
@@ -84,8 +80,7 @@ def measure(directory, rounds):
     import with_pinocchio
 
     library, operations = ours(directory)
-    timer = compare.compile_c(compare.TIMER, "timer", directory).nanoseconds
-    timer.restype = ctypes.c_double
+    timer = compare.timer(directory)
     numbers, missed = random.Random(1), []
     whole = with_pinocchio.compile_source(PINOCCHIO, directory, "chains_pinocchio")
     for n in LINKS:
@@ -109,8 +104,7 @@ def measure(directory, rounds):
         out, times = (ctypes.c_double * n)(), ([], [])
         for _ in range(rounds):
             for function, mine in zip(functions, times):
-                address = ctypes.cast(function, ctypes.c_void_p)
-                mine.append(timer(address, flat, ctypes.c_long(len(rows[0])), ctypes.c_long(STATES), out, ctypes.c_long(CALLS)))
+                mine.append(timer(function, flat, len(rows[0]), STATES, out, CALLS))
         ratio = compare.ratio(*times)
         print(f"{n} links: {operations[n]} operations, {min(times[0]):.0f} ns; Pinocchio {min(times[1]):.0f} ns; ratio {ratio}; they differ by {error:.1e}")
         missed += [f"{n} links take {ratio} of Pinocchio's time"] if ratio > BAR else []
@@ -118,20 +112,5 @@ def measure(directory, rounds):
     return missed
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--rounds", type=int, default=101, help="turns of the interleaved timing")
-    arguments = parser.parse_args()
-    python = run.prepare(("numpy", "casadi", "pinocchio", "gmpy2"))
-    if pathlib.Path(sys.prefix).resolve() != run.VENV.resolve():
-        os.execv(python, [str(python), *sys.argv])
-    directory = run.ROOT / "target" / "peers"
-    directory.mkdir(parents=True, exist_ok=True)
-    missed = measure(directory, arguments.rounds)
-    for line in missed:
-        print("missed:", line, file=sys.stderr)
-    sys.exit(bool(missed))
-
-
 if __name__ == "__main__":
-    main()
+    run.alone(__doc__, measure)

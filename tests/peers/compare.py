@@ -45,6 +45,14 @@ def compile_c(source, name, directory):
     return ctypes.CDLL(str(so))
 
 
+def timer(directory):
+    """A clock for compiled functions: nanoseconds of one call, from (function, inputs, their number, states, results, calls)."""
+    nanoseconds = compile_c(TIMER, "timer", directory).nanoseconds
+    nanoseconds.restype = ctypes.c_double
+    nanoseconds.argtypes = [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_long, ctypes.c_long, ctypes.c_void_p, ctypes.c_long]
+    return lambda function, *rest: nanoseconds(ctypes.cast(function, ctypes.c_void_p), *rest)
+
+
 class Entry:
     """One peer's forward dynamics of one mechanism, or why there is none."""
 
@@ -129,8 +137,7 @@ def check(mechanism, entries):
 
 
 def time_in_turns(built, table, rounds, directory):
-    timer = compile_c(TIMER, "timer", directory).nanoseconds
-    timer.restype = ctypes.c_double
+    clock = timer(directory)
     for turn in range(rounds):
         for name, mechanism in built.items():
             parameters, rows = references(name)
@@ -139,9 +146,7 @@ def time_in_turns(built, table, rounds, directory):
             for entry in table[name].values():
                 for function, times in ((entry.function, entry.times), (entry.whole, entry.whole_times)):
                     if function:
-                        address = ctypes.cast(function, ctypes.c_void_p)
-                        times.append(timer(address, values, ctypes.c_long(len(mechanism.slots)), ctypes.c_long(TIMED_STATES),
-                                           out, ctypes.c_long(CALLS)))
+                        times.append(clock(function, values, len(mechanism.slots), TIMED_STATES, out, CALLS))
 
 
 def machine():

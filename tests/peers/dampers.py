@@ -9,7 +9,6 @@ each method that keeps 1e-3 and 1e-4 of the motion, in ms of a processor for the
 import csv
 import json
 import os
-import pathlib
 import subprocess
 import sys
 
@@ -99,9 +98,7 @@ def main():
 
 
 if __name__ == "__main__":
-    python = run.prepare(("numpy", "scipy", "casadi"))
-    if pathlib.Path(sys.prefix).resolve() != run.VENV.resolve():
-        os.execv(python, [str(python), *sys.argv])
+    run.inside(("numpy", "scipy", "casadi"))
     import tomllib
 
     import numpy

@@ -6,14 +6,10 @@
 CasADi gets the recursion in symbols and finds common sub-expressions. The status is 1 if ours takes more than 0.75 of Pinocchio's
 time or of CasADi's operations, or if the three differ. What depends on parameters alone is counted on neither side: ours is prepared.
 """
-import argparse
 import ctypes
-import os
-import pathlib
 import random
 import re
 import subprocess
-import sys
 
 import run
 
@@ -91,7 +87,7 @@ def casadi(directory, slots):
     arm = mechanisms.Arm()
     symbols = [ca.SX.sym(name) for name in slots]
     q, u, u_dot, parameters = (symbols[:6], symbols[6:12], symbols[12:18], symbols[18:])
-    torques = arm.inverse(with_casadi.S, q, u, u_dot, dict(zip(slots[18:], parameters)))
+    torques, *_ = arm.recursion(with_casadi.S, q, u, u_dot, dict(zip(slots[18:], parameters)))
     function = ca.Function("f", [ca.vertcat(*symbols)], [ca.cse(ca.vertcat(*torques))], {"cse": True})
     source, operations = with_casadi.compiled(function)
     return compare.compile_c(source, "inverse_casadi", directory).eval, operations, with_casadi.per_evaluation(function, 3 * JOINTS)
@@ -135,13 +131,11 @@ def measure(directory, rounds):
         size = max(abs(x) for x in found[0])
         error = max(error, *(abs(a - b) / size for other in found[1:] for a, b in zip(found[0], other)))
 
-    timer = compare.compile_c(compare.TIMER, "timer", directory).nanoseconds
-    timer.restype = ctypes.c_double
+    timer = compare.timer(directory)
     out, times = (ctypes.c_double * JOINTS)(), {name: [] for name in entries}
     for _ in range(rounds):
         for name, function in entries.items():
-            address = ctypes.cast(function, ctypes.c_void_p)
-            times[name].append(timer(address, flat, ctypes.c_long(len(slots)), ctypes.c_long(STATES), out, ctypes.c_long(CALLS)))
+            times[name].append(timer(function, flat, len(slots), STATES, out, CALLS))
     ratios = {name: compare.ratio(times["ours"], times[name]) for name in ("Pinocchio", "CasADi")}
     print(f"operations: ours {operations} and {preparing} once per parameter set, CasADi {their_operations}; ratio {operations / their_operations:.3f}, "
           f"{(operations + preparing) / their_operations:.3f} with all of ours, {operations / moving:.3f} without those of CasADi ({their_operations - moving}) "
@@ -153,20 +147,5 @@ def measure(directory, rounds):
     return missed + ([] if error < SAME else [f"torques differ by {error}"])
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--rounds", type=int, default=101, help="turns of the interleaved timing")
-    arguments = parser.parse_args()
-    python = run.prepare(("numpy", "casadi", "pinocchio", "gmpy2"))
-    if pathlib.Path(sys.prefix).resolve() != run.VENV.resolve():
-        os.execv(python, [str(python), *sys.argv])
-    directory = run.ROOT / "target" / "peers"
-    directory.mkdir(parents=True, exist_ok=True)
-    missed = measure(directory, arguments.rounds)
-    for line in missed:
-        print("missed:", line, file=sys.stderr)
-    sys.exit(bool(missed))
-
-
 if __name__ == "__main__":
-    main()
+    run.alone(__doc__, measure)

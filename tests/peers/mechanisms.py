@@ -219,58 +219,37 @@ class Arm(Mechanism):
             loads += [(-p[f"m{i}"] * p["g"], up.dot(velocity)), (w[i], u[i])]
         return bodies, loads, []
 
-    def inverse(self, S, q, u, u_dot, p):
-        """Torques by Newton-Euler recursion about the joints."""
+    def recursion(self, S, q, u, u_dot, p):
+        """Torques by Newton-Euler recursion about the joints, with the turns and places of the joints and the links about them."""
         n = 6
         seats = [(Turn("x", *self.alpha[i]), Turn("z", S.cos(q[i]), S.sin(q[i]))) for i in range(n)]
         back = lambda i, v: seats[i][1].back(seats[i][0].back(v))
-        out = lambda i, v: seats[i][0].out(seats[i][1].out(v))
         joint = [Vec(*(p[f"{x}{i}"] for x in ("px", "py", "pz"))) for i in range(n)]
         spin, change, push = Vec(0, 0, 0), Vec(0, 0, 0), Vec(0, 0, p["g"])
-        forces, moments = [], []
-        for i in range(n):
+        forces, moments, links = [], [], [self._about_joint(p, i) for i in range(n)]
+        for i, (m, inertia, first) in enumerate(links):
             if i:
                 push = push + change.cross(joint[i]) + spin.cross(spin.cross(joint[i]))
             push, spin, change = back(i, push), back(i, spin), back(i, change)
             change = change + Vec(spin.c[1] * u[i], -spin.c[0] * u[i], u_dot[i])
             spin = spin + Vec(0, 0, u[i])
-            m, inertia, first = self._about_joint(p, i)
             forces.append(push.times(m) + change.cross(first) + spin.cross(spin.cross(first)))
             moments.append(self._times(inertia, change) + spin.cross(self._times(inertia, spin)) + first.cross(push))
         for i in reversed(range(1, n)):
-            force = out(i, forces[i])
+            force = self._out(seats[i], forces[i])
             forces[i - 1] = forces[i - 1] + force
-            moments[i - 1] = moments[i - 1] + out(i, moments[i]) + joint[i].cross(force)
-        return [moment.c[2] for moment in moments]
+            moments[i - 1] = moments[i - 1] + self._out(seats[i], moments[i]) + joint[i].cross(force)
+        return [moment.c[2] for moment in moments], seats, joint, links
 
     def composite(self, S, q, u, w, p):
         """(M, torque - bias) by Newton-Euler recursion and composite bodies about the joints."""
         n = 6
-        seats = [(Turn("x", *self.alpha[i]), Turn("z", S.cos(q[i]), S.sin(q[i]))) for i in range(n)]
-        back = lambda i, v: seats[i][1].back(seats[i][0].back(v))
-        out = lambda i, v: seats[i][0].out(seats[i][1].out(v))
-        joint = [Vec(*(p[f"{x}{i}"] for x in ("px", "py", "pz"))) for i in range(n)]
-        spin, change, push = Vec(0, 0, 0), Vec(0, 0, 0), Vec(0, 0, p["g"])
-        forces, moments, composites = [], [], []
-        for i in range(n):
-            if i:
-                push = push + change.cross(joint[i]) + spin.cross(spin.cross(joint[i]))
-            push, spin, change = back(i, push), back(i, spin), back(i, change)
-            change = change + Vec(spin.c[1] * u[i], -spin.c[0] * u[i], 0)
-            spin = spin + Vec(0, 0, u[i])
-            m, inertia, first = self._about_joint(p, i)
-            momentum = self._times(inertia, spin)
-            forces.append(push.times(m) + change.cross(first) + spin.cross(spin.cross(first)))
-            moments.append(self._times(inertia, change) + spin.cross(momentum) + first.cross(push))
-            composites.append((m, first, inertia))
-        right = [None] * n
+        bias, seats, joint, links = self.recursion(S, q, u, [0] * n, p)
+        out = lambda i, v: self._out(seats[i], v)
+        composites = [(m, first, inertia) for m, inertia, first in links]
+        right = [w[i] - bias[i] for i in range(n)]
         mass = [[None] * n for _ in range(n)]
         for i in reversed(range(n)):
-            right[i] = w[i] - moments[i].c[2]
-            if i:
-                force = out(i, forces[i])
-                forces[i - 1] = forces[i - 1] + force
-                moments[i - 1] = moments[i - 1] + out(i, moments[i]) + joint[i].cross(force)
             m, first, inertia = composites[i]
             force = Vec(-first.c[1], first.c[0], 0)
             moment = Vec(inertia[0][2], inertia[1][2], inertia[2][2])
@@ -282,6 +261,11 @@ class Arm(Mechanism):
             if i:
                 composites[i - 1] = self._join(composites[i - 1], m, first, inertia, seats[i], joint[i])
         return mass, right
+
+    @staticmethod
+    def _out(seat, v):
+        """Components in the frame of the link below."""
+        return seat[0].out(seat[1].out(v))
 
     @staticmethod
     def _times(inertia, v):

@@ -13,7 +13,6 @@ import argparse
 import csv
 import json
 import os
-import pathlib
 import shutil
 import subprocess
 import sys
@@ -143,9 +142,7 @@ def main():
 
 
 if __name__ == "__main__":
-    python = run.prepare()
-    if pathlib.Path(sys.prefix).resolve() != run.VENV.resolve():
-        os.execv(python, [str(python), *sys.argv])
+    run.inside()
     import numpy
 
     import compare

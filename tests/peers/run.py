@@ -41,20 +41,40 @@ def prepare(modules=tuple(PACKAGES)):
     return python
 
 
+def inside(modules=tuple(PACKAGES)):
+    """Goes on within the environment that has these modules."""
+    python = prepare(modules)
+    if pathlib.Path(sys.prefix).resolve() != VENV.resolve():
+        os.execv(python, [str(python), *sys.argv])
+
+
+def alone(description, measure, modules=("numpy", "casadi", "pinocchio", "gmpy2")):
+    """A comparison that is one command: `measure(directory, rounds)` returns the bars that are missed."""
+    parser = argparse.ArgumentParser(description=description, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--rounds", type=int, default=101, help="turns of the interleaved timing")
+    arguments = parser.parse_args()
+    inside(modules)
+    directory = ROOT / "target" / "peers"
+    directory.mkdir(parents=True, exist_ok=True)
+    finish(measure(directory, arguments.rounds))
+
+
+def finish(missed):
+    """Ends with status 1 if a bar is missed."""
+    for line in missed:
+        print("missed:", line, file=sys.stderr)
+    sys.exit(bool(missed))
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--models", default="tile,arm6,bicycle,fourbar,pendulum10", help="which, with commas between")
     parser.add_argument("--rounds", type=int, default=101, help="turns of the interleaved timing")
     arguments = parser.parse_args()
-    python = prepare()
-    if pathlib.Path(sys.prefix).resolve() != VENV.resolve():
-        os.execv(python, [str(python), *sys.argv])
+    inside()
     import compare
 
-    missed = compare.run(arguments.models.split(","), arguments.rounds, ROOT / "target" / "peers", HERE / "results")
-    for line in missed:
-        print("missed:", line, file=sys.stderr)
-    sys.exit(bool(missed))
+    finish(compare.run(arguments.models.split(","), arguments.rounds, ROOT / "target" / "peers", HERE / "results"))
 
 
 if __name__ == "__main__":

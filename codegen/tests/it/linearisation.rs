@@ -13,6 +13,11 @@ pub(crate) fn difference(mut of: impl FnMut(f64) -> Vec<f64>, step: f64) -> Vec<
     (0..a.len()).map(|i| (a[i] - 8.0 * b[i] + 8.0 * c[i] - d[i]) / (12.0 * step)).collect()
 }
 
+/// The same numbers as scalars of twice the digits.
+fn exact(list: &[f64]) -> Vec<Twofold> {
+    list.iter().map(|&x| Twofold::new(x)).collect()
+}
+
 /// Rates of the independent state, and outputs, in twice the digits; dependent coordinates follow the constraints.
 struct Exact {
     engine: Interpreted<Twofold>,
@@ -38,7 +43,6 @@ impl ByParameters {
 
     /// The answer itself, evaluated in twice the digits.
     fn answer(&mut self, state: &State) -> Vec<f64> {
-        let exact = |list: &[f64]| list.iter().map(|&x| Twofold::new(x)).collect::<Vec<_>>();
         let [q, u, inputs, u_dot] = [&state.q, &state.u, &state.inputs, &state.u_dot].map(|list| exact(list));
         let at = (Twofold::new(state.t), &q[..], &u[..], &inputs[..], &u_dot[..]);
         self.engine.function(0, at).expect("lengths fit").iter().map(|x| x.high).collect()
@@ -46,7 +50,6 @@ impl ByParameters {
 
     /// With one parameter moved by `change`.
     fn accelerations(&mut self, state: &State, column: usize, change: f64) -> Vec<Twofold> {
-        let exact = |list: &[f64]| list.iter().map(|&x| Twofold::new(x)).collect::<Vec<_>>();
         let mut values = exact(&self.values);
         values[column] = values[column] + Twofold::new(change);
         self.engine.set_parameters(&values);
@@ -80,7 +83,6 @@ impl Exact {
     /// At the numbers (independent q, u, inputs) one after the other, moved by `change` along a direction; Euler
     /// parameters are scaled to unit length.
     fn rates(&mut self, state: &State, direction: &[f64], change: f64) -> Vec<Twofold> {
-        let exact = |list: &[f64]| list.iter().map(|&x| Twofold::new(x)).collect::<Vec<_>>();
         let (mut q, mut u, mut inputs) = (exact(&state.q), exact(&state.u), exact(&state.inputs));
         let n_u = u.len();
         let places = self.independent.iter().map(|&i| (0, i));
