@@ -158,24 +158,27 @@ impl<S: Scalar> Surface<S> for Cuboid<S> {
 }
 
 impl<S: Scalar> Cuboid<S> {
-    /// Way from a place along a unit vector to where the line enters the box (m), < 0 where the place is inside or beyond;
-    /// None where the line misses it (slabs, Kay and Kajiya 1986).
+    /// The face by which a line from a place along a unit vector enters the box: distance of the place from its plane (m), < 0
+    /// behind it, and its outward normal. None where the line misses the box (slabs, Kay and Kajiya 1986).
     #[must_use]
-    pub fn along(&self, place: Vec3<S>, way: Vec3<S>) -> Option<S> {
+    pub fn entered(&self, place: Vec3<S>, way: Vec3<S>) -> Option<(S, Vec3<S>)> {
         let far = S::from_f64(f64::INFINITY);
-        let (mut enter, mut leave) = (-far, far);
-        for (half, (x, rate)) in self.half.iter().zip(place.iter().zip(way)) {
+        let (mut enter, mut leave, mut face) = (-far, far, None);
+        for (i, (half, (x, rate))) in self.half.iter().zip(place.iter().zip(way)).enumerate() {
             if rate.abs() <= S::EPSILON {
                 if x.abs() > *half {
                     return None;
                 }
                 continue;
             }
-            let ends = [(-*half - *x) / rate, (*half - *x) / rate];
-            enter = enter.max(ends[0].min(ends[1]));
-            leave = leave.min(ends[0].max(ends[1]));
+            let side = if rate > S::ZERO { -S::ONE } else { S::ONE };
+            let (first, last) = ((side * *half - *x) / rate, (-(side * *half) - *x) / rate);
+            if first > enter {
+                (enter, face) = (first, Some((side * *x - *half, vec3::scale(axis(i), side))));
+            }
+            leave = leave.min(last);
         }
-        (enter <= leave).then_some(enter)
+        face.filter(|_| enter <= leave)
     }
 
     /// For a point inside: the nearest face; of equally near ones the first in the order of the axes.

@@ -42,6 +42,8 @@ pub struct Touch<S> {
     pub gap: S,
     /// How much the gap (m) may change while it slides on a smooth surface with the normals of the facet below it.
     pub sagitta: S,
+    /// Whether it is at an edge or a corner of a box, whose normal is anything between those of the faces.
+    pub sharp: bool,
     /// Contact point in N (m).
     pub point: Vec3<S>,
     /// Sides, axes, law, impulse over the step (N s).
@@ -80,6 +82,7 @@ impl<S: Scalar> Touch<S> {
             id: 0,
             gap: S::ZERO,
             sagitta: S::ZERO,
+            sharp: false,
             point: zero,
             contact,
             inverse_mass,
@@ -107,12 +110,14 @@ pub(super) struct Meeting<S> {
     pub(super) contact: Contact<S>,
     /// How much the gap (m) may change while it slides on a smooth surface with the normals of the facet below it.
     pub(super) sagitta: S,
+    /// Whether it is at an edge or a corner of a box, whose normal is anything between those of the faces.
+    pub(super) sharp: bool,
 }
 
 impl<S: Scalar> Meeting<S> {
     /// On a surface whose normals are its own.
     pub(super) fn exact(gap: S, point: Vec3<S>, contact: Contact<S>) -> Self {
-        Self { gap, point, contact, sagitta: S::ZERO }
+        Self { gap, point, contact, sagitta: S::ZERO, sharp: false }
     }
 }
 
@@ -128,13 +133,13 @@ impl<S: Scalar> Found<'_, S> {
         &mut self,
         pair: (usize, &Pair<S>),
         id: u32,
-        Meeting { gap, point, mut contact, sagitta }: Meeting<S>,
+        Meeting { gap, point, mut contact, sagitta, sharp }: Meeting<S>,
     ) {
         let (number, law) = pair;
         (contact.friction, contact.restitution) = (law.friction, law.restitution);
         match self.touches.get_mut(self.count) {
             Some(place) => {
-                *place = Touch { pair: number, id, gap, sagitta, point, contact, ..Touch::empty() };
+                *place = Touch { pair: number, id, gap, sagitta, sharp, point, contact, ..Touch::empty() };
                 self.count += 1;
             }
             None => self.full = true,
@@ -265,7 +270,7 @@ impl<'a, S: Scalar> Scenery<'a, S> {
         let (_, _, radius) = core_points(shape);
         let sides = [self.side_of_port(*port, near.foot), self.side_of_facet(facet, &near)];
         let contact = Contact::between(sides, near.normal);
-        Meeting { gap: near.gap - radius, point: near.foot, contact, sagitta: near.sagitta }
+        Meeting { sagitta: near.sagitta, ..Meeting::exact(near.gap - radius, near.foot, contact) }
     }
 
     /// Whether the foot of a box's corner is a node, up to rounding, that touches the box itself.
@@ -281,7 +286,7 @@ impl<'a, S: Scalar> Scenery<'a, S> {
     fn node_over_facet(&self, node: usize, (facet, near): Foot<'a, S>) -> Meeting<S> {
         let sides = [self.side_of_node(node), self.side_of_facet(facet, &near)];
         let contact = Contact::between(sides, near.normal);
-        Meeting { gap: near.gap, point: vec3::at(self.pos, node), contact, sagitta: near.sagitta }
+        Meeting { sagitta: near.sagitta, ..Meeting::exact(near.gap, vec3::at(self.pos, node), contact) }
     }
 
     fn nodes_on_mesh(&self, pair: (usize, &Pair<S>), own: Mesh<S>, other: Mesh<'a, S>, found: &mut Found<S>) {
@@ -354,5 +359,30 @@ impl<'a, S: Scalar> Scenery<'a, S> {
         };
         let (friction, restitution) = (pair.friction, pair.restitution);
         Some(Meeting { contact: Contact { friction, restitution, ..meeting.contact }, ..meeting })
+    }
+
+    /// Where a contact that was found before is now, of its node or of the same point of its facet; None between rigid shapes.
+    pub(super) fn place_of(&self, pair: &Pair<S>, id: u32, contact: &Contact<S>) -> Option<Vec3<S>> {
+        let [one, other] = pair.things.map(|thing| self.things.get(thing));
+        let (one, other) = (one?, other?);
+        let mesh = match (self.rigid(one), self.rigid(other)) {
+            (Some(_), Some(_)) => return None,
+            (None, None) => {
+                let (a, b) = (self.mesh(one)?, self.mesh(other)?);
+                if (a.nodes[0] < b.nodes[0]) == (id < OF_SHAPE) { a } else { b }
+            }
+            _ => self.mesh(one).or_else(|| self.mesh(other))?,
+        };
+        if id < OF_SHAPE || (self.rigid(one).is_none() && self.rigid(other).is_none()) {
+            return Some(vec3::at(self.pos, mesh.nodes[0] + (id % IN_FOLD[0]) as usize));
+        }
+        let nodes = contact.sides.iter().flat_map(Side::points).filter_map(|point| {
+            point.body.checked_sub(self.frames.len()).map(|node| (point.weight, vec3::at(self.pos, node)))
+        });
+        let sum = nodes.fold((S::ZERO, vec3::zero()), |(sum, place), (weight, pos)| {
+            (sum + weight, vec3::axpy(place, weight, pos))
+        });
+        // A facet with held nodes has no such point.
+        ((sum.0 - S::ONE).abs() <= S::EPSILON.sqrt()).then_some(sum.1)
     }
 }

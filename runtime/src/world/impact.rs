@@ -10,6 +10,7 @@
 //!   D_k += w d/m_k;  D_i -= w d/m_i;   then u >= 0 like J0, so that D moves no side into the other: W D >= 0
 //! A = D.M D/2;  B = v.M D;  A lambda^2 + B lambda = Q;  v += lambda D;  J = J0 + lambda u
 //! ```
+//! A contact that presses by no more than rounding was at rest and is no source of D, or the last digit would decide.
 //! The smaller root is taken if B <= 0, J >= 0 and no side enters another, else the larger one. Springs and contacts
 //! give opposite impulses along one line, so linear and angular momentum are conserved. Without a spring that could
 //! take energy both sides rebound along J0. All contacts of one instant share one lambda.
@@ -22,6 +23,9 @@ use crate::rigid::contact::{Inertia, Twist};
 use crate::rigid::law::Kind;
 use crate::rigid::several::{Struck, compensate_all, rub_within, stop, strike_all};
 use crate::vec3::{self, Vec3};
+
+/// Rounding errors of speeds, in units of the largest.
+const ROUNDING: f64 = 1e3;
 
 /// Data that an impact does not change.
 #[derive(Clone, Copy, Debug)]
@@ -126,7 +130,7 @@ impl<S: Scalar, I: Inertia<S> + ?Sized> Setting<'_, S, I> {
         let stopped = lifts.iter().map(Struck::stopped);
         let sizes = [speeds.fold(S::ZERO, S::max), stopped.fold(S::ZERO, S::max)];
         let lambda = root(a, b, energy, |lambda| {
-            let rounding = S::from_f64(1e3) * S::EPSILON * (sizes[0] + lambda.abs() * sizes[1]);
+            let rounding = S::from_f64(ROUNDING) * S::EPSILON * (sizes[0] + lambda.abs() * sizes[1]);
             struck.iter().zip(lifts.iter()).all(|(s, lift)| {
                 let [now, gains] = [&*twists, field].map(|list| s.contact.relative(list)[0]);
                 let impulse = s.contact.impulse[0] + lambda * lift.contact.impulse[0];
@@ -147,6 +151,8 @@ impl<S: Scalar, I: Inertia<S> + ?Sized> Setting<'_, S, I> {
 
     /// Shows the springs from pressed nodes to nodes without contact: both nodes, the direction d, the share w > 0.
     fn each_link(&self, struck: &[Struck<S>], mut show: impl FnMut([usize; 2], Vec3<S>, S)) {
+        let most = struck.iter().map(Struck::stopped).fold(S::ZERO, S::max);
+        let least = S::from_f64(ROUNDING) * S::EPSILON * most;
         let touches = |node: usize| {
             struck.iter().any(|s| s.contact.points().any(|(_, point)| point.body == self.ports + node))
         };
@@ -157,9 +163,7 @@ impl<S: Scalar, I: Inertia<S> + ?Sized> Setting<'_, S, I> {
                 }
                 let (d, _) = vec3::direction(vec3::sub(vec3::at(self.pos, k), vec3::at(self.pos, i)));
                 let mut w = S::ZERO;
-                for contact in
-                    struck.iter().map(|s| &s.contact).filter(|contact| contact.impulse[0] > S::ZERO)
-                {
+                for contact in struck.iter().filter(|s| s.stopped() > least).map(|s| &s.contact) {
                     let own = contact.points().filter(|(_, point)| point.body == self.ports + i);
                     let share =
                         own.fold(S::ZERO, |sum, (share, _)| sum + share) * vec3::dot(d, contact.axes[0]);

@@ -1,4 +1,4 @@
-//! Nodes of a mesh over rigid shapes: the gap, along a normal that the node's own facets have.
+//! Nodes of a mesh over rigid shapes: the gap, over a face that the normals of the node's own facets point to.
 //!
 //! In: a node, its facets, a shape. Out: gap, place and axes of their contact.
 //!
@@ -10,8 +10,8 @@
 //! w = sum l_j n_j,  l_j >= 0
 //! ```
 //! or behind all of them (a sheet is touched from both sides); at a rim it must not point into the mesh. Otherwise the
-//! gap is measured along that facet's normal along which the box is nearest; a box that no such line meets does not
-//! touch the node.
+//! face counts by which a line along a facet's normal enters the box, the nearest of them: gap and normal are those of its
+//! plane. A box that no such line meets does not touch the node.
 
 use super::detect::Meeting;
 use super::scenery::{Mesh, Scenery, Standing};
@@ -76,23 +76,26 @@ impl<S: Scalar> Scenery<'_, S> {
         let (x, near, (shape, port, frame)) =
             (vec3::at(self.pos, node), self.near_node(node, standing), standing);
         let (mut gap, mut normal) = (near.gap, frame.to_inertial(near.normal));
+        let mut sharp = false;
         if let Shape::Cuboid(cuboid) = shape {
+            sharp = near.feature != Feature::Face;
             let way = vec3::scale(normal, -S::ONE);
             let flush = vec3::dot(way, vec3::at(self.normals, node)).abs() > S::from_f64(FLUSH);
             if !(flush && near.feature == Feature::Face) {
                 let around = self.around(mesh, node);
                 if around.count > 0 && !around.allows(way) {
-                    (gap, normal) = self.along_a_normal(&around, x, cuboid, standing)?;
+                    (gap, normal) = self.over_a_face(&around, x, cuboid, standing)?;
+                    sharp = false;
                 }
             }
         }
         let sides = [self.side_of_node(node), self.side_of_port(*port, x)];
-        Some(Meeting::exact(gap, x, Contact::between(sides, normal)))
+        Some(Meeting { sharp, ..Meeting::exact(gap, x, Contact::between(sides, normal)) })
     }
 
-    /// Gap and normal of a node and a box along that normal of the node's facets, on either side of them, along which
-    /// the box is nearest.
-    fn along_a_normal(
+    /// Gap and normal of a node over that face of a box by which a line along a normal of the node's facets, to either side
+    /// of them, enters it; the nearest of these faces.
+    fn over_a_face(
         &self,
         around: &Around<S>,
         x: Vec3<S>,
@@ -102,9 +105,9 @@ impl<S: Scalar> Scenery<'_, S> {
         let mut best: Option<(S, Vec3<S>)> = None;
         for normal in around.normals.iter().take(around.count) {
             for way in [*normal, vec3::scale(*normal, -S::ONE)] {
-                let Some(gap) = cuboid.along(frame.place(x), frame.to_local(way)) else { continue };
+                let Some((gap, face)) = cuboid.entered(frame.place(x), frame.to_local(way)) else { continue };
                 if best.is_none_or(|(least, _)| gap.abs() < least.abs()) {
-                    best = Some((gap, vec3::scale(way, -S::ONE)));
+                    best = Some((gap, frame.to_inertial(face)));
                 }
             }
         }

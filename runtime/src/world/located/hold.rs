@@ -15,7 +15,7 @@ use crate::world::whole::{StepMemory, World};
 /// Forces below this share of the largest one count as zero.
 pub(super) const LIGHT: f64 = 1e-9;
 /// A contact deeper than this many rounding lengths is an overlap; a shallower one was located.
-const OVERLAP: f64 = 64.0;
+pub(super) const OVERLAP: f64 = 64.0;
 /// A slip that reverses at less than this share of its initial speed has come to rest.
 const SLOW: f64 = 0.1;
 
@@ -33,7 +33,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
             let Some(touch) = touches.iter().find(same) else { continue };
             let slip = touch.contact.to_inertial([S::ZERO, touch.start[1], touch.start[2]]);
             if vec3::dot(slip, first) <= S::ZERO && vec3::norm(slip) <= S::from_f64(SLOW) * own.speed {
-                (own.slip, own.held.contact) = (None, touch.contact);
+                (own.slip, own.held.contact, own.normal) = (None, touch.contact, touch.contact.axes[0]);
                 list.swap(stopped, k);
                 stopped += 1;
             }
@@ -54,12 +54,12 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         let overlaps = |touch: &Touch<S>| touch.gap < deepest;
         *way.overlaps &= way.touches().iter().any(overlaps);
         way.held = 0;
-        let rests = |touch: &&Touch<S>| touch.start[0].abs() <= way.rounding.still;
+        let rests = |touch: &&Touch<S>| touch.start[0].abs() <= way.rounding.still && !touch.sharp;
         for touch in way.memory.touches[0].iter().take(way.known).filter(rests) {
             let own = way.pressing.get_mut(way.held).ok_or(Fault::TooManyContacts)?;
             let kept = if *way.overlaps && overlaps(touch) { touch.gap } else { S::ZERO };
             *own = Pressing { pair: touch.pair, id: touch.id, kept, ..Pressing::empty() };
-            own.held.contact = touch.contact;
+            (own.held.contact, own.normal) = (touch.contact, touch.contact.axes[0]);
             let [_, x, y] = touch.start;
             own.velocity = touch.contact.to_inertial([S::ZERO, x, y]);
             own.speed = vec3::norm(own.velocity);

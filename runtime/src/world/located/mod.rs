@@ -21,6 +21,7 @@ use super::carrier::Carrier;
 use super::detect::{Touch, keep_only};
 use super::observer::{Observer, Strike};
 use super::pressed::{Pressed, Pressing};
+use super::step::Course;
 use super::whole::{StepMemory, World};
 use crate::mechanism::Fault;
 use crate::ode::{Method, Ode, State, trial::split};
@@ -31,6 +32,8 @@ use crate::vec3;
 
 /// Most splits of one step.
 pub const SPLITS: usize = 64;
+/// Pieces of the rest of a step that has used up its splits.
+const PIECES: u32 = 16;
 /// How far a lasting contact may move away from where it was detected in a step, relative to the world's size.
 const DRIFT: f64 = 0.01;
 /// Acceleration (m/s^2) from which the speed that counts as zero follows: of the order of gravity.
@@ -232,16 +235,33 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         if left > S::ZERO {
             report.forced = true;
             *way.overlaps = true;
-            let [x, low] = &mut way.now;
             way.memory.counts = [0; 2];
-            let state = &mut State::resume(x, low)?;
-            let rest = self.step_watched((t + (h - left), left), state, way.memory, watch)?;
-            report.accounts = report.accounts.plus(&rest.accounts);
+            let rest = self.finish((t + (h - left), left), way, watch)?;
+            report.accounts = report.accounts.plus(&rest);
         }
         for ((x, low), (now, now_low)) in state.entries().zip(way.now[0].iter().zip(way.now[1].iter())) {
             (*x, *low) = (*now, *now_low);
         }
         Ok(report)
+    }
+
+    /// The rest of a step that has used up its splits: as in `step`, with e = 0.
+    fn finish(
+        &mut self,
+        (t, left): (S, S),
+        way: &mut PartialStep<S>,
+        watch: &mut impl Observer<S>,
+    ) -> Result<Accounts<S>, Fault> {
+        let piece = left / S::from_f64(f64::from(PIECES));
+        let mut accounts = Accounts::empty();
+        for k in 0..PIECES {
+            let at = |part: f64| t + S::from_f64(f64::from(k) + part) * piece;
+            let course = Course { times: [at(0.0), at(0.5), at(1.0)], rebounds: false };
+            let [x, low] = &mut way.now;
+            let state = &mut State::resume(x, low)?;
+            accounts = accounts.plus(&self.step_at((&course, piece), state, way.memory, watch)?.accounts);
+        }
+        Ok(accounts)
     }
 
     /// The number of contacts that press at a state, in whose steps of h they are; their forces there are then those of

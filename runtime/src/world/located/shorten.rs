@@ -20,9 +20,14 @@ impl<S: Scalar> Touch<S> {
         // An overlap that is opening counts as new only where it goes deeper.
         let depth = before.map_or(S::ZERO, |own| own.gap.min(S::ZERO));
         let by_gap = (self.gap - depth) / rounding.gap + S::ONE;
-        // What slides above or below a facet, within its sagitta, comes nearer to it also where nothing closes.
-        let deep = self.gap <= -self.sagitta;
-        if deep { by_gap } else { by_gap.max(gap_rate / rounding.rate + S::ONE) }
+        // What slides above or below a facet, within its sagitta, comes nearer to it also where nothing closes; no law acts
+        // on a known contact that opens, wherever it goes.
+        let by_rate = gap_rate / rounding.rate;
+        match (self.gap <= -self.sagitta, before) {
+            (true, None) => by_gap,
+            (true, Some(_)) => by_gap.max(by_rate - S::ONE),
+            (false, _) => by_gap.max(by_rate + S::ONE),
+        }
     }
 }
 
@@ -123,6 +128,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         // are, none pulls yet and none is missing: no share of them is a number.
         let presses = largest > S::ZERO;
         for own in list {
+            clear = if own.lost { -S::ONE } else { clear };
             let (n, mu) = (force(own)[0], own.held.contact.friction);
             if presses {
                 clear = clear.min(n / light + S::ONE);

@@ -1,5 +1,6 @@
 //! Impact of all contacts at one instant, applied to the state.
 
+use super::hold::OVERLAP;
 use super::{LocatedReport, PartialStep};
 use crate::mechanism::Fault;
 use crate::ode::Ode;
@@ -21,6 +22,15 @@ impl<S: Scalar> PartialStep<'_, '_, S> {
     /// Does any touching contact close?
     fn closes(&self) -> bool {
         self.touches().iter().any(|touch| touch.start[0] < -self.rounding.rate)
+    }
+
+    /// Is there an overlap that was no contact in the last piece? Facets that turn towards each other catch what is behind
+    /// them already.
+    fn catches(&self, earlier: usize) -> bool {
+        let earlier = self.memory.touches[1].get(..earlier).unwrap_or_default();
+        let deepest = -S::from_f64(OVERLAP) * self.rounding.gap;
+        let known = |touch: &Touch<S>| earlier.iter().any(|own| own.pair == touch.pair && own.id == touch.id);
+        self.touches().iter().any(|touch| touch.gap < deepest - touch.sagitta && !known(touch))
     }
 
     /// Ends bounces that have died out: if each contact that closes bounced so low in the last piece, of this `length`,
@@ -63,6 +73,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         let earlier = way.known;
         way.memory.touches.swap(0, 1);
         self.find_touches(t, way)?;
+        *way.overlaps |= length > S::ZERO && way.catches(earlier);
         if !way.closes() {
             return Ok(false);
         }

@@ -15,6 +15,8 @@ mod works;
 
 use super::carrier::Carrier;
 use super::detect::{Meeting, Touch};
+use super::scenery::Scenery;
+use super::thing::Pair;
 use super::whole::{StepMemory, World};
 use crate::mechanism::Fault;
 use crate::ode::Ode;
@@ -31,6 +33,10 @@ const SPAN: f64 = 1e-4;
 const MISSING: f64 = 1e-6;
 /// The same relative to the largest force of all contacts.
 const MISSING_OF_ALL: f64 = 1e-8;
+
+/// Least cosine of the angle by which a contact's normal turns within a piece of a step. One that turns further has
+/// passed from one face to another, and the piece ends there.
+const TURN: f64 = 0.8;
 
 /// A lasting contact.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -52,12 +58,16 @@ pub struct Pressing<S> {
     pub held: Held<S>,
     /// Direction of slip in N; None where the contact sticks. Zero without friction.
     pub slip: Option<Vec3<S>>,
+    /// Normal at the start of the piece of a step.
+    pub(super) normal: Vec3<S>,
+    /// Whether the contact has passed to another face or an edge since, or has none. It is held on the one before.
+    pub(super) lost: bool,
     /// Relative velocity in N (m/s).
     pub(super) velocity: Vec3<S>,
     /// Speed of slip at the start of the piece of a step (m/s).
     pub(super) speed: S,
-    /// Rates of change of the gap rate and of the relative velocity in N, without contact forces.
-    pub(super) change: (S, Vec3<S>),
+    /// Gap rate and relative velocity in N a short way ahead and a short way behind, where it is not lost.
+    pub(super) seen: [Option<(S, Vec3<S>)>; 2],
     /// Impulse or displacement of the projection, along n, t1, t2.
     pub(super) correction: Vec3<S>,
 }
@@ -74,7 +84,7 @@ impl<S: Scalar> Pressing<S> {
     pub fn empty() -> Pressing<S> {
         let (zero, touch) = (vec3::zero(), Touch::empty());
         let held = Held::new(touch.contact, [zero; 3], zero);
-        let (slip, change) = (None, (S::ZERO, zero));
+        let (slip, seen) = (None, [None; 2]);
         Pressing {
             pair: 0,
             id: 0,
@@ -84,10 +94,49 @@ impl<S: Scalar> Pressing<S> {
             place: zero,
             held,
             slip,
+            normal: zero,
+            lost: false,
             velocity: zero,
             speed: S::ZERO,
-            change,
+            seen,
             correction: zero,
+        }
+    }
+
+    /// Finds the contact at what was placed last. One that is lost keeps its axes and the points that it had.
+    fn follow(&mut self, scenery: &Scenery<'_, S>, pair: &Pair<S>) {
+        let old = self.held.contact;
+        let turned = |m: &Meeting<S>| vec3::dot(m.contact.axes[0], self.normal) < S::from_f64(TURN);
+        let meeting = scenery.again(pair, self.id).filter(|m| !m.sharp && !turned(m));
+        self.lost = meeting.is_none();
+        if let Some(Meeting { gap, point, mut contact, sagitta, .. }) = meeting {
+            // The axes turn with the normal: the old tangential impulse is resolved along the new tangents.
+            let [_, x, y] = vec3::apply(&contact.axes, old.to_inertial(old.impulse));
+            contact.impulse = [old.impulse[0], x, y];
+            (self.gap, self.place, self.held.contact, self.sagitta) = (gap, point, contact, sagitta);
+        } else if let Some(place) = scenery.place_of(pair, self.id, &old) {
+            let arm = |port: usize| scenery.frames.get(port).map(|frame| vec3::sub(place, frame.origin));
+            self.held.contact.sides =
+                old.sides.map(|side| side.with_arms(|at| arm(at.body).unwrap_or(at.arm)));
+            self.place = place;
+        }
+    }
+
+    /// Sets the bias: by a central difference, or to one side where the other lies behind the end of the contact; where
+    /// both do, it stays.
+    fn bend(&mut self, now: Option<(S, Vec3<S>)>, span: S) {
+        let ([ahead, behind], twice) = (self.seen, span + span);
+        let ends = match (ahead, behind, now) {
+            (Some(ahead), Some(behind), _) => Some((ahead, behind, twice)),
+            (Some(ahead), None, Some(now)) => Some((ahead, now, span)),
+            (None, Some(behind), Some(now)) => Some((now, behind, span)),
+            _ => None,
+        };
+        if let Some(((rate, velocity), (old_rate, old_velocity), time)) = ends {
+            let one = S::ONE / time;
+            let change = vec3::scale(vec3::sub(velocity, old_velocity), one);
+            let [_, x, y] = vec3::apply(&self.held.contact.axes, change);
+            self.held.bias = [one * (rate - old_rate), x, y];
         }
     }
 
@@ -161,13 +210,7 @@ impl<S: Scalar, C: Carrier<S>> Pressed<'_, '_, '_, S, C> {
         let scenery = self.world.scenery(normals, self.rounding[0], true);
         for own in self.list.iter_mut() {
             let pair = self.world.pairs.get(own.pair).ok_or(Fault::Shape)?;
-            if let Some(Meeting { gap, point, mut contact, sagitta }) = scenery.again(pair, own.id) {
-                // The axes turn with the normal: the old tangential impulse is resolved along the new tangents.
-                let old = own.held.contact;
-                let [_, x, y] = vec3::apply(&contact.axes, old.to_inertial(old.impulse));
-                contact.impulse = [old.impulse[0], x, y];
-                (own.gap, own.place, own.held.contact, own.sagitta) = (gap, point, contact, sagitta);
-            }
+            own.follow(&scenery, pair);
             let [n, x, y] = own.held.contact.relative(twists);
             let velocity = own.held.contact.to_inertial([n, x, y]);
             see(own, n, velocity);
@@ -178,27 +221,24 @@ impl<S: Scalar, C: Carrier<S>> Pressed<'_, '_, '_, S, C> {
     /// Sets the biases d/dt W v, along the rates `dot`, and contacts and inverse masses at (t, x).
     fn bend(&mut self, t: S, x: &[S], dot: &[S]) -> Result<(), Fault> {
         let span = S::from_f64(SPAN) * self.h;
-        let one = S::ONE / (span + span);
-        self.list.iter_mut().for_each(|own| own.change = (S::ZERO, vec3::zero()));
-        for sign in [S::ONE, -S::ONE] {
-            let (way, part) = (sign * span, sign * one);
+        for (k, way) in [span, -span].into_iter().enumerate() {
             let shifted = core::mem::take(&mut self.spare[0]);
             for ((to, from), rate) in shifted.iter_mut().zip(x).zip(dot) {
                 *to = *from + way * *rate;
             }
             let looked = self.look(t + way, shifted, |own, rate, velocity| {
-                own.change.0 = own.change.0 + part * rate;
-                own.change.1 = vec3::axpy(own.change.1, part, velocity);
+                if let Some(seen) = own.seen.get_mut(k) {
+                    *seen = (!own.lost).then_some((rate, velocity));
+                }
             });
             self.spare[0] = shifted;
             looked?;
         }
-        let (rate, h, ports) = (self.rounding[1], self.h, self.world.island.memory.frames.len());
-        self.look(t, x, |own, _, velocity| {
+        let (rounding, h, ports) = (self.rounding[1], self.h, self.world.island.memory.frames.len());
+        self.look(t, x, |own, rate, velocity| {
             own.velocity = velocity;
-            let [_, x, y] = vec3::apply(&own.held.contact.axes, own.change.1);
-            own.held.bias = [own.change.0, x, y];
-            own.held.slip = own.slides(rate, h, ports);
+            own.bend((!own.lost).then_some((rate, velocity)), span);
+            own.held.slip = own.slides(rounding, h, ports);
         })?;
         self.ask(t, x)
     }

@@ -2,9 +2,10 @@
 //!
 //! In: two states of a piece of a step. Out: the work of dampers, drag, friction and drives between them, by Simpson's
 //! rule over the powers at both ends and in the middle; each of these instants is shown to an observer. A piece that ends
-//! where a contact loses its support ends behind a jump of forces: there by the rule of order 2 without its end,
+//! where a contact loses its support, or passes to another face, ends behind a jump of forces: there by Radau's rule,
+//! which does not look at the end,
 //! ```text
-//! h (P(t) + 5 P(t + 3/5 h))/6
+//! h (P(t) + 3 P(t + 2/3 h))/4
 //! ```
 
 use super::{Pressed, Pressing};
@@ -69,15 +70,20 @@ impl<S: Scalar, C: Carrier<S>> Pressed<'_, '_, '_, S, C> {
         let force = |own: &Pressing<S>| own.held.contact.impulse[0];
         let largest = self.list.iter().map(force).fold(S::ZERO, S::max);
         let end = self.powers(t + length, new, last)?;
-        if self.list.iter().any(|own| force(own) < -(S::from_f64(LOST) * largest)) {
-            let part = S::from_f64(0.6);
+        let lost = |own: &Pressing<S>| own.lost || force(own) < -(S::from_f64(LOST) * largest);
+        if self.list.iter().any(lost) {
+            let (part, quarter) = (S::from_f64(2.0 / 3.0), S::from_f64(0.25) * length);
             for (to, ((a, b), da)) in between.iter_mut().zip(old.iter().zip(new).zip(first.iter())) {
                 let way = length * *da;
                 *to = *a + part * (way + part * ((*b - *a) - way));
             }
-            let inside = self.powers(t + part * length, between, first)?.times(S::from_f64(5.0));
-            self.show(S::from_f64(5.0) * sixth, watch);
-            return Ok(start.plus(&inside).times(sixth));
+            if watch.watches() {
+                self.powers(t, old, first)?;
+                self.show(quarter - sixth, watch);
+            }
+            let inside = self.powers(t + part * length, between, first)?.times(S::from_f64(3.0));
+            self.show(S::from_f64(3.0) * quarter, watch);
+            return Ok(start.plus(&inside).times(quarter));
         }
         self.show(sixth, watch);
         // The state at half time by Hermite interpolation.
