@@ -4,6 +4,9 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use smartbed_runtime::flexible::Spring;
+use smartbed_runtime::real::Scalar;
+
 /// Indices of the nodes row by row, `None` where the grid has a hole.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Table {
@@ -47,6 +50,17 @@ impl Lists {
         self.masses.push(1.0);
         self.fixed.push(false);
         self.points.len() - 1
+    }
+
+    /// Its springs as the runtime takes them, rounded once to S, with point indices shifted by `first`.
+    pub fn elements<S: Scalar>(&self, first: usize) -> impl Iterator<Item = Spring<S>> + '_ {
+        (0..self.springs.len()).map(move |n| Spring {
+            tail: self.springs[n][0] + first,
+            head: self.springs[n][1] + first,
+            stiffness: S::from_f64(self.stiffness[n]),
+            damping: S::from_f64(self.damping[n]),
+            rest_length: S::from_f64(self.rest_lengths[n]),
+        })
     }
 
     /// Adds a spring between two points, at rest where they are.

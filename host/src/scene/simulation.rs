@@ -108,15 +108,8 @@ impl<S: Scalar> Simulation<S> {
             motion[i] = vector(x);
             motion[2 * n + i] = lists.velocities.get(i).map_or([S::ZERO; 3], vector);
         }
-        let spring = |i: usize| Spring {
-            tail: lists.springs[i][0],
-            head: lists.springs[i][1],
-            stiffness: real(lists.stiffness[i]),
-            damping: real(lists.damping[i]),
-            rest_length: real(lists.rest_lengths[i]),
-        };
         let mass: Vec<S> = lists.masses.iter().map(|m| real(*m)).collect();
-        let springs: Vec<Spring<S>> = (0..lists.springs.len()).map(spring).collect();
+        let springs: Vec<Spring<S>> = lists.elements(0).collect();
         let grid = Woven::new(lists, [0; 3]);
         let mut simulation = Simulation {
             massless: Links::new(&mass, &springs),

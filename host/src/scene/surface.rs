@@ -8,29 +8,37 @@ use std::collections::BTreeMap;
 /// Boundary edges: edges of facets that no other facet has in the opposite direction, from each node to the next.
 #[must_use]
 pub fn open_edges(facets: &[[usize; 4]]) -> BTreeMap<usize, usize> {
-    // Edges by their ends, whatever their direction, so that those of two neighbours are adjacent after sorting. Each
-    // edge is one number (lower node, higher node, direction), because numbers are sorted four times as fast as tuples.
-    const NODE: u32 = 31;
-    let mut edges = Vec::with_capacity(4 * facets.len());
-    for [a, b, c, d] in facets.iter().copied() {
-        for (from, to) in [(a, b), (b, c), (c, d), (d, a)] {
-            if from != to {
-                let (low, high) = (from.min(to) as u64, from.max(to) as u64);
-                edges.push((low << NODE | high) << 1 | u64::from(from < to));
+    let edges = || {
+        let around = facets.iter().flat_map(|[a, b, c, d]| [(*a, *b), (*b, *c), (*c, *d), (*d, *a)]);
+        around.filter(|(from, to)| from != to)
+    };
+    // The edges of each node to higher ones, one node after the other: sorted by counting, in linear time.
+    let nodes = facets.iter().flatten().max().map_or(0, |last| last + 1);
+    let mut ends = vec![0; nodes + 1];
+    edges().for_each(|(from, to)| ends[from.min(to) + 1] += 1);
+    for node in 0..nodes {
+        ends[node + 1] += ends[node];
+    }
+    let mut upwards = vec![(0, false); ends[nodes]];
+    for (from, to) in edges() {
+        let place = &mut ends[from.min(to)];
+        upwards[*place] = (from.max(to), from < to);
+        *place += 1;
+    }
+    let (mut open, mut first) = (BTreeMap::new(), 0);
+    for (low, end) in ends.iter().copied().enumerate().take(nodes) {
+        let of_node = &mut upwards[first..end];
+        of_node.sort_unstable();
+        for alike in of_node.chunk_by(|one, other| one.0 == other.0) {
+            let high = alike[0].0;
+            let rising = alike.iter().filter(|edge| edge.1).count();
+            let falling = alike.len() - rising;
+            if rising != falling {
+                open.extend((rising > 0).then_some((low, high)));
+                open.extend((falling > 0).then_some((high, low)));
             }
         }
-    }
-    edges.sort_unstable();
-    let mut open = BTreeMap::new();
-    for alike in edges.chunk_by(|one, other| one >> 1 == other >> 1) {
-        let ends = alike[0] >> 1;
-        let (low, high) = ((ends >> NODE) as usize, (ends & ((1 << NODE) - 1)) as usize);
-        let rising = alike.iter().filter(|edge| *edge & 1 == 1).count();
-        let falling = alike.len() - rising;
-        if rising != falling {
-            open.extend((rising > 0).then_some((low, high)));
-            open.extend((falling > 0).then_some((high, low)));
-        }
+        first = end;
     }
     open
 }

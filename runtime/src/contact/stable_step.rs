@@ -138,13 +138,25 @@ fn largest_eigenvalue<S: Scalar>(a: [Vec3<S>; 3]) -> S {
     if trace(&a) <= S::ZERO {
         return S::ZERO;
     }
-    let product = |x: &[Vec3<S>; 3], y: &[Vec3<S>; 3]| x.map(|row| y.map(|column| vec3::dot(row, column)));
-    let mut power = a.map(|row| vec3::scale(row, S::ONE / trace(&a)));
+    let mut power = over_trace(a);
     for _ in 0..SQUARINGS {
-        let square = product(&power, &power);
-        power = square.map(|row| vec3::scale(row, S::ONE / trace(&square)));
+        power = over_trace(square(power));
     }
-    trace(&product(&a, &power))
+    let [x, y, z] = power;
+    vec3::dot(a[0], x) + vec3::dot(a[1], y) + vec3::dot(a[2], z)
+}
+
+#[inline(always)]
+fn over_trace<S: Scalar>([x, y, z]: [Vec3<S>; 3]) -> [Vec3<S>; 3] {
+    let scale = S::ONE / (x[0] + y[1] + z[2]);
+    [vec3::scale(x, scale), vec3::scale(y, scale), vec3::scale(z, scale)]
+}
+
+/// Square of a symmetric matrix.
+#[inline(always)]
+fn square<S: Scalar>([x, y, z]: [Vec3<S>; 3]) -> [Vec3<S>; 3] {
+    let [xy, yz, zx] = [vec3::dot(x, y), vec3::dot(y, z), vec3::dot(z, x)];
+    [[vec3::dot(x, x), xy, zx], [xy, vec3::dot(y, y), yz], [zx, yz, vec3::dot(z, z)]]
 }
 
 fn component<S: Scalar>(a: Vec3<S>, i: usize) -> S {

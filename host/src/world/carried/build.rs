@@ -6,12 +6,13 @@ use super::air::Air;
 use super::methods::Contacts;
 use super::{CarriedWorld, Fixed, Place, Room, words};
 use crate::scene::grid::Woven;
-use crate::scene::{Lists, Simulation, Surroundings};
 use crate::world::assembly::{Assembly, Kind, Law, Part, Rigid};
 use crate::world::carriers::HostCarrier;
 use crate::world::ported::Ported;
 use crate::world::touching::{Touchable, Touching};
-use smartbed_runtime::flexible::{PressureForm, Spring};
+use smartbed_runtime::contact::System;
+use smartbed_runtime::contact::stable_step::{Sums, largest_stable_step};
+use smartbed_runtime::flexible::{Body, PressureForm};
 use smartbed_runtime::ode::Ode;
 use smartbed_runtime::surface::Frame;
 use smartbed_runtime::vec3;
@@ -131,7 +132,7 @@ impl CarriedWorld {
             fixed.grids.extend(Woven::new(lists, [first, fixed.springs.len(), first_facet]));
             fixed.mass.extend(&lists.masses);
             fixed.held.extend(&lists.fixed);
-            fixed.springs.extend(springs(lists, first));
+            fixed.springs.extend(lists.elements::<f64>(first));
             fixed.facets.extend(lists.facets.iter().map(|corners| corners.map(|node| node + first)));
             let cell = body.gas.map(|content| {
                 let facets = [first_facet, fixed.facets.len()];
@@ -260,17 +261,6 @@ fn standing(rigid: &Rigid) -> Frame<f64> {
     Frame { origin, axes, velocity: [0.0; 3], angular_velocity: [0.0; 3] }
 }
 
-/// Springs with node indices shifted by `first`.
-fn springs(lists: &Lists, first: usize) -> impl Iterator<Item = Spring<f64>> + '_ {
-    (0..lists.springs.len()).map(move |n| Spring {
-        tail: lists.springs[n][0] + first,
-        head: lists.springs[n][1] + first,
-        stiffness: lists.stiffness[n],
-        damping: lists.damping[n],
-        rest_length: lists.rest_lengths[n],
-    })
-}
-
 /// Ports of a mechanism that attachments and surfaces use, without duplicates.
 fn ports(assembly: &Assembly, part: usize) -> Vec<String> {
     let mut ports: Vec<String> = Vec::new();
@@ -293,20 +283,15 @@ fn stable_step(assembly: &Assembly, fixed: &Fixed) -> Result<Option<f64>, String
     let mut stable: Option<f64> = None;
     for part in &assembly.parts {
         let Kind::Flexible(body) = &part.kind else { continue };
-        let around =
-            Surroundings { gravity: fixed.gravity, air_drag: fixed.air_drag, ground: None, inflation: None };
-        let method = smartbed_runtime::ode::nodes::Method::Verlet;
-        // Attached nodes have no mass and do not move: any value will do.
-        let mut lists = body.lists.clone();
-        lists
-            .masses
-            .iter_mut()
-            .zip(&lists.fixed)
-            .filter(|(_, fixed)| **fixed)
-            .for_each(|(mass, _)| *mass = 1.0);
-        let probe = Simulation::<f64>::new(&lists, &around, method)
+        let (lists, springs) = (&body.lists, body.lists.elements(0).collect::<Vec<_>>());
+        let (mass, held) = (&lists.masses, &lists.fixed);
+        let alone =
+            Body { mass, fixed: held, springs: &springs, air_drag: fixed.air_drag, ..Body::<f64>::none() };
+        let alone = Body::new(alone)
             .map_err(|e| format!("`{}`: {}", part.name, crate::scene::describe::describe(&e)))?;
-        let Some(largest) = probe.largest_stable_step() else { continue };
+        let (system, mut sums) = (System::new(alone, None), vec![Sums::none(); mass.len()]);
+        let stable_here = largest_stable_step(&system, &lists.points, &lists.velocities, &mut sums);
+        let Some(largest) = stable_here else { continue };
         if assembly.run.step > largest {
             return Err(format!(
                 "run.step = {} s is larger than the largest stable step of `{}`, {largest:.3e} s; take a smaller one",

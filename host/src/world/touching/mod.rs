@@ -279,6 +279,9 @@ impl<S: Scalar> Touching<S> {
         t: S,
         x: &[S],
     ) -> Result<Vec<Overlap>, Fault> {
+        if self.pairs.is_empty() {
+            return Ok(Vec::new());
+        }
         let mut room = self.room.clone();
         let mut memory = room.memory();
         World { island, things: &self.things, pairs: &self.pairs }.look(t, x, &mut memory)?;
