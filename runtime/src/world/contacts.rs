@@ -6,7 +6,7 @@
 use super::carrier::{Carrier, Wrench};
 use super::detect::Touch;
 use super::extent::Extent;
-use super::island::{Cut, Memory};
+use super::island::{Cut, Memory, free_nodes};
 use super::scenery::Scenery;
 use super::sweep::{self, sweep};
 use super::thing::Thing;
@@ -19,9 +19,9 @@ use crate::surface::facet::vertex_normals;
 use crate::vec3::{self, Vec3};
 
 impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
-    /// Velocities of ports and nodes at the positions of the middle: with the speeds at the start, and with those that
-    /// the forces without contacts give at the end. `new` is memory.
-    pub(super) fn fill_twists(
+    /// Velocities of the ports at the positions of the middle: with the speeds at the start, and with those that the
+    /// forces without contacts give at the end, which `new` gets for the carriers.
+    pub(super) fn carry_twists(
         &mut self,
         times: [S; 2],
         h: S,
@@ -38,57 +38,72 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         {
             return Err(Fault::Shape);
         }
-        let turning = self.island.carrier.n_q();
+        let (turning, n_u) = (self.island.carrier.n_q(), self.island.carrier.n_u());
         new.iter_mut().zip(middle).take(turning).for_each(|(to, from)| *to = *from);
-        for (to, (from, rate)) in new.iter_mut().zip(middle.iter().zip(dot)).skip(n_q) {
+        for (to, (from, rate)) in new.iter_mut().zip(middle.iter().zip(dot)).skip(n_q).take(n_u) {
             *to = *from + h * *rate;
         }
         let [start, free, _] = twists;
         let lists = [(&mut **first, &mut **start, middle), (&mut **last, &mut **free, &*new)];
         for ((frames, twists, x), t) in lists.into_iter().zip(times) {
-            let Cut { q, u, vel, .. } = self.island.parts(x)?;
+            let Cut { q, u, .. } = self.island.parts(x)?;
             self.island.carrier.frames(t, q, u, frames)?;
-            let (of_ports, of_nodes) = twists.split_at_mut_checked(ports).ok_or(Fault::Shape)?;
-            for (twist, frame) in of_ports.iter_mut().zip(frames.iter()) {
+            for (twist, frame) in twists.iter_mut().zip(frames.iter()) {
                 *twist = Twist { velocity: frame.velocity, angular: frame.angular_velocity };
-            }
-            let mut velocities = vel.as_chunks::<3>().0.iter();
-            for (twist, fixed) in of_nodes.iter_mut().zip(self.island.body.fixed) {
-                let velocity = if *fixed { None } else { velocities.next() };
-                *twist =
-                    Twist { velocity: velocity.copied().unwrap_or_else(vec3::zero), angular: vec3::zero() };
             }
         }
         Ok(())
+    }
+
+    /// Velocities of the free nodes at the start, as placed last, and at the end under these rates.
+    pub(super) fn node_speeds<'s>(
+        &'s self,
+        h: S,
+        dot: &'s [S],
+    ) -> Result<impl Iterator<Item = (usize, [Vec3<S>; 2])> + use<'s, S, C>, Fault> {
+        let (rates, vel) = (self.island.parts(dot)?.vel.as_chunks::<3>().0, &*self.island.memory.vel);
+        let free = free_nodes(&self.island.body).zip(rates);
+        Ok(free.map(move |(node, rate)| {
+            let start = vec3::at(vel, node);
+            (node, [start, vec3::axpy(start, h, *rate)])
+        }))
     }
 
     /// Detects contacts and computes their impulses; the last list of twists holds the resulting velocities.
     pub(super) fn contacts(
         &mut self,
         times: (S, S),
-        middle: &[S],
+        [middle, dot]: [&[S]; 2],
         rebounds: bool,
         memory: &mut StepMemory<'_, S>,
     ) -> Result<sweep::Sweeps<S>, Fault> {
-        self.find_contacts(times, middle, memory)?;
+        self.find_contacts(times, [middle, dot], memory)?;
         if !rebounds {
             memory.touches[0].iter_mut().for_each(|touch| touch.contact.restitution = S::ZERO);
         }
         Ok(press(times.1, memory))
     }
 
-    /// Detects contacts at the positions placed last (the middle, at t), and their inverse masses. Impulses of the last
+    /// Detects contacts at the positions placed last (the middle, at t), their inverse masses, and the velocities of
+    /// their nodes at the start and, under the rates `dot` and the forces in memory, at the end. Impulses of the last
     /// step are not taken as a start, which would save a tenth of the sweeps: a step depends on the state alone, so that
     /// a run that is resumed, and parts that step apart, give the same bits.
     pub(super) fn find_contacts(
         &mut self,
         (t, h): (S, S),
-        middle: &[S],
+        [middle, dot]: [&[S]; 2],
         memory: &mut StepMemory<'_, S>,
     ) -> Result<(), Fault> {
-        let margin = self.margin(h, memory);
-        let StepMemory { twists: [start, ..], normals, inertias, extents, touches: [now, _], counts, .. } =
-            memory;
+        let margin = self.margin(h, dot, memory)?;
+        let StepMemory {
+            twists: [start, free, _],
+            normals,
+            inertias,
+            extents,
+            touches: [now, _],
+            counts,
+            ..
+        } = memory;
         counts[0] = 0;
         if self.pairs.is_empty() {
             return Ok(());
@@ -110,8 +125,16 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
             for node in
                 touch.contact.sides.iter().flat_map(Side::points).filter_map(|p| p.body.checked_sub(ports))
             {
+                let inverse_mass = island.body.inverse_mass(node);
                 if let Some(yields) = inertias.nodes.get_mut(node) {
-                    *yields = island.body.inverse_mass(node);
+                    *yields = inverse_mass;
+                }
+                let own = &island.memory;
+                let (velocity, angular) = (vec3::at(own.vel, node), vec3::zero());
+                let force = vec3::add(vec3::at(own.elastic, node), vec3::at(own.viscous, node));
+                let end = vec3::axpy(velocity, h, vec3::scale(force, inverse_mass));
+                if let (Some(start), Some(free)) = (start.get_mut(ports + node), free.get_mut(ports + node)) {
+                    (*start, *free) = (Twist { velocity, angular }, Twist { velocity: end, angular });
                 }
             }
             touch.inverse_mass = touch.contact.inverse_mass(inertias);
@@ -165,23 +188,23 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
     }
 
     /// Upper bound on how much a step may close a gap (m).
-    fn margin(&self, h: S, memory: &StepMemory<'_, S>) -> S {
+    fn margin(&self, h: S, dot: &[S], memory: &StepMemory<'_, S>) -> Result<S, Fault> {
         let Memory { frames, pos, .. } = &self.island.memory;
         let origins = frames.iter().map(|frame| frame.origin);
         let bounds = origins.fold(Extent::around(pos), |bounds, origin| {
             Some(bounds.unwrap_or(Extent { low: origin, high: origin }).with(origin))
         });
         let size = bounds.map_or(S::ZERO, |bounds| bounds.diagonal()) + self.largest();
-        let (mut fastest, mut square) = (S::ZERO, S::ZERO);
+        let mut fastest = S::ZERO;
         for twists in memory.twists.iter().take(2) {
-            let (of_ports, of_nodes) = twists.split_at_checked(frames.len()).unwrap_or_default();
-            for Twist { velocity, angular } in of_ports {
+            for Twist { velocity, angular } in twists.iter().take(frames.len()) {
                 fastest = fastest.max(vec3::norm(*velocity) + size * vec3::norm(*angular));
             }
-            square =
-                of_nodes.iter().fold(square, |most, own| most.max(vec3::dot(own.velocity, own.velocity)));
         }
-        S::from_f64(2.0) * h * fastest.max(square.sqrt())
+        let square = self.node_speeds(h, dot)?.fold(S::ZERO, |most, (_, [start, end])| {
+            most.max(vec3::dot(start, start)).max(vec3::dot(end, end))
+        });
+        Ok(S::from_f64(2.0) * h * fastest.max(square.sqrt()))
     }
 
     /// Largest distance of a shape's surface from its port (m).
@@ -194,26 +217,31 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
 }
 
 /// The impulses of the detected contacts, given the velocities without them at the end; the last list of twists gets
-/// the velocities with them.
+/// those with them: of the ports, and of the nodes that touch.
 pub(super) fn press<S: Scalar>(h: S, memory: &mut StepMemory<'_, S>) -> sweep::Sweeps<S> {
     let StepMemory { twists: [_, free, end], inertias, touches: [now, _], counts, .. } = memory;
-    end.iter_mut().zip(free.iter()).for_each(|(to, from)| *to = *from);
     let now = now.get_mut(..counts[0]).unwrap_or_default();
+    let ports = inertias.couplings.len();
+    restore(now, ports, free, end);
     if now.is_empty() {
         return sweep::Sweeps { number: 0, settled: true, left: S::ZERO };
     }
     let sweeps = sweep(now, h, inertias, end);
     sweep::take_no_more(now, free, inertias, end);
     // Sweeps accumulate rounding errors in the velocities that they change: recompute them from the impulses.
-    let ports = inertias.couplings.len();
-    end.iter_mut().zip(free.iter()).take(ports).for_each(|(to, from)| *to = *from);
+    restore(now, ports, free, end);
+    now.iter().for_each(|touch| touch.contact.push(inertias, end, touch.contact.impulse));
+    sweeps
+}
+
+/// Velocities without contacts of the ports and of the nodes that touch.
+fn restore<S: Scalar>(now: &[Touch<S>], ports: usize, free: &[Twist<S>], end: &mut [Twist<S>]) {
+    end.iter_mut().zip(free).take(ports).for_each(|(to, from)| *to = *from);
     for point in now.iter().flat_map(|touch| touch.contact.sides.iter().flat_map(Side::points)) {
         if let (Some(to), Some(from)) = (end.get_mut(point.body), free.get(point.body)) {
             *to = *from;
         }
     }
-    now.iter().for_each(|touch| touch.contact.push(inertias, end, touch.contact.impulse));
-    sweeps
 }
 
 /// Adds the contacts' mean forces to those on nodes and ports; returns the number of contacts that push.

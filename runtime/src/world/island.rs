@@ -229,10 +229,17 @@ impl<'a, S: Scalar, C: Carrier<S>> Island<'a, S, C> {
 
     /// Rates under the forces and wrenches in memory; returns the worst pivot.
     pub(super) fn accelerate(&mut self, t: S, x: &[S], x_dot: &mut [S]) -> Result<S, Fault> {
-        let Cut { q, u, vel, .. } = self.parts(x)?;
+        let pivot = self.speed_rates(t, x, x_dot)?;
+        let vel = self.parts(x)?.vel;
+        self.parts_mut(x_dot)?.pos.iter_mut().zip(vel).for_each(|(to, from)| *to = *from);
+        Ok(pivot)
+    }
+
+    /// As [`Island::accelerate`], without the rates of the positions of nodes, which are their velocities.
+    pub(super) fn speed_rates(&mut self, t: S, x: &[S], x_dot: &mut [S]) -> Result<S, Fault> {
+        let Cut { q, u, .. } = self.parts(x)?;
         let dot = self.parts_mut(x_dot)?;
         let pivot = self.carrier.rates(t, q, u, self.memory.wrenches, dot.q, dot.u)?;
-        dot.pos.iter_mut().zip(vel).for_each(|(to, from)| *to = *from);
         for (node, rate) in free_nodes(&self.body).zip(dot.vel.chunks_exact_mut(3)) {
             let force = vec3::add(vec3::at(self.memory.elastic, node), vec3::at(self.memory.viscous, node));
             write(rate, vec3::scale(force, self.body.inverse_mass(node)));

@@ -126,25 +126,26 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         let pivot = self.forces_at_middle(t_middle, middle, dot)?;
 
         // Contact impulses act as forces at the middle.
-        self.fill_twists([t, t_end], h, middle, dot, new, memory)?;
-        let sweeps = self.contacts((t_middle, h), middle, course.rebounds, memory)?;
+        self.carry_twists([t, t_end], h, middle, dot, new, memory)?;
+        let sweeps = self.contacts((t_middle, h), [middle, dot], course.rebounds, memory)?;
         let own = &mut self.island.memory;
         let forces = (&mut *own.elastic, &mut *own.wrenches);
         let active = load_contacts(h, memory.contacts().iter().map(|touch| touch.contact), forces);
         if active > 0 {
-            self.island.accelerate(t_middle, middle, dot)?;
+            self.island.speed_rates(t_middle, middle, dot)?;
         }
 
-        let accounts = self.observe(h, memory);
+        let accounts = self.observe((h, dot), memory)?;
         if watch.watches() {
-            self.show(h, memory, watch);
+            self.show((h, dot), memory, watch)?;
         }
 
         // The other half with the speeds at the end.
-        for ((to, from), rate) in new.iter_mut().zip(middle.iter()).zip(dot.iter()).skip(n_q) {
-            *to = *from + h * *rate;
-        }
         if turning > 0 {
+            let n_u = self.island.carrier.n_u();
+            for ((to, from), rate) in new.iter_mut().zip(middle.iter()).zip(dot.iter()).skip(n_q).take(n_u) {
+                *to = *from + h * *rate;
+            }
             new.iter_mut().zip(middle.iter()).take(turning).for_each(|(to, from)| *to = *from);
             self.turn(t_middle, new, low)?;
             // N at the end, so that both halves together are symmetric in time: order 2, and Euler parameters of unit length.
@@ -173,12 +174,11 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
     fn forces_at_middle(&mut self, t: S, middle: &[S], dot: &mut [S]) -> Result<S, Fault> {
         self.island.place(t, middle)?;
         self.island.load_seams()?;
-        checked(self.island.accelerate(t, middle, dot)?)
+        checked(self.island.speed_rates(t, middle, dot)?)
     }
 
     /// Writes the state at the end: coordinates by the mean of their rates at start and end, speeds by those in the
-    /// middle. In: `start` and `low` hold the carriers' q' at start and end, `dot` the rates of speeds, `new` the speeds
-    /// at the end.
+    /// middle. In: `start` and `low` hold the carriers' q' at start and end, `dot` the rates of speeds.
     fn close(
         &self,
         h: S,
@@ -186,25 +186,27 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         [start, dot]: [&[S]; 2],
         [new, low]: [&mut [S]; 2],
     ) -> Result<(), Fault> {
-        let carrier = &self.island.carrier;
-        let (turning, n_u, n_q) = (carrier.n_q(), carrier.n_u(), self.island.n_q());
         let half = S::from_f64(0.5) * h;
-        let (places, speeds) = new.split_at_mut_checked(n_q).ok_or(Fault::Shape)?;
-        let Cut { vel: before, .. } = self.island.parts(state.x())?;
-        let after = speeds.get(n_u..).ok_or(Fault::Shape)?;
-        let old = || state.x().iter().zip(state.low());
-        let mut ends = places.iter_mut().zip(low.iter_mut()).zip(old());
-        for (((x, l), (old, old_low)), start) in ends.by_ref().zip(start).take(turning) {
+        let island = &self.island;
+        let [old, old_low, rates] =
+            [island.parts(state.x())?, island.parts(state.low())?, island.parts(dot)?];
+        let [new, low] = [island.parts_mut(new)?, island.parts_mut(low)?];
+        let ends = new.q.iter_mut().zip(low.q).zip(old.q.iter().zip(old_low.q));
+        for (((x, l), (old, old_low)), start) in ends.zip(start) {
             (*x, *l) = advance(*old, *old_low, half * (*start + *l));
         }
-        for (((x, l), (old, old_low)), (start, end)) in ends.zip(before.iter().zip(after)) {
-            (*x, *l) = advance(*old, *old_low, half * (*start + *end));
+        let ends = new.u.iter_mut().zip(low.u).zip(old.u.iter().zip(old_low.u));
+        for (((u, l), (old, old_low)), rate) in ends.zip(rates.u) {
+            (*u, *l) = advance(*old, *old_low, h * *rate);
         }
-        let rates = dot.iter().skip(n_q);
-        for (((x, l), (old, old_low)), rate) in
-            speeds.iter_mut().zip(low.iter_mut().skip(n_q)).zip(old().skip(n_q)).zip(rates)
+        let places = new.pos.iter_mut().zip(low.pos).zip(old.pos.iter().zip(old_low.pos));
+        let speeds = new.vel.iter_mut().zip(low.vel).zip(old.vel.iter().zip(old_low.vel));
+        for ((((x, x_low), (x_old, x_old_low)), ((v, v_low), (v_old, v_old_low))), rate) in
+            places.zip(speeds).zip(rates.vel)
         {
-            (*x, *l) = advance(*old, *old_low, h * *rate);
+            let change = h * *rate;
+            (*x, *x_low) = advance(*x_old, *x_old_low, half * (*v_old + (*v_old + change)));
+            (*v, *v_low) = advance(*v_old, *v_old_low, change);
         }
         Ok(())
     }
@@ -248,28 +250,30 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
     }
 
     /// Energy accounts of this step: work of the forces at the middle over the mean of the velocities at start and end.
-    fn observe(&mut self, h: S, memory: &mut StepMemory<'_, S>) -> Accounts<S> {
+    fn observe(&mut self, (h, dot): (S, &[S]), memory: &mut StepMemory<'_, S>) -> Result<Accounts<S>, Fault> {
         let half = S::from_f64(0.5);
-        let Island { carrier, body, attachments, memory: own, .. } = &mut self.island;
-        let ports = own.frames.len();
-        let [start, _, end] = &memory.twists;
-        let mean = |k: usize, arm: Vec3<S>| {
-            let at = |list: &[Twist<S>]| list.get(k).map_or_else(vec3::zero, |twist| twist.at(arm));
-            vec3::scale(vec3::add(at(start), at(end)), half)
-        };
         let mut accounts = Accounts::empty();
+        let (own, air_drag) = (&self.island.memory, self.island.body.air_drag);
         let mut take = |node: usize, velocity: Vec3<S>| {
-            let drag = vec3::scale(vec3::at(own.vel, node), -body.air_drag);
+            let drag = vec3::scale(vec3::at(own.vel, node), -air_drag);
             let damping = vec3::sub(vec3::at(own.viscous, node), drag);
             accounts.damping = accounts.damping - h * vec3::dot(damping, velocity);
             accounts.drag = accounts.drag - h * vec3::dot(drag, velocity);
         };
-        super::island::free_nodes(body).for_each(|node| take(node, mean(ports + node, vec3::zero())));
-        for attachment in *attachments {
+        for (node, [start, end]) in self.node_speeds(h, dot)? {
+            take(node, vec3::scale(vec3::add(start, end), half));
+        }
+        let [start, _, end] = &memory.twists;
+        let mean = |port: usize, arm: Vec3<S>| {
+            let at = |list: &[Twist<S>]| list.get(port).map_or_else(vec3::zero, |twist| twist.at(arm));
+            vec3::scale(vec3::add(at(start), at(end)), half)
+        };
+        for attachment in self.island.attachments {
             let origin = own.frames.get(attachment.port).map_or_else(vec3::zero, |frame| frame.origin);
             let arm = vec3::sub(vec3::at(own.pos, attachment.node), origin);
             take(attachment.node, mean(attachment.port, arm));
         }
+        let Island { carrier, memory: own, .. } = &mut self.island;
         let touches = memory.touches[0].get(..memory.counts[0]).unwrap_or_default();
         let [normal, friction] = sweep::works(touches, end);
         (accounts.impact, accounts.friction) = (-normal, -friction);
@@ -279,14 +283,26 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
             frame.angular_velocity = vec3::scale(vec3::add(spin(start), spin(end)), half);
         }
         accounts.drive = h * carrier.drive_power(own.frames, own.wrenches).unwrap_or(S::ZERO);
-        accounts
+        Ok(accounts)
     }
 
     /// Shows this step: forces and impulses at the middle, velocities at start and end.
-    fn show(&self, h: S, memory: &mut StepMemory<'_, S>, watch: &mut impl Observer<S>) {
+    fn show(
+        &self,
+        (h, dot): (S, &[S]),
+        memory: &mut StepMemory<'_, S>,
+        watch: &mut impl Observer<S>,
+    ) -> Result<(), Fault> {
         let own = &self.island.memory;
         let ports = own.frames.len();
         let [start, _, end] = &mut memory.twists;
+        for (node, speeds) in self.node_speeds(h, dot)? {
+            for (twists, speed) in [&mut **start, &mut **end].into_iter().zip(speeds) {
+                if let Some(twist) = twists.get_mut(ports + node) {
+                    twist.velocity = speed;
+                }
+            }
+        }
         for Attachment { node, port, .. } in self.island.attachments {
             let origin = own.frames.get(*port).map_or_else(vec3::zero, |frame| frame.origin);
             let arm = vec3::sub(vec3::at(own.pos, *node), origin);
@@ -303,6 +319,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
             let (pair, contact) = (touch.pair, &touch.contact);
             watch.push(&Push { pair, contact, duration: S::ONE, ends, strikes: true });
         }
+        Ok(())
     }
 }
 

@@ -28,7 +28,8 @@ pub struct StepMemory<'a, S> {
     pub scratch: &'a mut [S],
     /// Frames of the ports at the start and at the end, one entry per port each.
     pub frames: [&'a mut [Frame<S>]; 2],
-    /// Velocities at the start, at the end without contacts, at the end: one entry per port and node each.
+    /// Velocities at the start, at the end without contacts, at the end: one entry per port and node each. Those of
+    /// nodes that touch nothing are written only where someone watches.
     pub twists: [&'a mut [Twist<S>]; 3],
     /// Normals at the nodes; may be empty where no facet is touched.
     pub normals: &'a mut [Vec3<S>],

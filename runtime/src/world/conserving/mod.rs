@@ -182,8 +182,8 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         copy(means.frames[1], self.island.memory.frames);
         self.island.load_seams()?;
         self.island.accelerate(t + half, middle, rates)?;
-        self.fill_twists([t, t + h], h, middle, rates, spare, memory)?;
-        self.find_contacts((t + half, h), middle, memory)
+        self.carry_twists([t, t + h], h, middle, rates, spare, memory)?;
+        self.find_contacts((t + half, h), [middle, rates], memory)
     }
 
     /// Iterates the rates of a span until they converge; returns the worst pivot and the last sweeps.
@@ -208,7 +208,8 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
             let mut pivot = self.mean_rates(span, found)?;
             let mut sweeps = Sweeps { number: 0, settled: true, left: S::ZERO };
             if memory.counts[0] > 0 {
-                self.fill_twists([span.t, span.t + span.h], span.h, touched, found, spare, memory)?;
+                self.carry_twists([span.t, span.t + span.h], span.h, touched, found, spare, memory)?;
+                self.read_free((span.h, touched), found, memory)?;
                 sweeps = press(span.h, memory);
                 let own = &mut self.island.memory;
                 let mean = Mean {
@@ -246,6 +247,25 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
             trail.go_on(n_q, span.rates, found);
         }
         Err(Fault::Unsettled)
+    }
+
+    /// Velocities of the nodes at the end of a step without contacts, under these rates.
+    fn read_free(
+        &self,
+        (h, middle): (S, &[S]),
+        rates: &[S],
+        memory: &mut StepMemory<'_, S>,
+    ) -> Result<(), Fault> {
+        let ports = self.island.memory.frames.len();
+        let [from, rates] =
+            [self.island.parts(middle)?, self.island.parts(rates)?].map(|x| x.vel.as_chunks::<3>().0);
+        for (node, (start, rate)) in super::island::free_nodes(&self.island.body).zip(from.iter().zip(rates))
+        {
+            if let Some(twist) = memory.twists[1].get_mut(ports + node) {
+                twist.velocity = vec3::axpy(*start, h, *rate);
+            }
+        }
+        Ok(())
     }
 
     /// Mean forces on the nodes over a span, and the wrenches on the ports about the mean origins of their frames.
