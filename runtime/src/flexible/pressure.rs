@@ -159,23 +159,57 @@ pub fn corners<S: Scalar>(pos: &[Vec3<S>], facet: &[usize; 4]) -> [Vec3<S>; 4] {
     facet.map(|p| vec3::at(pos, p))
 }
 
-/// Volume between the facets and the origin (m^3): the enclosed volume of a closed surface.
+/// Volume between facets and the origin (m^3), as it is summed up; its parts have factors of their own.
 //   Euler's theorem for the cubic V: 3 V = sum x . dV/dx over the corners; what the warp gives cancels in it, so that a
 //   facet has 3 V = p x q . (a + b + c + d)/8, a triangle p x q . (a + b + c)/6
-#[must_use]
-pub fn enclosed_volume<S: Scalar>(facets: &[[usize; 4]], pos: &[Vec3<S>]) -> S {
-    let (mut quads, mut triangles) = (S::ZERO, S::ZERO);
-    for facet in facets {
-        let [a, b, c, d] = corners(pos, facet);
-        let area = vec3::cross(vec3::sub(c, a), vec3::sub(d, b));
-        let three = vec3::add(vec3::add(a, b), c);
-        if c == d {
-            triangles = triangles + vec3::dot(area, three);
-        } else {
-            quads = quads + vec3::dot(area, vec3::add(three, d));
+#[derive(Clone, Copy, Debug)]
+pub struct Volume<S> {
+    /// 24 times that of facets with four corners.
+    pub quads: S,
+    /// 18 times that of triangles.
+    pub triangles: S,
+}
+
+impl<S: Scalar> Volume<S> {
+    /// No facet.
+    #[must_use]
+    pub fn zero() -> Self {
+        Volume { quads: S::ZERO, triangles: S::ZERO }
+    }
+
+    /// Adds facets.
+    pub fn add(&mut self, facets: &[[usize; 4]], pos: &[Vec3<S>]) {
+        for facet in facets {
+            let [a, b, c, d] = corners(pos, facet);
+            if c == d {
+                let area = vec3::cross(vec3::sub(c, a), vec3::sub(d, b));
+                self.triangles = self.triangles + vec3::dot(area, vec3::add(vec3::add(a, b), c));
+            } else {
+                self.quads = self.quads + quad_volume([a, b, c, d]);
+            }
         }
     }
-    quads * S::from_f64(1.0 / 24.0) + triangles * S::from_f64(1.0 / 18.0)
+
+    /// The sum (m^3).
+    #[must_use]
+    pub fn total(self) -> S {
+        self.quads * S::from_f64(1.0 / 24.0) + self.triangles * S::from_f64(1.0 / 18.0)
+    }
+}
+
+/// 24 times the volume between a facet with four corners and the origin (m^3).
+#[inline(always)]
+pub(super) fn quad_volume<S: Scalar>([a, b, c, d]: [Vec3<S>; 4]) -> S {
+    let area = vec3::cross(vec3::sub(c, a), vec3::sub(d, b));
+    vec3::dot(area, vec3::add(vec3::add(vec3::add(a, b), c), d))
+}
+
+/// Volume between the facets and the origin (m^3): the enclosed volume of a closed surface.
+#[must_use]
+pub fn enclosed_volume<S: Scalar>(facets: &[[usize; 4]], pos: &[Vec3<S>]) -> S {
+    let mut volume = Volume::zero();
+    volume.add(facets, pos);
+    volume.total()
 }
 
 /// Gauge pressure (Pa) at a facet volume (m^3).

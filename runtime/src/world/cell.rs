@@ -4,8 +4,8 @@
 //! volume is the one that the facets enclose, independent of the origin because the surface is closed.
 
 use crate::flexible::block::Pushes;
-use crate::flexible::grid::{Grid, Weave};
-use crate::flexible::pressure::{PressureForm, enclosed_volume};
+use crate::flexible::grid::{Bulk, Grid, Weave};
+use crate::flexible::pressure::{PressureForm, Volume, enclosed_volume};
 use crate::flexible::{Body, mean};
 use crate::gas::{Chamber, GasFault, GasState, Regulated};
 use crate::kernel;
@@ -76,6 +76,23 @@ impl<S: Scalar> Cell<S> {
         enclosed_volume(self.of(facets).unwrap_or_default(), pos)
     }
 
+    /// The same number, with the cells of grids computed row by row. A microcontroller computes one number at a time, and
+    /// would fill lanes for nothing.
+    pub(super) fn volume_by_rows(&self, body: &Body<S>, grids: &[Grid<S>], pos: &[Vec3<S>]) -> S {
+        if cfg!(target_os = "none") {
+            return self.volume(body.facets, pos);
+        }
+        let part = |from: usize, to: usize| body.facets.get(from..to).unwrap_or_default();
+        let (mut volume, [mut first, end]) = (Volume::zero(), self.facets);
+        for grid in grids.iter().filter(|grid| self.holds(grid)) {
+            volume.add(part(first, grid.facets[0]), pos);
+            volume.quads = kernel::run(Bulk { grid, pos, sum: volume.quads });
+            first = grid.facets[1];
+        }
+        volume.add(part(first, end), pos);
+        volume.total()
+    }
+
     /// Whether the facets of a grid are among its own.
     pub(super) fn holds(&self, grid: &Grid<S>) -> bool {
         let ([first, end], [own_first, own_end]) = (grid.facets, self.facets);
@@ -93,7 +110,7 @@ impl<S: Scalar> Cell<S> {
     ) -> Result<(), Fault> {
         let volume = match self.content {
             Content::Regulated(_) => S::ZERO,
-            Content::Sealed { .. } => self.volume(body.facets, pos),
+            Content::Sealed { .. } => self.volume_by_rows(body, grids, pos),
         };
         let pressure = self.content.gauge_pressure(volume).map_err(|_| Fault::NonFinite)?;
         let (form, gravity, [mut first, end]) = (self.form, body.gravity, self.facets);

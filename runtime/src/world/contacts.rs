@@ -6,7 +6,7 @@
 use super::carrier::{Carrier, Wrench};
 use super::detect::Touch;
 use super::extent::Extent;
-use super::island::{Cut, Memory, free_nodes};
+use super::island::{Cut, Memory};
 use super::scenery::Scenery;
 use super::sweep::{self, sweep};
 use super::thing::Thing;
@@ -55,29 +55,15 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         Ok(())
     }
 
-    /// Velocities of the free nodes at the start, as placed last, and at the end under these rates.
-    pub(super) fn node_speeds<'s>(
-        &'s self,
-        h: S,
-        dot: &'s [S],
-    ) -> Result<impl Iterator<Item = (usize, [Vec3<S>; 2])> + use<'s, S, C>, Fault> {
-        let (rates, vel) = (self.island.parts(dot)?.vel.as_chunks::<3>().0, &*self.island.memory.vel);
-        let free = free_nodes(&self.island.body).zip(rates);
-        Ok(free.map(move |(node, rate)| {
-            let start = vec3::at(vel, node);
-            (node, [start, vec3::axpy(start, h, *rate)])
-        }))
-    }
-
     /// Detects contacts and computes their impulses; the last list of twists holds the resulting velocities.
     pub(super) fn contacts(
         &mut self,
         times: (S, S),
-        [middle, dot]: [&[S]; 2],
+        middle: &[S],
         rebounds: bool,
         memory: &mut StepMemory<'_, S>,
     ) -> Result<sweep::Sweeps<S>, Fault> {
-        self.find_contacts(times, [middle, dot], memory)?;
+        self.find_contacts(times, middle, memory)?;
         if !rebounds {
             memory.touches[0].iter_mut().for_each(|touch| touch.contact.restitution = S::ZERO);
         }
@@ -85,16 +71,16 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
     }
 
     /// Detects contacts at the positions placed last (the middle, at t), their inverse masses, and the velocities of
-    /// their nodes at the start and, under the rates `dot` and the forces in memory, at the end. Impulses of the last
+    /// their nodes at the start and, under the forces in memory, at the end. Impulses of the last
     /// step are not taken as a start, which would save a tenth of the sweeps: a step depends on the state alone, so that
     /// a run that is resumed, and parts that step apart, give the same bits.
     pub(super) fn find_contacts(
         &mut self,
         (t, h): (S, S),
-        [middle, dot]: [&[S]; 2],
+        middle: &[S],
         memory: &mut StepMemory<'_, S>,
     ) -> Result<(), Fault> {
-        let margin = self.margin(h, dot, memory)?;
+        let margin = self.margin(h, memory);
         let StepMemory {
             twists: [start, free, _],
             normals,
@@ -125,14 +111,13 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
             for node in
                 touch.contact.sides.iter().flat_map(Side::points).filter_map(|p| p.body.checked_sub(ports))
             {
-                let inverse_mass = island.body.inverse_mass(node);
                 if let Some(yields) = inertias.nodes.get_mut(node) {
-                    *yields = inverse_mass;
+                    *yields = island.body.inverse_mass(node);
                 }
+                let (velocity, angular) = (vec3::at(island.memory.vel, node), vec3::zero());
                 let own = &island.memory;
-                let (velocity, angular) = (vec3::at(own.vel, node), vec3::zero());
                 let force = vec3::add(vec3::at(own.elastic, node), vec3::at(own.viscous, node));
-                let end = vec3::axpy(velocity, h, vec3::scale(force, inverse_mass));
+                let end = vec3::axpy(velocity, h, vec3::scale(force, island.body.inverse_mass(node)));
                 if let (Some(start), Some(free)) = (start.get_mut(ports + node), free.get_mut(ports + node)) {
                     (*start, *free) = (Twist { velocity, angular }, Twist { velocity: end, angular });
                 }
@@ -188,7 +173,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
     }
 
     /// Upper bound on how much a step may close a gap (m).
-    fn margin(&self, h: S, dot: &[S], memory: &StepMemory<'_, S>) -> Result<S, Fault> {
+    fn margin(&self, h: S, memory: &StepMemory<'_, S>) -> S {
         let Memory { frames, pos, .. } = &self.island.memory;
         let origins = frames.iter().map(|frame| frame.origin);
         let bounds = origins.fold(Extent::around(pos), |bounds, origin| {
@@ -201,10 +186,11 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
                 fastest = fastest.max(vec3::norm(*velocity) + size * vec3::norm(*angular));
             }
         }
-        let square = self.node_speeds(h, dot)?.fold(S::ZERO, |most, (_, [start, end])| {
+        let square = self.island.node_rates().fold(S::ZERO, |most, node| {
+            let (start, end) = (node.velocity, node.after(h));
             most.max(vec3::dot(start, start)).max(vec3::dot(end, end))
         });
-        Ok(S::from_f64(2.0) * h * fastest.max(square.sqrt()))
+        S::from_f64(2.0) * h * fastest.max(square.sqrt())
     }
 
     /// Largest distance of a shape's surface from its port (m).

@@ -74,6 +74,20 @@ impl<S: Scalar> IslandEnergy<S> {
     }
 }
 
+/// Velocity (m/s) and acceleration (m/s^2) of a node.
+pub(super) struct NodeRate<S> {
+    pub(super) node: usize,
+    pub(super) velocity: Vec3<S>,
+    pub(super) rate: Vec3<S>,
+}
+
+impl<S: Scalar> NodeRate<S> {
+    /// Velocity after h.
+    pub(super) fn after(&self, h: S) -> Vec3<S> {
+        vec3::axpy(self.velocity, h, self.rate)
+    }
+}
+
 /// A carrier and the flexible bodies on it.
 #[derive(Debug)]
 pub struct Island<'a, S, C> {
@@ -142,6 +156,12 @@ impl<'a, S: Scalar, C: Carrier<S>> Island<'a, S, C> {
         self.cells
     }
 
+    /// Volumes of the gas at the state placed last (m^3), cell by cell.
+    pub fn volumes(&self) -> impl Iterator<Item = S> {
+        let volume = |cell: &Cell<S>| cell.volume_by_rows(&self.body, self.body.grids, self.memory.pos);
+        self.cells.iter().map(volume)
+    }
+
     /// Positions and velocities of all nodes at the state placed last.
     #[must_use]
     pub fn nodes(&self) -> (&[Vec3<S>], &[Vec3<S>]) {
@@ -185,12 +205,10 @@ impl<'a, S: Scalar, C: Carrier<S>> Island<'a, S, C> {
     pub fn place(&mut self, t: S, x: &[S]) -> Result<(), Fault> {
         let Cut { q, pos, u, vel } = self.parts(x)?;
         self.carrier.frames(t, q, u, self.memory.frames)?;
-        for (node, (x, v)) in free_nodes(&self.body).zip(pos.chunks_exact(3).zip(vel.chunks_exact(3))) {
-            if let (Some(own_x), Some(own_v), [x, y, z], [a, b, c]) =
-                (self.memory.pos.get_mut(node), self.memory.vel.get_mut(node), x, v)
-            {
-                (*own_x, *own_v) = ([*x, *y, *z], [*a, *b, *c]);
-            }
+        let rows = self.memory.pos.iter_mut().zip(self.memory.vel.iter_mut());
+        let free = rows.zip(self.body.fixed).filter(|(_, fixed)| !**fixed);
+        for (((own_x, own_v), _), (x, v)) in free.zip(pos.as_chunks().0.iter().zip(vel.as_chunks().0)) {
+            (*own_x, *own_v) = (*x, *v);
         }
         for attachment in self.attachments {
             let Some(frame) = self.memory.frames.get(attachment.port) else { continue };
@@ -229,22 +247,33 @@ impl<'a, S: Scalar, C: Carrier<S>> Island<'a, S, C> {
 
     /// Rates under the forces and wrenches in memory; returns the worst pivot.
     pub(super) fn accelerate(&mut self, t: S, x: &[S], x_dot: &mut [S]) -> Result<S, Fault> {
-        let pivot = self.speed_rates(t, x, x_dot)?;
+        let pivot = self.carrier_rates(t, x, x_dot)?;
         let vel = self.parts(x)?.vel;
         self.parts_mut(x_dot)?.pos.iter_mut().zip(vel).for_each(|(to, from)| *to = *from);
+        self.accelerate_nodes(x_dot)?;
         Ok(pivot)
     }
 
-    /// As [`Island::accelerate`], without the rates of the positions of nodes, which are their velocities.
-    pub(super) fn speed_rates(&mut self, t: S, x: &[S], x_dot: &mut [S]) -> Result<S, Fault> {
-        let Cut { q, u, .. } = self.parts(x)?;
-        let dot = self.parts_mut(x_dot)?;
-        let pivot = self.carrier.rates(t, q, u, self.memory.wrenches, dot.q, dot.u)?;
-        for (node, rate) in free_nodes(&self.body).zip(dot.vel.chunks_exact_mut(3)) {
-            let force = vec3::add(vec3::at(self.memory.elastic, node), vec3::at(self.memory.viscous, node));
-            write(rate, vec3::scale(force, self.body.inverse_mass(node)));
-        }
-        Ok(pivot)
+    /// Rates of the velocities of free nodes under the forces in memory.
+    pub(super) fn accelerate_nodes(&self, x_dot: &mut [S]) -> Result<(), Fault> {
+        let rates = self.parts_mut(x_dot)?.vel.as_chunks_mut().0;
+        self.node_rates().zip(rates).for_each(|(node, rate)| *rate = node.rate);
+        Ok(())
+    }
+
+    /// Velocity at the state placed last and acceleration under the forces in memory of each free node.
+    pub(super) fn node_rates(&self) -> impl Iterator<Item = NodeRate<S>> {
+        let own = &self.memory;
+        let forces = own.elastic.iter().zip(own.viscous.iter());
+        let nodes = own.vel.iter().zip(forces).zip(self.body.fixed).enumerate();
+        nodes.filter(|(_, (_, fixed))| !**fixed).map(|(node, ((velocity, (elastic, viscous)), _))| {
+            let inverse_mass = match self.body.inverse_mass.get(node) {
+                Some([inverse_mass, ..]) => *inverse_mass,
+                None => self.body.inverse_mass(node),
+            };
+            let rate = vec3::scale(vec3::add(*elastic, *viscous), inverse_mass);
+            NodeRate { node, velocity: *velocity, rate }
+        })
     }
 
     /// Writes the inverse inertia of the `needed` ports and of all nodes at a state.

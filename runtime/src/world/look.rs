@@ -15,7 +15,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
     /// As [`World::step`].
     pub fn look(&mut self, t: S, x: &[S], memory: &mut StepMemory<'_, S>) -> Result<(), Fault> {
         self.island.place(t, x)?;
-        // In no time nothing comes nearer, so rates do not matter: any list of their length will do.
-        self.find_contacts((t, S::ZERO), [x, x], memory)
+        // In no time nothing comes nearer.
+        self.find_contacts((t, S::ZERO), x, memory)
     }
 }

@@ -57,9 +57,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         let [here, without, with, new, low] = split(scratch, n)?;
         here.copy_from_slice(state.x());
         self.island.place(t, here)?;
-        // Nodes are moved apart, not by forces.
-        without.iter_mut().for_each(|rate| *rate = S::ZERO);
-        self.find_contacts((t, h), [here, without], memory)?;
+        self.find_contacts((t, h), here, memory)?;
         let touches = memory.touches[0].get_mut(..memory.counts[0]).unwrap_or_default();
         for touch in touches.iter_mut() {
             touch.out = S::from_f64(OUT) * (-touch.gap).max(S::ZERO) / h;

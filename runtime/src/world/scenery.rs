@@ -238,9 +238,14 @@ impl<'a, S: Scalar> Scenery<'a, S> {
         let corners = facet.map(|node| vec3::at(self.pos, node));
         let [a, _, c, _] = corners;
         let middle = vec3::scale(vec3::add(a, c), S::from_f64(0.5));
-        let reach = corners.iter().fold(S::ZERO, |most, x| most.max(vec3::norm(vec3::sub(*x, middle))));
-        let far = reach + radius + self.margin.max(mesh.depth);
-        if vec3::norm(vec3::sub(point, middle)) > far {
+        let square = |x: Vec3<S>| vec3::dot(x, x);
+        let reach = corners.iter().fold(S::ZERO, |most, x| most.max(square(vec3::sub(*x, middle)))).sqrt();
+        // A foot on the facet is |radius + gap| away, with the gap between -depth and the margin.
+        let far = match beyond {
+            Beyond::Edges if !self.rides => reach + (radius + self.margin).max(mesh.depth - radius),
+            _ => reach + radius + self.margin.max(mesh.depth),
+        };
+        if square(vec3::sub(point, middle)) > far * far {
             return None;
         }
         let normals = self.corner_normals(facet, &corners);

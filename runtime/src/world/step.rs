@@ -127,17 +127,18 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
 
         // Contact impulses act as forces at the middle.
         self.carry_twists([t, t_end], h, middle, dot, new, memory)?;
-        let sweeps = self.contacts((t_middle, h), [middle, dot], course.rebounds, memory)?;
+        let sweeps = self.contacts((t_middle, h), middle, course.rebounds, memory)?;
         let own = &mut self.island.memory;
         let forces = (&mut *own.elastic, &mut *own.wrenches);
         let active = load_contacts(h, memory.contacts().iter().map(|touch| touch.contact), forces);
         if active > 0 {
-            self.island.speed_rates(t_middle, middle, dot)?;
+            self.island.carrier_rates(t_middle, middle, dot)?;
         }
+        self.island.accelerate_nodes(dot)?;
 
-        let accounts = self.observe((h, dot), memory)?;
+        let accounts = self.observe(h, memory);
         if watch.watches() {
-            self.show((h, dot), memory, watch)?;
+            self.show(h, memory, watch);
         }
 
         // The other half with the speeds at the end.
@@ -170,11 +171,11 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         })
     }
 
-    /// Rates at the middle, under the forces there; returns the worst pivot.
+    /// Forces at the middle, and the carriers' rates under them; returns the worst pivot.
     fn forces_at_middle(&mut self, t: S, middle: &[S], dot: &mut [S]) -> Result<S, Fault> {
         self.island.place(t, middle)?;
         self.island.load_seams()?;
-        checked(self.island.speed_rates(t, middle, dot)?)
+        checked(self.island.carrier_rates(t, middle, dot)?)
     }
 
     /// Writes the state at the end: coordinates by the mean of their rates at start and end, speeds by those in the
@@ -250,7 +251,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
     }
 
     /// Energy accounts of this step: work of the forces at the middle over the mean of the velocities at start and end.
-    fn observe(&mut self, (h, dot): (S, &[S]), memory: &mut StepMemory<'_, S>) -> Result<Accounts<S>, Fault> {
+    fn observe(&mut self, h: S, memory: &mut StepMemory<'_, S>) -> Accounts<S> {
         let half = S::from_f64(0.5);
         let mut accounts = Accounts::empty();
         let (own, air_drag) = (&self.island.memory, self.island.body.air_drag);
@@ -260,8 +261,8 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
             accounts.damping = accounts.damping - h * vec3::dot(damping, velocity);
             accounts.drag = accounts.drag - h * vec3::dot(drag, velocity);
         };
-        for (node, [start, end]) in self.node_speeds(h, dot)? {
-            take(node, vec3::scale(vec3::add(start, end), half));
+        for node in self.island.node_rates() {
+            take(node.node, vec3::scale(vec3::add(node.velocity, node.after(h)), half));
         }
         let [start, _, end] = &memory.twists;
         let mean = |port: usize, arm: Vec3<S>| {
@@ -283,23 +284,18 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
             frame.angular_velocity = vec3::scale(vec3::add(spin(start), spin(end)), half);
         }
         accounts.drive = h * carrier.drive_power(own.frames, own.wrenches).unwrap_or(S::ZERO);
-        Ok(accounts)
+        accounts
     }
 
     /// Shows this step: forces and impulses at the middle, velocities at start and end.
-    fn show(
-        &self,
-        (h, dot): (S, &[S]),
-        memory: &mut StepMemory<'_, S>,
-        watch: &mut impl Observer<S>,
-    ) -> Result<(), Fault> {
+    fn show(&self, h: S, memory: &mut StepMemory<'_, S>, watch: &mut impl Observer<S>) {
         let own = &self.island.memory;
         let ports = own.frames.len();
         let [start, _, end] = &mut memory.twists;
-        for (node, speeds) in self.node_speeds(h, dot)? {
-            for (twists, speed) in [&mut **start, &mut **end].into_iter().zip(speeds) {
-                if let Some(twist) = twists.get_mut(ports + node) {
-                    twist.velocity = speed;
+        for node in self.island.node_rates() {
+            for (twists, velocity) in [(&mut **start, node.velocity), (&mut **end, node.after(h))] {
+                if let Some(twist) = twists.get_mut(ports + node.node) {
+                    twist.velocity = velocity;
                 }
             }
         }
@@ -319,7 +315,6 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
             let (pair, contact) = (touch.pair, &touch.contact);
             watch.push(&Push { pair, contact, duration: S::ONE, ends, strikes: true });
         }
-        Ok(())
     }
 }
 

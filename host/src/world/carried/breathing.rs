@@ -21,9 +21,12 @@ impl<S: Scalar> CarriedWorld<S> {
         if self.airs.is_empty() {
             return step(self);
         }
+        self.look().map_err(words)?;
+        if self.airs.iter().all(Air::is_closed) {
+            return step(self);
+        }
         let before = (self.airs.clone(), self.fixed.cells.clone(), self.drive);
-        let done = self.look().map_err(words).and_then(|()| {
-            self.flow(0.5 * h)?;
+        let done = self.flow(0.5 * h).and_then(|()| {
             step(self)?;
             self.push().map_err(words)?;
             self.flow(0.5 * h)
@@ -37,13 +40,21 @@ impl<S: Scalar> CarriedWorld<S> {
     /// Computes volumes that are not known yet.
     fn look(&mut self) -> Result<(), Fault> {
         if self.airs.iter().any(|air| !air.volume.is_finite()) {
-            let (t, x) = (S::from_f64(self.t), self.x.clone());
-            self.with(|mut island| island.place(t, &x))?;
-            for air in &mut self.airs {
-                air.volume = self.fixed.cells[air.cell].volume(&self.fixed.facets, &self.room.pos);
+            let volumes = self.volumes()?;
+            for air in self.airs.iter_mut().filter(|air| !air.volume.is_finite()) {
+                air.volume = volumes[air.cell];
             }
         }
         Ok(())
+    }
+
+    /// Volumes of all cells at the present state.
+    fn volumes(&mut self) -> Result<Vec<S>, Fault> {
+        let (t, x) = (S::from_f64(self.t), self.x.clone());
+        self.with(|mut island| {
+            island.place(t, &x)?;
+            Ok(island.volumes().collect())
+        })
     }
 
     /// Flow for h seconds at constant volumes.
@@ -71,13 +82,11 @@ impl<S: Scalar> CarriedWorld<S> {
         Ok(())
     }
 
-    /// Accounts for the work of moving walls on the gas, and updates the volumes.
+    /// Accounts for the work of moving walls on gas with lines, and updates its volumes.
     fn push(&mut self) -> Result<(), Fault> {
-        let (t, x) = (S::from_f64(self.t), self.x.clone());
-        self.with(|mut island| island.place(t, &x))?;
-        for air in &mut self.airs {
-            let cell = &self.fixed.cells[air.cell];
-            let volume = cell.volume(&self.fixed.facets, &self.room.pos);
+        let volumes = self.volumes()?;
+        for air in self.airs.iter_mut().filter(|air| !air.is_closed()) {
+            let (cell, volume) = (&self.fixed.cells[air.cell], volumes[air.cell]);
             if let Content::Sealed { chamber, state } = &cell.content {
                 air.account = air.account.plus(S::ONE, &chamber.pushed(state, air.volume, volume));
             }

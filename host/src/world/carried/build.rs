@@ -148,6 +148,7 @@ impl CarriedWorld {
             *place = Place::Nodes(first..fixed.mass.len(), first_facet..fixed.facets.len(), cell);
         }
         self.fixed.air_drag = drag.unwrap_or(0.0);
+        self.fixed.weigh();
         let n = self.room.pos.len();
         [self.room.elastic, self.room.viscous] = [vec![[0.0; 3]; n], vec![[0.0; 3]; n]];
         Ok(())

@@ -47,6 +47,8 @@ use std::ops::Range;
 #[derive(Clone, Debug)]
 struct Fixed<S = f64> {
     mass: Vec<S>,
+    /// See [`Fixed::weigh`].
+    inverse_mass: Vec<Vec3<S>>,
     held: Vec<bool>,
     springs: Vec<Spring<S>>,
     facets: Vec<[usize; 4]>,
@@ -298,6 +300,7 @@ impl<S: Scalar> Fixed<S> {
     fn empty(gravity: Vec3<S>, air_drag: S) -> Self {
         Fixed {
             mass: Vec::new(),
+            inverse_mass: Vec::new(),
             held: Vec::new(),
             springs: Vec::new(),
             facets: Vec::new(),
@@ -309,11 +312,18 @@ impl<S: Scalar> Fixed<S> {
         }
     }
 
+    /// Computes 1/m (1/kg) of each node, which a step needs several times, once the masses are known.
+    fn weigh(&mut self) {
+        self.inverse_mass = Vec::new();
+        let body = self.body(&[]);
+        self.inverse_mass = (0..self.mass.len()).map(|node| [body.inverse_mass(node); 3]).collect();
+    }
+
     fn body<'f>(&'f self, grids: &'f [Grid<'f, S>]) -> Body<'f, S> {
         Body {
             mass: &self.mass,
             fixed: &self.held,
-            inverse_mass: &[],
+            inverse_mass: &self.inverse_mass,
             springs: &self.springs,
             gravity: self.gravity,
             air_drag: self.air_drag,

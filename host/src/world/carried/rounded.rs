@@ -163,8 +163,9 @@ impl Fixed {
             |own: &Cell<f64>| Cell { facets: own.facets, content: content(&own.content), form: own.form };
         let attachment =
             |own: &Attachment<f64>| Attachment { node: own.node, port: own.port, place: vector(own.place) };
-        Fixed {
+        let mut rounded = Fixed {
             mass: numbers(&self.mass),
+            inverse_mass: Vec::new(),
             held: self.held.clone(),
             springs: self.springs.iter().map(spring).collect(),
             facets: self.facets.clone(),
@@ -173,7 +174,9 @@ impl Fixed {
             attachments: self.attachments.iter().map(attachment).collect(),
             gravity: vector(self.gravity),
             air_drag: S::from_f64(self.air_drag),
-        }
+        };
+        rounded.weigh();
+        rounded
     }
 }
 

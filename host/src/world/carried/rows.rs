@@ -247,7 +247,6 @@ impl<S: Settle> Engine for CarriedWorld<S> {
         for (air, own) in self.airs.iter_mut().zip(state[2 * n..].chunks_exact(SAVED)) {
             air.load(own, &mut self.fixed.cells);
         }
-        self.forget_volumes();
         Ok(())
     }
 

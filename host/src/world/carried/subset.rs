@@ -91,6 +91,7 @@ impl CarriedWorld {
                     *own_nodes = first[0]..first[0] + nodes.len();
                     new.facets.push((facets.clone(), first[2]));
                     fixed.mass.extend(&self.fixed.mass[nodes.clone()]);
+                    fixed.inverse_mass.extend(&self.fixed.inverse_mass[nodes.clone()]);
                     fixed.held.extend(&self.fixed.held[nodes.clone()]);
                     let own = self.fixed.springs.iter().filter(|spring| nodes.contains(&spring.tail));
                     fixed.springs.extend(own.map(|spring| {

@@ -2,10 +2,11 @@
 //!
 //! In: where the nodes of a grid stand in the lists of a body ([`Grid`]), positions. Out: the sums of forces that the lists
 //! give, number for number: a node's terms are added in their order, left, right, below, above, then its four cells;
-//! [`weave`] has the forces of positions, [`damp`] those of speeds, [`mean`] the means over a step; [`march`] takes the steps
+//! [`weave`] has the forces of positions, [`bulk`] the volume that gas needs, [`damp`] forces of speeds, [`mean`] the means over a step; [`march`] takes the steps
 //! of a [`span`] by Verlet's method, [`conserve`] by the energy-momentum method. Rows are computed side by side; a row wider than [`WIDTH`] goes in strips, whose borders are computed twice. Where there is no spring or cell
 //! its force is 0.
 
+pub mod bulk;
 pub mod conserve;
 pub mod course;
 pub mod damp;
@@ -17,6 +18,7 @@ pub mod span;
 mod strip;
 pub mod weave;
 
+pub use bulk::Bulk;
 pub use conserve::Conserve;
 pub use course::Course;
 pub use damp::Damp;

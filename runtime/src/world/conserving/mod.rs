@@ -183,7 +183,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         self.island.load_seams()?;
         self.island.accelerate(t + half, middle, rates)?;
         self.carry_twists([t, t + h], h, middle, rates, spare, memory)?;
-        self.find_contacts((t + half, h), [middle, rates], memory)
+        self.find_contacts((t + half, h), middle, memory)
     }
 
     /// Iterates the rates of a span until they converge; returns the worst pivot and the last sweeps.
