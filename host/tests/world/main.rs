@@ -10,6 +10,7 @@ mod conserving;
 mod costs;
 mod friction;
 mod islands;
+mod moreau;
 mod pinned;
 mod reading;
 mod rest;

@@ -15,6 +15,9 @@ use crate::vec3::{self, Vec3};
 
 /// Newton iterations: from the facet's middle, convergence is quadratic.
 const ITERATIONS: usize = 16;
+/// A step of u and v below which the next ones are so much smaller that a point [`CLEARLY`] outside stays outside.
+const SMALL: f64 = 1.0 / 1024.0;
+const CLEARLY: f64 = 1.0 / 64.0;
 
 /// A facet with the normals at its corners.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -61,17 +64,22 @@ pub fn vertex_normals<S: Scalar>(
     normals: &mut [Vec3<S>],
 ) {
     let first = points.start;
-    let Some(normals) = normals.get_mut(points.clone()) else { return };
+    let Some(normals) = normals.get_mut(points) else { return };
     normals.fill(vec3::zero());
     for facet in facets {
-        let [a, b, c, d] = facet.map(|k| vec3::at(pos, k));
-        let area = vec3::cross(vec3::sub(c, a), vec3::sub(d, b));
-        for (number, corner) in facet.iter().enumerate() {
-            // A triangle repeats its third corner.
-            if points.contains(corner) && !facet.iter().take(number).any(|before| before == corner) {
-                vec3::add_at(normals, *corner - first, area);
+        let [a, b, c, d] = *facet;
+        let [x, y, z, w] = facet.map(|k| vec3::at(pos, k));
+        let area = vec3::cross(vec3::sub(z, x), vec3::sub(w, y));
+        let mut add = |corner: usize, repeats: bool| {
+            if let Some(normal) = normals.get_mut(corner.wrapping_sub(first)).filter(|_| !repeats) {
+                *normal = vec3::add(*normal, area);
             }
-        }
+        };
+        // A triangle repeats its third corner.
+        add(a, false);
+        add(b, b == a);
+        add(c, c == a || c == b);
+        add(d, d == a || d == b || d == c);
     }
     for normal in normals {
         (*normal, _) = vec3::direction(*normal);
@@ -99,6 +107,11 @@ impl<S: Scalar> Facet<S> {
             (u, v, t) = (u + scale * du, v + scale * dv, t + scale * dt);
             if (u, v, t) == before {
                 break;
+            }
+            let (small, clearly) = (S::from_f64(SMALL), S::from_f64(CLEARLY));
+            let outside = (-u).max(u - S::ONE).max(-v).max(v - S::ONE) > margin + clearly;
+            if outside && (scale * du).abs() < small && (scale * dv).abs() < small {
+                return None;
             }
         }
         let [a, _, c, _] = self.corners;

@@ -55,21 +55,6 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         Ok(())
     }
 
-    /// Detects contacts and computes their impulses; the last list of twists holds the resulting velocities.
-    pub(super) fn contacts(
-        &mut self,
-        times: (S, S),
-        middle: &[S],
-        rebounds: bool,
-        memory: &mut StepMemory<'_, S>,
-    ) -> Result<sweep::Sweeps<S>, Fault> {
-        self.find_contacts(times, middle, memory)?;
-        if !rebounds {
-            memory.touches[0].iter_mut().for_each(|touch| touch.contact.restitution = S::ZERO);
-        }
-        Ok(press(times.1, memory))
-    }
-
     /// Detects contacts at the positions placed last (the middle, at t), their inverse masses, and the velocities of
     /// their nodes at the start and, under the forces in memory, at the end. Impulses of the last
     /// step are not taken as a start, which would save a tenth of the sweeps: a step depends on the state alone, so that
@@ -80,21 +65,14 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         middle: &[S],
         memory: &mut StepMemory<'_, S>,
     ) -> Result<(), Fault> {
-        let margin = self.margin(h, memory);
-        let StepMemory {
-            twists: [start, free, _],
-            normals,
-            inertias,
-            extents,
-            touches: [now, _],
-            counts,
-            ..
-        } = memory;
-        counts[0] = 0;
+        memory.counts[0] = 0;
         if self.pairs.is_empty() {
             return Ok(());
         }
-        let count = self.detect((margin, false), normals, extents, now)?;
+        self.scenery(&[], S::ZERO, false).measure(memory.extents);
+        let margin = self.margin(h, memory);
+        let StepMemory { normals, inertias, extents, touches: [now, _], counts, .. } = memory;
+        let count = self.detect_within(extents, (margin, false), normals, now)?;
         let island = &mut self.island;
         counts[0] = count;
         if count == 0 {
@@ -108,24 +86,32 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         inertias.ask(&mut island.carrier, t, (q, u), touched)?;
         let ports = inertias.couplings.len();
         for touch in now.iter_mut().take(count) {
-            for node in
-                touch.contact.sides.iter().flat_map(Side::points).filter_map(|p| p.body.checked_sub(ports))
-            {
+            for node in touch.nodes(ports) {
                 if let Some(yields) = inertias.nodes.get_mut(node) {
                     *yields = island.body.inverse_mass(node);
                 }
-                let (velocity, angular) = (vec3::at(island.memory.vel, node), vec3::zero());
-                let own = &island.memory;
+            }
+            touch.inverse_mass = touch.contact.inverse_mass(inertias);
+        }
+        self.read_touched(h, memory);
+        Ok(())
+    }
+
+    /// Velocities of the nodes that touch, at the start and, under the forces in memory, at the end.
+    pub(super) fn read_touched(&self, h: S, memory: &mut StepMemory<'_, S>) {
+        let StepMemory { twists: [start, free, _], touches: [now, _], counts, .. } = memory;
+        let (own, ports) = (&self.island.memory, self.island.memory.frames.len());
+        for touch in now.iter_mut().take(counts[0]) {
+            for node in touch.nodes(ports) {
+                let (velocity, angular) = (vec3::at(own.vel, node), vec3::zero());
                 let force = vec3::add(vec3::at(own.elastic, node), vec3::at(own.viscous, node));
-                let end = vec3::axpy(velocity, h, vec3::scale(force, island.body.inverse_mass(node)));
+                let end = vec3::axpy(velocity, h, vec3::scale(force, self.island.body.inverse_mass(node)));
                 if let (Some(start), Some(free)) = (start.get_mut(ports + node), free.get_mut(ports + node)) {
                     (*start, *free) = (Twist { velocity, angular }, Twist { velocity: end, angular });
                 }
             }
-            touch.inverse_mass = touch.contact.inverse_mass(inertias);
             touch.start = touch.contact.relative(start);
         }
-        Ok(())
     }
 
     /// Lists the contacts at the positions placed last with gaps up to a margin (m), and with what rides on facets if
@@ -138,6 +124,17 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         touches: &mut [Touch<S>],
     ) -> Result<usize, Fault> {
         self.scenery(&[], margin, rides).measure(extents);
+        self.detect_within(extents, (margin, rides), normals, touches)
+    }
+
+    /// The same with boxes that are measured.
+    fn detect_within(
+        &self,
+        extents: &[Extent<S>],
+        (margin, rides): (S, bool),
+        normals: &mut [Vec3<S>],
+        touches: &mut [Touch<S>],
+    ) -> Result<usize, Fault> {
         let nears = |thing: usize| {
             self.pairs.iter().any(|pair| pair.things.contains(&thing) && pair.may_meet(extents, margin))
         };
@@ -175,9 +172,13 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
     /// Upper bound on how much a step may close a gap (m).
     fn margin(&self, h: S, memory: &StepMemory<'_, S>) -> S {
         let Memory { frames, pos, .. } = &self.island.memory;
-        let origins = frames.iter().map(|frame| frame.origin);
-        let bounds = origins.fold(Extent::around(pos), |bounds, origin| {
-            Some(bounds.unwrap_or(Extent { low: origin, high: origin }).with(origin))
+        // Where there are boxes around the things, everything that can touch is in one of them.
+        let boxes = memory.extents.iter().filter(|extent| extent.is_bounded());
+        let corners = boxes.flat_map(|Extent { low, high }| [*low, *high]);
+        let around = if memory.extents.is_empty() { Extent::around(pos) } else { None };
+        let points = corners.chain(frames.iter().map(|frame| frame.origin));
+        let bounds = points.fold(around, |bounds, point| {
+            Some(bounds.unwrap_or(Extent { low: point, high: point }).with(point))
         });
         let size = bounds.map_or(S::ZERO, |bounds| bounds.diagonal()) + self.largest();
         let mut fastest = S::ZERO;
@@ -186,9 +187,11 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
                 fastest = fastest.max(vec3::norm(*velocity) + size * vec3::norm(*angular));
             }
         }
+        // Comparisons: `max` also looks for what is no number, and every node would wait for the one before.
+        let larger = |a: S, b: S| if b > a { b } else { a };
         let square = self.island.node_rates().fold(S::ZERO, |most, node| {
-            let (start, end) = (node.velocity, node.after(h));
-            most.max(vec3::dot(start, start)).max(vec3::dot(end, end))
+            let [start, end] = [node.velocity, node.after(h)].map(|v| vec3::dot(v, v));
+            larger(most, larger(start, end))
         });
         S::from_f64(2.0) * h * fastest.max(square.sqrt())
     }

@@ -65,6 +65,15 @@ impl<S: Scalar> Touch<S> {
         self.start
     }
 
+    /// The nodes that touch here, given the number of ports.
+    pub(super) fn nodes(&self, ports: usize) -> impl Iterator<Item = usize> {
+        self.contact
+            .sides
+            .iter()
+            .flat_map(Side::points)
+            .filter_map(move |point| point.body.checked_sub(ports))
+    }
+
     /// Largest diagonal entry of K (1/kg).
     pub(super) fn weight(&self) -> S {
         let [[a, ..], [_, b, _], [.., c]] = self.inverse_mass;

@@ -29,11 +29,18 @@ impl<S: Scalar> Extent<S> {
         for block in blocks {
             let lanes = low.as_flattened_mut().iter_mut().zip(high.as_flattened_mut());
             for ((low, high), x) in lanes.zip(block.as_flattened()) {
-                (*low, *high) = (low.min(*x), high.max(*x));
+                // Comparisons, unlike `min`, do not ask whether a number is one.
+                *low = if *x < *low { *x } else { *low };
+                *high = if *x > *high { *x } else { *high };
             }
         }
         let corners = low.into_iter().chain(high).chain(rest.iter().copied());
         Some(corners.fold(Extent { low: first, high: first }, Extent::with))
+    }
+
+    /// Whether it has bounds.
+    pub(super) fn is_bounded(&self) -> bool {
+        self.low.iter().chain(&self.high).all(|x| x.is_finite())
     }
 
     /// The box that holds a point, too.

@@ -78,6 +78,8 @@ impl<S: Scalar> IslandEnergy<S> {
 pub(super) struct NodeRate<S> {
     pub(super) node: usize,
     pub(super) velocity: Vec3<S>,
+    /// Force that depends on speeds (N).
+    pub(super) viscous: Vec3<S>,
     pub(super) rate: Vec3<S>,
 }
 
@@ -210,6 +212,12 @@ impl<'a, S: Scalar, C: Carrier<S>> Island<'a, S, C> {
         for (((own_x, own_v), _), (x, v)) in free.zip(pos.as_chunks().0.iter().zip(vel.as_chunks().0)) {
             (*own_x, *own_v) = (*x, *v);
         }
+        self.place_attached();
+        Ok(())
+    }
+
+    /// Places nodes that ports hold.
+    fn place_attached(&mut self) {
         for attachment in self.attachments {
             let Some(frame) = self.memory.frames.get(attachment.port) else { continue };
             let point = frame.point(attachment.place);
@@ -220,6 +228,31 @@ impl<'a, S: Scalar, C: Carrier<S>> Island<'a, S, C> {
                 (*own_x, *own_v) = (point, velocity);
             }
         }
+    }
+
+    /// Changes the velocities of the nodes placed last to those after h under the forces in memory, and at these speeds
+    /// of the carrier.
+    pub(super) fn predict_speeds(&mut self, t: S, h: S, (q, u): (&[S], &[S])) -> Result<(), Fault> {
+        self.carrier.frames(t, q, u, self.memory.frames)?;
+        let (own, body) = (&mut self.memory, &self.body);
+        let forces = own.elastic.iter().zip(own.viscous.iter());
+        for (node, (velocity, (elastic, viscous))) in own.vel.iter_mut().zip(forces).enumerate() {
+            // It is 0 where a node is fixed.
+            *velocity = vec3::axpy(
+                *velocity,
+                h,
+                vec3::scale(vec3::add(*elastic, *viscous), inverse_mass(body, node)),
+            );
+        }
+        self.place_attached();
+        Ok(())
+    }
+
+    /// Puts back the velocities of the free nodes at a state whose positions are placed.
+    pub(super) fn place_speeds(&mut self, x: &[S]) -> Result<(), Fault> {
+        let vel = self.parts(x)?.vel.as_chunks().0;
+        let free = self.memory.vel.iter_mut().zip(self.body.fixed).filter(|(_, fixed)| !**fixed);
+        free.zip(vel).for_each(|((own, _), velocity)| *own = *velocity);
         Ok(())
     }
 
@@ -234,6 +267,13 @@ impl<'a, S: Scalar, C: Carrier<S>> Island<'a, S, C> {
         for cell in self.cells {
             cell.add_force(&self.body, elements.grids(), memory.pos, memory.elastic)?;
         }
+        self.load_speeds();
+        Ok(())
+    }
+
+    /// The same where only the speeds have changed since.
+    pub(super) fn load_speeds(&mut self) {
+        let (elements, memory) = (self.body.elements(), &mut self.memory);
         force::eval_viscous(&self.body, &elements, memory.pos, memory.vel, memory.viscous);
         memory.wrenches.iter_mut().for_each(|wrench| *wrench = Wrench::zero());
         for Attachment { node, port, .. } in self.attachments {
@@ -242,7 +282,6 @@ impl<'a, S: Scalar, C: Carrier<S>> Island<'a, S, C> {
                 wrench.add_force(frame, vec3::at(memory.pos, *node), force);
             }
         }
-        Ok(())
     }
 
     /// Rates under the forces and wrenches in memory; returns the worst pivot.
@@ -250,14 +289,21 @@ impl<'a, S: Scalar, C: Carrier<S>> Island<'a, S, C> {
         let pivot = self.carrier_rates(t, x, x_dot)?;
         let vel = self.parts(x)?.vel;
         self.parts_mut(x_dot)?.pos.iter_mut().zip(vel).for_each(|(to, from)| *to = *from);
-        self.accelerate_nodes(x_dot)?;
+        self.accelerate_nodes(x_dot, |_| ())?;
         Ok(pivot)
     }
 
-    /// Rates of the velocities of free nodes under the forces in memory.
-    pub(super) fn accelerate_nodes(&self, x_dot: &mut [S]) -> Result<(), Fault> {
+    /// Rates of the velocities of free nodes under the forces in memory, each shown to a function.
+    pub(super) fn accelerate_nodes(
+        &self,
+        x_dot: &mut [S],
+        mut show: impl FnMut(&NodeRate<S>),
+    ) -> Result<(), Fault> {
         let rates = self.parts_mut(x_dot)?.vel.as_chunks_mut().0;
-        self.node_rates().zip(rates).for_each(|(node, rate)| *rate = node.rate);
+        for (node, rate) in self.node_rates().zip(rates) {
+            *rate = node.rate;
+            show(&node);
+        }
         Ok(())
     }
 
@@ -267,12 +313,8 @@ impl<'a, S: Scalar, C: Carrier<S>> Island<'a, S, C> {
         let forces = own.elastic.iter().zip(own.viscous.iter());
         let nodes = own.vel.iter().zip(forces).zip(self.body.fixed).enumerate();
         nodes.filter(|(_, (_, fixed))| !**fixed).map(|(node, ((velocity, (elastic, viscous)), _))| {
-            let inverse_mass = match self.body.inverse_mass.get(node) {
-                Some([inverse_mass, ..]) => *inverse_mass,
-                None => self.body.inverse_mass(node),
-            };
-            let rate = vec3::scale(vec3::add(*elastic, *viscous), inverse_mass);
-            NodeRate { node, velocity: *velocity, rate }
+            let rate = vec3::scale(vec3::add(*elastic, *viscous), inverse_mass(&self.body, node));
+            NodeRate { node, velocity: *velocity, viscous: *viscous, rate }
         })
     }
 
@@ -414,6 +456,12 @@ impl<'a, S: Scalar, C: Carrier<S>> Island<'a, S, C> {
         let (u, vel) = speeds.split_at_mut_checked(self.carrier.n_u()).ok_or(Fault::Shape)?;
         Ok(Cut { q, pos, u, vel })
     }
+}
+
+/// 1/m of a node (1/kg), from the list if there is one.
+#[inline(always)]
+fn inverse_mass<S: Scalar>(body: &Body<S>, node: usize) -> S {
+    body.inverse_mass.get(node).map_or_else(|| body.inverse_mass(node), |[inverse_mass, ..]| *inverse_mass)
 }
 
 fn write<S: Scalar>(to: &mut [S], from: Vec3<S>) {

@@ -241,10 +241,10 @@ impl<'a, S: Scalar> Scenery<'a, S> {
         let square = |x: Vec3<S>| vec3::dot(x, x);
         let reach = corners.iter().fold(S::ZERO, |most, x| most.max(square(vec3::sub(*x, middle)))).sqrt();
         // A foot on the facet is |radius + gap| away, with the gap between -depth and the margin.
-        let far = match beyond {
-            Beyond::Edges if !self.rides => reach + (radius + self.margin).max(mesh.depth - radius),
-            _ => reach + radius + self.margin.max(mesh.depth),
-        };
+        let within = radius + self.margin;
+        let beside =
+            if self.rides || beyond != Beyond::Edges { radius + mesh.depth } else { mesh.depth - radius };
+        let far = reach + within.max(beside);
         if square(vec3::sub(point, middle)) > far * far {
             return None;
         }

@@ -5,16 +5,17 @@
 //! advance   x_m = x + h/2 N(x) v
 //! forces    f there, with the speeds of the start
 //! detect    contacts at x_m: gap, axes, W, K = W M^-1 W'
+//! correct   f with the speeds v + h/2 M^-1 f of what does not touch
 //! sweep     v+ = v + h M^-1 f + M^-1 W' P,  P by the laws of the contacts (`sweep`)
 //! close     x+ = x_m + h/2 N(x+) v+, by one correction;  projection onto the carriers' constraints
 //! observe   accounts, contacts by pair
 //! ```
-//! Order 2 where nothing touches and no force depends on speeds, else 1; contacts only dissipate. No event is located in time, so the cost of a step
+//! Order 2 where nothing touches, else 1; contacts only dissipate. No event is located in time, so the cost of a step
 //! hardly depends on how many events it holds.
 
 use super::accounts::Accounts;
 use super::carrier::{Carrier, Wrench};
-use super::contacts::load_contacts;
+use super::contacts::{load_contacts, press};
 use super::island::{Attachment, Cut, Island};
 use super::observer::{Forces, Observer, Push};
 use super::sweep;
@@ -22,7 +23,7 @@ use super::whole::{StepMemory, World};
 use crate::mechanism::Fault;
 use crate::ode::{Ode, State, pivot_limit, state::advance, trial::split};
 use crate::real::Scalar;
-use crate::rigid::contact::Twist;
+use crate::rigid::contact::{Side, Twist};
 use crate::vec3::{self, Vec3};
 
 /// How a step goes through time.
@@ -115,35 +116,52 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
 
         // Half the step with the speeds at the start: carriers turn by q', which `rest` holds, nodes move by their
         // velocities.
-        let (turning, n_q) = (self.island.carrier.n_q(), self.island.n_q());
+        let (turning, n_q, n_u) = (self.island.carrier.n_q(), self.island.n_q(), self.island.carrier.n_u());
         self.turn(t, state.x(), rest)?;
-        middle.iter_mut().zip(state.x()).for_each(|(to, from)| *to = *from);
         let Cut { vel, .. } = self.island.parts(state.x())?;
-        let rates = rest.iter().take(turning).chain(vel);
-        for (to, (low, rate)) in middle.iter_mut().zip(state.low().iter().zip(rates)) {
-            *to = *to + (*low + half * *rate);
+        let (places, speeds) = middle.split_at_mut_checked(n_q).ok_or(Fault::Shape)?;
+        let (turned, moved) = places.split_at_mut_checked(turning).ok_or(Fault::Shape)?;
+        let mut old = state.x().iter().zip(state.low());
+        let advanced = |(x, low): (&S, &S), rate: &S| *x + (*low + half * *rate);
+        for ((to, rate), from) in turned.iter_mut().zip(rest.iter()).zip(old.by_ref()) {
+            *to = advanced(from, rate);
         }
-        let pivot = self.forces_at_middle(t_middle, middle, dot)?;
+        for ((to, rate), from) in moved.iter_mut().zip(vel).zip(old.by_ref()) {
+            *to = advanced(from, rate);
+        }
+        speeds.iter_mut().zip(old).for_each(|(to, (from, _))| *to = *from);
+        let mut pivot = self.forces_at_middle(t_middle, middle, dot)?;
 
         // Contact impulses act as forces at the middle.
         self.carry_twists([t, t_end], h, middle, dot, new, memory)?;
-        let sweeps = self.contacts((t_middle, h), middle, course.rebounds, memory)?;
+        self.find_contacts((t_middle, h), middle, memory)?;
+        if !course.rebounds {
+            memory.touches[0].iter_mut().for_each(|touch| touch.contact.restitution = S::ZERO);
+        }
+        let is_damped = self.island.is_damped();
+        if is_damped {
+            pivot = pivot.min(self.correct_speeds((t_middle, h), [middle, &mut *dot, &mut *low], memory)?);
+            if n_u > 0 {
+                self.carry_twists([t, t_end], h, middle, dot, new, memory)?;
+            }
+            self.read_touched(h, memory);
+        }
+        let sweeps = press(h, memory);
         let own = &mut self.island.memory;
         let forces = (&mut *own.elastic, &mut *own.wrenches);
         let active = load_contacts(h, memory.contacts().iter().map(|touch| touch.contact), forces);
         if active > 0 {
-            self.island.carrier_rates(t_middle, middle, dot)?;
+            self.island.carrier_rates(t_middle, if is_damped { low } else { middle }, dot)?;
         }
-        self.island.accelerate_nodes(dot)?;
+        let accounts = self.accelerate_nodes(h, dot)?;
 
-        let accounts = self.observe(h, memory);
+        let accounts = self.observe(h, accounts, memory);
         if watch.watches() {
             self.show(h, memory, watch);
         }
 
         // The other half with the speeds at the end.
         if turning > 0 {
-            let n_u = self.island.carrier.n_u();
             for ((to, from), rate) in new.iter_mut().zip(middle.iter()).zip(dot.iter()).skip(n_q).take(n_u) {
                 *to = *from + h * *rate;
             }
@@ -154,8 +172,12 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
             ends.take(turning).for_each(|(to, (from, rate))| *to = *from + half * *rate);
             self.turn(t_end, new, low)?;
         }
-        self.close(h, state, [rest, dot], [new, low])?;
-        self.project(t_end, new, low, middle)?;
+        let finite = self.close(h, state, [rest, dot], [new, low])?;
+        self.project_carriers(t_end, new, low, middle)?;
+        let [ends, lows] = [self.island.parts(new)?, self.island.parts(low)?];
+        if !(finite && [ends.q, ends.u, lows.q, lows.u].into_iter().all(is_finite)) {
+            return Err(Fault::NonFinite);
+        }
         for ((x, l), (new, new_low)) in state.entries().zip(new.iter().zip(low.iter())) {
             (*x, *l) = (*new, *new_low);
         }
@@ -178,15 +200,50 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         checked(self.island.carrier_rates(t, middle, dot)?)
     }
 
+    /// Forces with speeds of the middle, which those of the start and their rates predict, and the carriers' rates under
+    /// them; returns the worst pivot. Without this a step is of order 1 wherever forces depend on speeds. What touches
+    /// keeps its speed, since what holds it is not known yet: a load at rest stays at rest. `predicted` gets the carriers'
+    /// speeds; the nodes are left with their speeds at the start.
+    fn correct_speeds(
+        &mut self,
+        (t, h): (S, S),
+        [middle, dot, predicted]: [&mut [S]; 3],
+        memory: &StepMemory<'_, S>,
+    ) -> Result<S, Fault> {
+        let (half, island) = (S::from_f64(0.5) * h, &mut self.island);
+        let ports = island.memory.frames.len();
+        let mut bodies =
+            memory.contacts().iter().flat_map(|touch| touch.contact.sides.iter().flat_map(Side::points));
+        let way = if bodies.any(|point| point.body < ports) { S::ZERO } else { half };
+        let ([from, rates], to) = ([island.parts(middle)?, island.parts(dot)?], island.parts_mut(predicted)?);
+        to.q.iter_mut().zip(from.q).for_each(|(to, from)| *to = *from);
+        for (to, (from, rate)) in to.u.iter_mut().zip(from.u.iter().zip(rates.u)) {
+            *to = *from + way * *rate;
+        }
+        island.predict_speeds(t, half, (to.q, to.u))?;
+        for node in memory.contacts().iter().flat_map(|touch| touch.nodes(ports)) {
+            if let (Some(velocity), Some(start)) =
+                (island.memory.vel.get_mut(node), memory.twists[0].get(ports + node))
+            {
+                *velocity = start.velocity;
+            }
+        }
+        island.load_speeds();
+        let pivot = checked(island.carrier_rates(t, predicted, dot)?)?;
+        island.place_speeds(middle)?;
+        Ok(pivot)
+    }
+
     /// Writes the state at the end: coordinates by the mean of their rates at start and end, speeds by those in the
     /// middle. In: `start` and `low` hold the carriers' q' at start and end, `dot` the rates of speeds.
+    /// Returns whether the nodes are at finite places and speeds.
     fn close(
         &self,
         h: S,
         state: &State<'_, S>,
         [start, dot]: [&[S]; 2],
         [new, low]: [&mut [S]; 2],
-    ) -> Result<(), Fault> {
+    ) -> Result<bool, Fault> {
         let half = S::from_f64(0.5) * h;
         let island = &self.island;
         let [old, old_low, rates] =
@@ -202,14 +259,17 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         }
         let places = new.pos.iter_mut().zip(low.pos).zip(old.pos.iter().zip(old_low.pos));
         let speeds = new.vel.iter_mut().zip(low.vel).zip(old.vel.iter().zip(old_low.vel));
+        let mut finite = true;
         for ((((x, x_low), (x_old, x_old_low)), ((v, v_low), (v_old, v_old_low))), rate) in
             places.zip(speeds).zip(rates.vel)
         {
             let change = h * *rate;
             (*x, *x_low) = advance(*x_old, *x_old_low, half * (*v_old + (*v_old + change)));
             (*v, *v_low) = advance(*v_old, *v_old_low, change);
+            // Without stopping at the first that is not, so that the compiler can look at several at once.
+            finite &= x.is_finite() & x_low.is_finite() & v.is_finite() & v_low.is_finite();
         }
-        Ok(())
+        Ok(finite)
     }
 
     /// Rates of the carriers' coordinates at the speeds of x, without wrenches; those of nodes are not written.
@@ -236,34 +296,52 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         low: &mut [S],
         before: &mut [S],
     ) -> Result<(), Fault> {
-        self.island.set_time(t);
-        for _ in 0..self.island.projections().min(2) {
-            before.iter_mut().zip(new.iter()).for_each(|(to, from)| *to = *from);
-            self.island.project(new)?;
-            // A coordinate that was moved has lost its rounding error.
-            for ((low, before), new) in low.iter_mut().zip(before.iter()).zip(new.iter()) {
-                *low = if *before == *new { *low } else { S::ZERO };
-            }
-        }
-        // Without stopping at the first that is not: so that the compiler can look at several at once.
-        let finite = |list: &[S]| list.iter().fold(true, |finite, value| finite & value.is_finite());
-        if finite(new) & finite(low) { Ok(()) } else { Err(Fault::NonFinite) }
+        self.project_carriers(t, new, low, before)?;
+        if is_finite(new) & is_finite(low) { Ok(()) } else { Err(Fault::NonFinite) }
     }
 
-    /// Energy accounts of this step: work of the forces at the middle over the mean of the velocities at start and end.
-    fn observe(&mut self, h: S, memory: &mut StepMemory<'_, S>) -> Accounts<S> {
-        let half = S::from_f64(0.5);
-        let mut accounts = Accounts::empty();
-        let (own, air_drag) = (&self.island.memory, self.island.body.air_drag);
-        let mut take = |node: usize, velocity: Vec3<S>| {
-            let drag = vec3::scale(vec3::at(own.vel, node), -air_drag);
-            let damping = vec3::sub(vec3::at(own.viscous, node), drag);
-            accounts.damping = accounts.damping - h * vec3::dot(damping, velocity);
-            accounts.drag = accounts.drag - h * vec3::dot(drag, velocity);
-        };
-        for node in self.island.node_rates() {
-            take(node.node, vec3::scale(vec3::add(node.velocity, node.after(h)), half));
+    /// The same without the check.
+    fn project_carriers(
+        &mut self,
+        t: S,
+        new: &mut [S],
+        low: &mut [S],
+        before: &mut [S],
+    ) -> Result<(), Fault> {
+        let island = &mut self.island;
+        island.set_time(t);
+        for _ in 0..island.projections().min(2) {
+            let (kept, now) = (island.parts_mut(before)?, island.parts(new)?);
+            for (kept, now) in [(kept.q, now.q), (kept.u, now.u)] {
+                kept.iter_mut().zip(now).for_each(|(to, from)| *to = *from);
+            }
+            island.project(new)?;
+            // A coordinate that was moved has lost its rounding error.
+            let (kept, now, low) = (island.parts(before)?, island.parts(new)?, island.parts_mut(low)?);
+            for (low, kept, now) in [(low.q, kept.q, now.q), (low.u, kept.u, now.u)] {
+                for ((low, kept), now) in low.iter_mut().zip(kept).zip(now) {
+                    *low = if *kept == *now { *low } else { S::ZERO };
+                }
+            }
         }
+        Ok(())
+    }
+
+    /// Rates of the nodes' velocities; returns the accounts of dampers and air at the free nodes.
+    fn accelerate_nodes(&self, h: S, dot: &mut [S]) -> Result<Accounts<S>, Fault> {
+        let (half, air_drag) = (S::from_f64(0.5), self.island.body.air_drag);
+        let mut accounts = Accounts::empty();
+        self.island.accelerate_nodes(dot, |node| {
+            let velocity = vec3::scale(vec3::add(node.velocity, node.after(h)), half);
+            take(&mut accounts, h, (node.viscous, air_drag), velocity);
+        })?;
+        Ok(accounts)
+    }
+
+    /// Energy accounts of this step, of which those of the free nodes are given: work of the forces at the middle over the mean of the velocities at start and end.
+    fn observe(&mut self, h: S, mut accounts: Accounts<S>, memory: &mut StepMemory<'_, S>) -> Accounts<S> {
+        let half = S::from_f64(0.5);
+        let own = &self.island.memory;
         let [start, _, end] = &memory.twists;
         let mean = |port: usize, arm: Vec3<S>| {
             let at = |list: &[Twist<S>]| list.get(port).map_or_else(vec3::zero, |twist| twist.at(arm));
@@ -272,7 +350,9 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         for attachment in self.island.attachments {
             let origin = own.frames.get(attachment.port).map_or_else(vec3::zero, |frame| frame.origin);
             let arm = vec3::sub(vec3::at(own.pos, attachment.node), origin);
-            take(attachment.node, mean(attachment.port, arm));
+            let viscous = vec3::at(own.viscous, attachment.node);
+            let velocity = mean(attachment.port, arm);
+            take(&mut accounts, h, (viscous, self.island.body.air_drag), velocity);
         }
         let Island { carrier, memory: own, .. } = &mut self.island;
         let touches = memory.touches[0].get(..memory.counts[0]).unwrap_or_default();
@@ -316,6 +396,19 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
             watch.push(&Push { pair, contact, duration: S::ONE, ends, strikes: true });
         }
     }
+}
+
+fn is_finite<S: Scalar>(list: &[S]) -> bool {
+    list.iter().fold(true, |finite, value| finite & value.is_finite())
+}
+
+/// Adds what the viscous force of a node takes at a mean velocity; the drag of the air is a part of it.
+#[inline(always)]
+fn take<S: Scalar>(accounts: &mut Accounts<S>, h: S, (viscous, air_drag): (Vec3<S>, S), velocity: Vec3<S>) {
+    let drag = vec3::scale(velocity, -air_drag);
+    let damping = vec3::sub(viscous, drag);
+    accounts.damping = accounts.damping - h * vec3::dot(damping, velocity);
+    accounts.drag = accounts.drag - h * vec3::dot(drag, velocity);
 }
 
 /// The pivot's magnitude if the equations could be solved.

@@ -11,7 +11,7 @@ use crate::kernel::Kernel;
 use crate::real::Scalar;
 use crate::vec3::Vec3;
 
-/// Adds [`pressure::quad_volume`] of each cell to `sum` (m^3).
+/// Adds 24 times the volume between each cell and the origin to `sum` (m^3).
 #[derive(Debug)]
 pub struct Bulk<'a, S> {
     /// The grid.

@@ -1,0 +1,39 @@
+//! Time-stepping without splitting: its order where nothing touches.
+
+use super::support::{json, number, scene};
+
+/// A mechanism with Coriolis forces and a damper, and a damped bladder that a commanded tile shakes, below a ball that
+/// does not come down in time.
+const APART: &str = "format = 2\n[parts.pendulum]\nmechanism = \"double_pendulum\"\n\
+    [parts.tile]\nmechanism = \"tile_minimal\"\n\
+    command = { hA = \"5_mm*(1 - cos(4*pi*t/1_s))\", hB = \"5_mm*(1 - cos(5*pi*t/1_s))\", hC = \"5_mm*(1 - cos(7*pi*t/1_s))\" }\n\
+    [parts.bladder]\nshape = \"sheet\"\nrows = 4\ncolumns = 4\nwidth = \"0.28_m\"\ndepth = \"0.28_m\"\nbase = \"40_mm\"\n\
+    mass = \"40_g\"\nK = \"2 kN/m\"\nC = \"5 N s/m\"\nair_drag = \"0.1 N s/m\"\n\
+    start = { position = [\"-0.14_m\", \"-0.14_m\", \"50_mm\"] }\ngas = { gauge = \"0.3_kPa\" }\n\
+    attach = [{ nodes = \"rim\", to = \"tile.platform\" }, { facets = \"base\", to = \"tile.platform\" }]\n\
+    [parts.ball]\nrigid = \"sphere\"\nradius = \"0.2_m\"\nmass = \"5_kg\"\nstart = { position = [0, 0, \"2_m\"] }\n\
+    [[contacts]]\nbetween = [\"ball\", \"bladder\"]\nimpact = \"moreau\"\n[run]\nseconds = 0.16\nstep = 4e-4\n";
+
+#[test]
+fn a_step_is_of_order_two_under_forces_of_speeds() {
+    let file = scene("moreau_apart", APART);
+    let last = |step: &str| {
+        let done = json(&[&file, "--step", step]);
+        let of = |name: &str| number(&done["last"][name]);
+        assert!(of("ball.z") > 1.8, "nothing touches");
+        (0..16)
+            .map(|node| of(&format!("bladder.z{node}")))
+            .chain(["q1", "q2"].map(|q| of(&format!("pendulum.{q}"))))
+            .collect::<Vec<_>>()
+    };
+    let ends = ["4e-4", "2e-4", "1e-4"].map(last);
+    for part in [0..16, 16..18] {
+        let [coarse, fine] = [0, 1].map(|k| {
+            let pairs = ends[k][part.clone()].iter().zip(&ends[k + 1][part.clone()]);
+            pairs.map(|(a, b)| (a - b).powi(2)).sum::<f64>().sqrt()
+        });
+        let order = (coarse / fine).log2();
+        println!("{part:?}: {coarse:.1e} {fine:.1e}, order {order:.2}");
+        assert!((1.9..2.1).contains(&order), "{part:?}: {coarse} {fine}, order {order}");
+    }
+}
