@@ -14,7 +14,7 @@ use super::whole::{StepMemory, World};
 use crate::mechanism::Fault;
 use crate::ode::Ode;
 use crate::real::Scalar;
-use crate::rigid::contact::{Contact, Side, Twist};
+use crate::rigid::contact::{Contact, Twist};
 use crate::surface::facet::vertex_normals;
 use crate::vec3::{self, Vec3};
 
@@ -79,10 +79,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
             return Ok(());
         }
         let Cut { q, u, .. } = island.parts(middle)?;
-        let touched = |port: usize| {
-            let sides = now.iter().take(count).flat_map(|touch| &touch.contact.sides);
-            sides.flat_map(|side| side.points()).any(|point| point.body == port)
-        };
+        let touched = |port: usize| now.iter().take(count).any(|touch| touch.contact.touches_body(port));
         inertias.ask(&mut island.carrier, t, (q, u), touched)?;
         let ports = inertias.couplings.len();
         for touch in now.iter_mut().take(count) {
@@ -100,14 +97,13 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
     /// Velocities of the nodes that touch, at the start and, under the forces in memory, at the end.
     pub(super) fn read_touched(&self, h: S, memory: &mut StepMemory<'_, S>) {
         let StepMemory { twists: [start, free, _], touches: [now, _], counts, .. } = memory;
-        let (own, ports) = (&self.island.memory, self.island.memory.frames.len());
+        let ports = self.island.memory.frames.len();
         for touch in now.iter_mut().take(counts[0]) {
             for node in touch.nodes(ports) {
-                let (velocity, angular) = (vec3::at(own.vel, node), vec3::zero());
-                let force = vec3::add(vec3::at(own.elastic, node), vec3::at(own.viscous, node));
-                let end = vec3::axpy(velocity, h, vec3::scale(force, self.island.body.inverse_mass(node)));
+                let (own, angular) = (self.island.node_rate(node), vec3::zero());
                 if let (Some(start), Some(free)) = (start.get_mut(ports + node), free.get_mut(ports + node)) {
-                    (*start, *free) = (Twist { velocity, angular }, Twist { velocity: end, angular });
+                    *start = Twist { velocity: own.velocity, angular };
+                    *free = Twist { velocity: own.after(h), angular };
                 }
             }
             touch.start = touch.contact.relative(start);
@@ -226,7 +222,7 @@ pub(super) fn press<S: Scalar>(h: S, memory: &mut StepMemory<'_, S>) -> sweep::S
 /// Velocities without contacts of the ports and of the nodes that touch.
 fn restore<S: Scalar>(now: &[Touch<S>], ports: usize, free: &[Twist<S>], end: &mut [Twist<S>]) {
     end.iter_mut().zip(free).take(ports).for_each(|(to, from)| *to = *from);
-    for point in now.iter().flat_map(|touch| touch.contact.sides.iter().flat_map(Side::points)) {
+    for (_, point) in now.iter().flat_map(|touch| touch.contact.points()) {
         if let (Some(to), Some(from)) = (end.get_mut(point.body), free.get(point.body)) {
             *to = *from;
         }

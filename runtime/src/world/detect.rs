@@ -67,11 +67,7 @@ impl<S: Scalar> Touch<S> {
 
     /// The nodes that touch here, given the number of ports.
     pub(super) fn nodes(&self, ports: usize) -> impl Iterator<Item = usize> {
-        self.contact
-            .sides
-            .iter()
-            .flat_map(Side::points)
-            .filter_map(move |point| point.body.checked_sub(ports))
+        self.contact.points().filter_map(move |(_, point)| point.body.checked_sub(ports))
     }
 
     /// Largest diagonal entry of K (1/kg).

@@ -207,9 +207,9 @@ impl<'a, S: Scalar, C: Carrier<S>> Island<'a, S, C> {
     pub fn place(&mut self, t: S, x: &[S]) -> Result<(), Fault> {
         let Cut { q, pos, u, vel } = self.parts(x)?;
         self.carrier.frames(t, q, u, self.memory.frames)?;
-        let rows = self.memory.pos.iter_mut().zip(self.memory.vel.iter_mut());
-        let free = rows.zip(self.body.fixed).filter(|(_, fixed)| !**fixed);
-        for (((own_x, own_v), _), (x, v)) in free.zip(pos.as_chunks().0.iter().zip(vel.as_chunks().0)) {
+        let own = self.memory.pos.iter_mut().zip(self.memory.vel.iter_mut());
+        let rows = pos.as_chunks().0.iter().zip(vel.as_chunks().0);
+        for ((own_x, own_v), (x, v)) in free_of(own, &self.body).zip(rows) {
             (*own_x, *own_v) = (*x, *v);
         }
         self.place_attached();
@@ -237,12 +237,8 @@ impl<'a, S: Scalar, C: Carrier<S>> Island<'a, S, C> {
         let (own, body) = (&mut self.memory, &self.body);
         let forces = own.elastic.iter().zip(own.viscous.iter());
         for (node, (velocity, (elastic, viscous))) in own.vel.iter_mut().zip(forces).enumerate() {
-            // It is 0 where a node is fixed.
-            *velocity = vec3::axpy(
-                *velocity,
-                h,
-                vec3::scale(vec3::add(*elastic, *viscous), inverse_mass(body, node)),
-            );
+            // The rate of a fixed node is 0.
+            *velocity = vec3::axpy(*velocity, h, rate(body, node, [*elastic, *viscous]));
         }
         self.place_attached();
         Ok(())
@@ -251,8 +247,8 @@ impl<'a, S: Scalar, C: Carrier<S>> Island<'a, S, C> {
     /// Puts back the velocities of the free nodes at a state whose positions are placed.
     pub(super) fn place_speeds(&mut self, x: &[S]) -> Result<(), Fault> {
         let vel = self.parts(x)?.vel.as_chunks().0;
-        let free = self.memory.vel.iter_mut().zip(self.body.fixed).filter(|(_, fixed)| !**fixed);
-        free.zip(vel).for_each(|((own, _), velocity)| *own = *velocity);
+        let own = free_of(self.memory.vel.iter_mut(), &self.body);
+        own.zip(vel).for_each(|(own, velocity)| *own = *velocity);
         Ok(())
     }
 
@@ -311,11 +307,18 @@ impl<'a, S: Scalar, C: Carrier<S>> Island<'a, S, C> {
     pub(super) fn node_rates(&self) -> impl Iterator<Item = NodeRate<S>> {
         let own = &self.memory;
         let forces = own.elastic.iter().zip(own.viscous.iter());
-        let nodes = own.vel.iter().zip(forces).zip(self.body.fixed).enumerate();
-        nodes.filter(|(_, (_, fixed))| !**fixed).map(|(node, ((velocity, (elastic, viscous)), _))| {
-            let rate = vec3::scale(vec3::add(*elastic, *viscous), inverse_mass(&self.body, node));
+        let nodes = free_of(own.vel.iter().zip(forces).enumerate(), &self.body);
+        nodes.map(|(node, (velocity, (elastic, viscous)))| {
+            let rate = rate(&self.body, node, [*elastic, *viscous]);
             NodeRate { node, velocity: *velocity, viscous: *viscous, rate }
         })
+    }
+
+    /// The same of one node, which is free.
+    pub(super) fn node_rate(&self, node: usize) -> NodeRate<S> {
+        let [velocity, elastic, viscous] = [&*self.memory.vel, &*self.memory.elastic, &*self.memory.viscous]
+            .map(|list| vec3::at(list, node));
+        NodeRate { node, velocity, viscous, rate: rate(&self.body, node, [elastic, viscous]) }
     }
 
     /// Writes the inverse inertia of the `needed` ports and of all nodes at a state.
@@ -458,10 +461,16 @@ impl<'a, S: Scalar, C: Carrier<S>> Island<'a, S, C> {
     }
 }
 
-/// 1/m of a node (1/kg), from the list if there is one.
+/// Acceleration of a node (m/s^2) under these forces (N), by the list of 1/m if there is one.
 #[inline(always)]
-fn inverse_mass<S: Scalar>(body: &Body<S>, node: usize) -> S {
-    body.inverse_mass.get(node).map_or_else(|| body.inverse_mass(node), |[inverse_mass, ..]| *inverse_mass)
+fn rate<S: Scalar>(body: &Body<S>, node: usize, [elastic, viscous]: [Vec3<S>; 2]) -> Vec3<S> {
+    let listed = body.inverse_mass.get(node).map(|[inverse_mass, ..]| *inverse_mass);
+    vec3::scale(vec3::add(elastic, viscous), listed.unwrap_or_else(|| body.inverse_mass(node)))
+}
+
+/// Of a list with one entry per node, those of free nodes.
+fn free_of<T, S>(list: impl Iterator<Item = T>, body: &Body<S>) -> impl Iterator<Item = T> {
+    list.zip(body.fixed).filter(|(_, fixed)| !**fixed).map(|(entry, _)| entry)
 }
 
 fn write<S: Scalar>(to: &mut [S], from: Vec3<S>) {

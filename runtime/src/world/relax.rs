@@ -92,7 +92,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
                 (*to, *to_low) = advance(*x, *l, way);
             }
         }
-        self.project(t, new, low, here)?;
+        self.project(t, [&mut *new, &mut *low, here])?;
         for ((x, l), (new, new_low)) in state.entries().zip(new.iter().zip(low.iter())) {
             (*x, *l) = (*new, *new_low);
         }

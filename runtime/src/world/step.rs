@@ -16,14 +16,14 @@
 use super::accounts::Accounts;
 use super::carrier::{Carrier, Wrench};
 use super::contacts::{load_contacts, press};
-use super::island::{Attachment, Cut, Island};
+use super::island::{Attachment, Island};
 use super::observer::{Forces, Observer, Push};
 use super::sweep;
 use super::whole::{StepMemory, World};
 use crate::mechanism::Fault;
 use crate::ode::{Ode, State, pivot_limit, state::advance, trial::split};
 use crate::real::Scalar;
-use crate::rigid::contact::{Side, Twist};
+use crate::rigid::contact::Twist;
 use crate::vec3::{self, Vec3};
 
 /// How a step goes through time.
@@ -118,18 +118,19 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         // velocities.
         let (turning, n_q, n_u) = (self.island.carrier.n_q(), self.island.n_q(), self.island.carrier.n_u());
         self.turn(t, state.x(), rest)?;
-        let Cut { vel, .. } = self.island.parts(state.x())?;
-        let (places, speeds) = middle.split_at_mut_checked(n_q).ok_or(Fault::Shape)?;
-        let (turned, moved) = places.split_at_mut_checked(turning).ok_or(Fault::Shape)?;
-        let mut old = state.x().iter().zip(state.low());
-        let advanced = |(x, low): (&S, &S), rate: &S| *x + (*low + half * *rate);
-        for ((to, rate), from) in turned.iter_mut().zip(rest.iter()).zip(old.by_ref()) {
-            *to = advanced(from, rate);
+        let island = &self.island;
+        let [from, error] = [island.parts(state.x())?, island.parts(state.low())?];
+        let to = island.parts_mut(middle)?;
+        for (to, from, error, rates) in
+            [(to.q, from.q, error.q, &*rest), (to.pos, from.pos, error.pos, from.vel)]
+        {
+            for ((to, rate), (from, error)) in to.iter_mut().zip(rates).zip(from.iter().zip(error)) {
+                *to = *from + (*error + half * *rate);
+            }
         }
-        for ((to, rate), from) in moved.iter_mut().zip(vel).zip(old.by_ref()) {
-            *to = advanced(from, rate);
+        for (to, from) in [(to.u, from.u), (to.vel, from.vel)] {
+            to.iter_mut().zip(from).for_each(|(to, from)| *to = *from);
         }
-        speeds.iter_mut().zip(old).for_each(|(to, (from, _))| *to = *from);
         let mut pivot = self.forces_at_middle(t_middle, middle, dot)?;
 
         // Contact impulses act as forces at the middle.
@@ -153,7 +154,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         if active > 0 {
             self.island.carrier_rates(t_middle, if is_damped { low } else { middle }, dot)?;
         }
-        let accounts = self.accelerate_nodes(h, dot)?;
+        let accounts = self.accelerate(h, dot)?;
 
         let accounts = self.observe(h, accounts, memory);
         if watch.watches() {
@@ -173,7 +174,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
             self.turn(t_end, new, low)?;
         }
         let finite = self.close(h, state, [rest, dot], [new, low])?;
-        self.project_carriers(t_end, new, low, middle)?;
+        self.project_carriers(t_end, [&mut *new, &mut *low, middle])?;
         let [ends, lows] = [self.island.parts(new)?, self.island.parts(low)?];
         if !(finite && [ends.q, ends.u, lows.q, lows.u].into_iter().all(is_finite)) {
             return Err(Fault::NonFinite);
@@ -212,9 +213,8 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
     ) -> Result<S, Fault> {
         let (half, island) = (S::from_f64(0.5) * h, &mut self.island);
         let ports = island.memory.frames.len();
-        let mut bodies =
-            memory.contacts().iter().flat_map(|touch| touch.contact.sides.iter().flat_map(Side::points));
-        let way = if bodies.any(|point| point.body < ports) { S::ZERO } else { half };
+        let mut points = memory.contacts().iter().flat_map(|touch| touch.contact.points());
+        let way = if points.any(|(_, point)| point.body < ports) { S::ZERO } else { half };
         let ([from, rates], to) = ([island.parts(middle)?, island.parts(dot)?], island.parts_mut(predicted)?);
         to.q.iter_mut().zip(from.q).for_each(|(to, from)| *to = *from);
         for (to, (from, rate)) in to.u.iter_mut().zip(from.u.iter().zip(rates.u)) {
@@ -289,25 +289,13 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
     }
 
     /// Puts coordinates back on the constraints and checks the new state; `before` is memory.
-    pub(super) fn project(
-        &mut self,
-        t: S,
-        new: &mut [S],
-        low: &mut [S],
-        before: &mut [S],
-    ) -> Result<(), Fault> {
-        self.project_carriers(t, new, low, before)?;
+    pub(super) fn project(&mut self, t: S, [new, low, before]: [&mut [S]; 3]) -> Result<(), Fault> {
+        self.project_carriers(t, [&mut *new, &mut *low, before])?;
         if is_finite(new) & is_finite(low) { Ok(()) } else { Err(Fault::NonFinite) }
     }
 
     /// The same without the check.
-    fn project_carriers(
-        &mut self,
-        t: S,
-        new: &mut [S],
-        low: &mut [S],
-        before: &mut [S],
-    ) -> Result<(), Fault> {
+    fn project_carriers(&mut self, t: S, [new, low, before]: [&mut [S]; 3]) -> Result<(), Fault> {
         let island = &mut self.island;
         island.set_time(t);
         for _ in 0..island.projections().min(2) {
@@ -328,7 +316,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
     }
 
     /// Rates of the nodes' velocities; returns the accounts of dampers and air at the free nodes.
-    fn accelerate_nodes(&self, h: S, dot: &mut [S]) -> Result<Accounts<S>, Fault> {
+    fn accelerate(&self, h: S, dot: &mut [S]) -> Result<Accounts<S>, Fault> {
         let (half, air_drag) = (S::from_f64(0.5), self.island.body.air_drag);
         let mut accounts = Accounts::empty();
         self.island.accelerate_nodes(dot, |node| {
@@ -338,7 +326,8 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         Ok(accounts)
     }
 
-    /// Energy accounts of this step, of which those of the free nodes are given: work of the forces at the middle over the mean of the velocities at start and end.
+    /// Energy accounts of this step, of which those of the free nodes are given: work of the forces at the middle over the
+    /// mean of the velocities at start and end.
     fn observe(&mut self, h: S, mut accounts: Accounts<S>, memory: &mut StepMemory<'_, S>) -> Accounts<S> {
         let half = S::from_f64(0.5);
         let own = &self.island.memory;

@@ -153,7 +153,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         for ((x, l), ((old, old_low), rate)) in end.iter_mut().zip(low.iter_mut()).zip(old) {
             (*x, *l) = advance(*old, *old_low, h * *rate);
         }
-        self.project(t + h, end, low, middle)?;
+        self.project(t + h, [&mut *end, &mut *low, middle])?;
         for ((x, l), (new, new_low)) in state.entries().zip(end.iter().zip(low.iter())) {
             (*x, *l) = (*new, *new_low);
         }
