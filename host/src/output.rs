@@ -4,6 +4,8 @@
 //! ignored, because there is nowhere to report them.
 
 use crate::failure::Failure;
+use std::collections::BTreeSet;
+use std::ffi::OsString;
 use std::fs::File;
 use std::io::{self, BufWriter, ErrorKind, IsTerminal, Write};
 use std::path::Path;
@@ -91,16 +93,37 @@ pub fn replace_bytes(file: &Path, text: &[u8]) -> Result<(), Failure> {
     if place.exists() && !place.is_file() {
         return write(&place.display().to_string(), text);
     }
-    let beside = place.with_extension(format!("part-{}", std::process::id()));
+    let beside = place.with_extension(format!("{PART}{}", std::process::id()));
     let put = || -> io::Result<()> {
         let mut open = File::create(&beside)?;
+        // A file system without locks keeps what a killed process leaves.
+        let _ = open.lock();
         open.write_all(text)?;
-        open.sync_all()
+        open.sync_all()?;
+        std::fs::rename(&beside, &place)
     };
-    put().and_then(|()| std::fs::rename(&beside, &place)).map_err(|e| {
+    // Once more: `clear` may remove it before it is locked.
+    let again = |e: io::Error| if e.kind() == ErrorKind::NotFound { put() } else { Err(e) };
+    put().or_else(again).map_err(|e| {
         let _ = std::fs::remove_file(&beside);
         cannot_write(&file.display().to_string(), &e)
     })
+}
+
+/// Start of the extension of a temporary file; the number of the process that writes it follows.
+const PART: &str = "part-";
+
+/// Removes temporary files that [`replace`] left in a folder when its process was killed, of files whose names
+/// without extension are given. What a process is writing is locked, and stays.
+pub fn clear(folder: &Path, names: &BTreeSet<OsString>) {
+    for entry in std::fs::read_dir(folder).into_iter().flatten().flatten() {
+        let path = entry.path();
+        let is_part = path.extension().is_some_and(|e| e.to_string_lossy().starts_with(PART));
+        let is_own = path.file_stem().is_some_and(|name| names.contains(name));
+        if is_part && is_own && File::open(&path).is_ok_and(|file| file.try_lock().is_ok()) {
+            let _ = std::fs::remove_file(&path);
+        }
+    }
 }
 
 /// Writes a whole file, or to standard output for `-`.

@@ -202,18 +202,6 @@ impl Table {
     }
 }
 
-/// Removes incomplete files of these cases, left by a run that was killed.
-pub fn clear(own: &[&Case], folder: &Path) {
-    for entry in std::fs::read_dir(folder).into_iter().flatten().flatten() {
-        let path = entry.path();
-        let is_own = |case: &&Case| path.file_stem() == case.file(folder).file_stem();
-        let is_part = path.extension().is_some_and(|e| e.to_string_lossy().starts_with("part-"));
-        if is_part && own.iter().any(is_own) {
-            let _ = std::fs::remove_file(&path);
-        }
-    }
-}
-
 /// File of a case.
 pub(super) fn file_of(folder: &Path, number: usize) -> PathBuf {
     folder.join(format!("case_{:05}.json", number + 1))

@@ -72,6 +72,9 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let all = cases(&arguments.plan, &plan, &arguments.set, &axes)?;
     let folder = Path::new(&arguments.output);
     std::fs::create_dir_all(folder).map_err(|e| format!("cannot make {}: {e}", folder.display()))?;
+    let table = folder.join("sweep.csv");
+    let files = all.iter().map(|case| case.file(folder)).chain([table.clone()]);
+    output::clear(folder, &files.filter_map(|file| Some(file.file_stem()?.to_owned())).collect());
     if !arguments.merge {
         let (index, count) = shard(arguments.shard.as_deref())?;
         let own: Vec<&Case> = all.iter().filter(|case| case.number % count == index).collect();
@@ -89,7 +92,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
             )),
         };
     }
-    let (table, found) = (folder.join("sweep.csv"), Table::read(&all, folder)?);
+    let found = Table::read(&all, folder)?;
     output::replace(&table, &found.csv())?;
     if let Some(page) = &arguments.page {
         output::replace(Path::new(page), &page::text(&arguments.plan, &found))?;
@@ -132,7 +135,6 @@ fn shard(text: Option<&str>) -> Result<(usize, usize), Failure> {
 /// Computes the cases whose files do not exist.
 fn compute(own: &[&Case], folder: &Path, cores: Option<usize>) -> Result<(), Failure> {
     interrupt::watch();
-    case::clear(own, folder);
     let open: Vec<&&Case> = own.iter().filter(|case| !case.is_done(folder)).collect();
     let cores = cores.unwrap_or_else(side_by_side::cores);
     let (done, progress) = (AtomicUsize::new(0), Mutex::new(Progress::new("sweep")));

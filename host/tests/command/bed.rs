@@ -349,14 +349,17 @@ fn what_is_killed_leaves_complete_files_only() {
             assert!(file != "sweep.csv" || text.lines().count() == 5, "{file}: {text}");
         }
     }
-    // What was cut off is cleared away, by whoever computes that case.
+    // What was cut off is cleared away; what is being written stays.
     std::fs::write(folder.join("case_00003.part-1"), "{\"version\"").expect("written");
+    std::fs::write(folder.join("sweep.part-1"), "case,").expect("written");
+    let written = std::fs::File::create(folder.join("sweep.part-2")).expect("written");
+    written.lock().expect("locked");
     std::fs::write(folder.join("case_00004.json"), "{\"version\"").expect("written");
     let done = smartbed(&["sweep", "ball_on_four", "-o", &name]);
     assert_eq!(done.status, 0, "{done:?}");
     let files: Vec<String> = texts(&folder).into_keys().filter(|f| !f.starts_with("metrics")).collect();
     let cases = [1, 2, 3, 4].map(|n| format!("case_{n:05}.json"));
-    assert_eq!(files, [&cases[..], &["sweep.csv".to_owned()]].concat());
+    assert_eq!(files, [&cases[..], &["sweep.csv", "sweep.part-2"].map(str::to_owned)].concat());
 }
 
 #[test]
