@@ -19,7 +19,7 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 PROGRAM = ROOT / "target/release/smartbed"
 SECONDS, MOMENT, REFERENCE = 0.4, 0.02, 1e-4
-STEPS = (2e-3, 1.25e-3, 1e-3, 8e-4, MOMENT / 27, 5e-4)
+STEPS = (MOMENT / 6, MOMENT / 8, 2e-3, 1.25e-3, 1e-3, 5e-4)
 # Of the bars: mean error of the nodes, processor time of a simulated second at the largest step that keeps it.
 ERROR, SECOND = 1e-3, 1.0
 

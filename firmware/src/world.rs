@@ -42,7 +42,7 @@ mod table {
 }
 use table::{
     AIR_DRAG, ANSWERS, ATTACHMENTS, CELLS, CONTACTS, FACETS, GRAVITY, HELD, MASS, METHOD, Member, NODES,
-    NUMBERS, PAIRS, PORTS, POS, SPRINGS, START, STEP, THINGS, members,
+    NUMBERS, PAIRS, PORTS, POS, RESTRAINED, SPRINGS, START, STEP, THINGS, members,
 };
 
 /// Scratch numbers of a step.
@@ -84,6 +84,7 @@ fn simulate(show: impl FnOnce(&[f32])) -> Result<Digest, Fault> {
     let mut carriers = members();
     let group = Group { members: &mut carriers };
     let island = Island::new(group, body, &ATTACHMENTS, memory)?.with_cells(&CELLS)?;
+    let island = island.with_restrained(&RESTRAINED);
     let mut world = World { island, things: &THINGS, pairs: &PAIRS };
     let (mut x, mut low) = (START, [0.0; NUMBERS]);
     let mut state = State::resume(&mut x, &mut low)?;

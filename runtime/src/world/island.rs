@@ -99,6 +99,7 @@ pub struct Island<'a, S, C> {
     pub(super) attachments: &'a [Attachment<S>],
     pub(super) memory: Memory<'a, S>,
     pub(super) cells: &'a [Cell<S>],
+    pub(super) restrained: &'a [[usize; 2]],
     /// Number of nodes that forces can move: neither fixed nor attached.
     free: usize,
 }
@@ -129,7 +130,7 @@ impl<'a, S: Scalar, C: Carrier<S>> Island<'a, S, C> {
         let known = attachments.iter().all(|a| a.port < memory.frames.len() && is_held(a));
         let fits = fits && memory.frames.len() == carrier.n_ports();
         let free = free_nodes(&body).count();
-        let island = Island { carrier, body, attachments, memory, cells: &[], free };
+        let island = Island { carrier, body, attachments, memory, cells: &[], restrained: &[], free };
         if fits && known { Ok(island) } else { Err(Fault::Shape) }
     }
 
@@ -144,6 +145,13 @@ impl<'a, S: Scalar, C: Carrier<S>> Island<'a, S, C> {
         let held = |grid: &Grid<S>| cells.iter().any(|cell| cell.holds(grid));
         let twice = self.body.inflation.is_some() && self.body.grids.iter().any(held);
         if known && !twice { Ok(self) } else { Err(Fault::Shape) }
+    }
+
+    /// Names the bodies that space or a commanded port holds: the first node of each and the one after the last. Nothing
+    /// keeps their angular momentum, so that steps of order 2 may give them frequencies of order 4.
+    #[must_use]
+    pub fn with_restrained(self, restrained: &'a [[usize; 2]]) -> Self {
+        Island { restrained, ..self }
     }
 
     /// The flexible body, all parts of it.
@@ -205,13 +213,9 @@ impl<'a, S: Scalar, C: Carrier<S>> Island<'a, S, C> {
     /// # Errors
     /// [`Fault::Shape`] if x has another length; the carrier's faults.
     pub fn place(&mut self, t: S, x: &[S]) -> Result<(), Fault> {
-        let Cut { q, pos, u, vel } = self.parts(x)?;
+        let Cut { q, u, .. } = self.parts(x)?;
         self.carrier.frames(t, q, u, self.memory.frames)?;
-        let own = self.memory.pos.iter_mut().zip(self.memory.vel.iter_mut());
-        let rows = pos.as_chunks().0.iter().zip(vel.as_chunks().0);
-        for ((own_x, own_v), (x, v)) in free_of(own, &self.body).zip(rows) {
-            (*own_x, *own_v) = (*x, *v);
-        }
+        self.place_nodes(x)?;
         self.place_attached();
         Ok(())
     }
@@ -244,11 +248,33 @@ impl<'a, S: Scalar, C: Carrier<S>> Island<'a, S, C> {
         Ok(())
     }
 
-    /// Puts back the velocities of the free nodes at a state whose positions are placed.
-    pub(super) fn place_speeds(&mut self, x: &[S]) -> Result<(), Fault> {
-        let vel = self.parts(x)?.vel.as_chunks().0;
-        let own = free_of(self.memory.vel.iter_mut(), &self.body);
-        own.zip(vel).for_each(|(own, velocity)| *own = *velocity);
+    /// Takes the elastic force in memory from a node.
+    pub(super) fn unload(&mut self, node: usize) {
+        if let Some(force) = self.memory.elastic.get_mut(node) {
+            *force = vec3::zero();
+        }
+    }
+
+    /// Moves the nodes of restrained bodies by `squared` (s^2) times their rates under the elastic forces in memory.
+    pub(super) fn displace(&mut self, squared: S) {
+        let (own, body) = (&mut self.memory, &self.body);
+        for [first, end] in self.restrained {
+            let places = own.pos.iter_mut().zip(own.elastic.iter()).enumerate();
+            for (node, (place, elastic)) in places.take(*end).skip(*first) {
+                // The rate of a fixed node is 0.
+                *place = vec3::axpy(*place, squared, rate(body, node, [*elastic, vec3::zero()]));
+            }
+        }
+    }
+
+    /// Positions and velocities of the free nodes of a state.
+    pub(super) fn place_nodes(&mut self, x: &[S]) -> Result<(), Fault> {
+        let Cut { pos, vel, .. } = self.parts(x)?;
+        let own = self.memory.pos.iter_mut().zip(self.memory.vel.iter_mut());
+        let rows = pos.as_chunks().0.iter().zip(vel.as_chunks().0);
+        for ((own_x, own_v), (x, v)) in free_of(own, &self.body).zip(rows) {
+            (*own_x, *own_v) = (*x, *v);
+        }
         Ok(())
     }
 

@@ -108,6 +108,7 @@ pub struct Scene {
     pub facets: Vec<[usize; 4]>,
     pub cells: Vec<Cell<f64>>,
     pub attachments: Vec<Attachment<f64>>,
+    pub restrained: Vec<[usize; 2]>,
     pub things: Vec<Thing<f64>>,
     pub pairs: Vec<Pair<f64>>,
     pub gravity: Vec3<f64>,
@@ -325,7 +326,7 @@ impl Scene {
             wrenches: &mut wrenches,
         };
         let island = Island::new(group, body.expect("a body"), &self.attachments, memory).expect("an island");
-        let island = island.with_cells(&self.cells).expect("cells");
+        let island = island.with_cells(&self.cells).expect("cells").with_restrained(&self.restrained);
         let mut x = vec![0.0; island.n_x()];
         island.load(&self.q, &self.u, &mut x).expect("lengths");
         let mut world = World { island, things: &self.things, pairs: &self.pairs };

@@ -2,7 +2,7 @@
 
 use crate::island::Platform;
 use crate::scenery::{Part, Scene};
-use smartbed_runtime::flexible::Body;
+use smartbed_runtime::flexible::{Body, Spring};
 use smartbed_runtime::mechanism::Fault;
 use smartbed_runtime::ode::State;
 use smartbed_runtime::rigid::RigidBody;
@@ -494,4 +494,35 @@ fn what_touches_nothing_tumbles_to_order_two() {
     assert!(coarse / fine > 3.5 && fine < 1e-3, "{coarse:e} {fine:e}");
     assert!(runs[1].1 / runs[2].1 > 3.5, "{:e} {:e}", runs[1].1, runs[2].1);
     assert!(lengths[0] / lengths[1] > 3.5 && lengths[2] < 1e-6, "{lengths:?}");
+}
+
+/// A mass on a spring, far from a floor, let go with the spring stretched: order of the frequency, and its relative error at
+/// the smaller step over (h w)^2 or (h w)^4.
+fn frequency(restrained: &[[usize; 2]]) -> (f64, f64) {
+    let (mass, stiffness, stretched) = (0.5, 200.0, 0.01);
+    let w = f64::sqrt(stiffness / mass);
+    let off = |h: f64| {
+        let mut scene = Scene { room: 8, restrained: restrained.to_vec(), ..Scene::default() };
+        let tail = scene.node(0.0, true, [0.0; 3], [0.0; 3]);
+        let head = scene.node(mass, false, [1.0 + stretched, 0.0, 0.0], [0.0; 3]);
+        scene.springs.push(Spring { tail, head, stiffness, damping: 0.0, rest_length: 1.0 });
+        scene.floor();
+        // A step turns the phase plane, stretched along its axes: from rest, the cosine of the angle is the way back.
+        let (x, ..) = scene.run(h, 1, |_, _, _| ());
+        ((x[0] - 1.0) / stretched).acos() / (w * h) - 1.0
+    };
+    let steps = [0.2 / w, 0.1 / w];
+    let [coarse, fine] = steps.map(off);
+    let order = (coarse / fine).log2();
+    (order, fine.abs() / (w * steps[1]).powf(order.round()))
+}
+
+#[test]
+fn held_bodies_oscillate_at_frequencies_of_order_four_and_floating_ones_of_order_two() {
+    for (restrained, order, factor) in [(&[[0, 2]][..], 4.0, 1.0 / 720.0), (&[], 2.0, 1.0 / 24.0)] {
+        let (found, error) = frequency(restrained);
+        println!("order {found:.3}, error {error:e} (h w)^{order}");
+        assert!((found - order).abs() < 0.02, "{found}");
+        assert!((error / factor - 1.0).abs() < 0.02, "{error:e} of {factor:e}");
+    }
 }

@@ -180,6 +180,7 @@ impl CarriedWorld {
                 self.fixed.attachments.push(Attachment { node, port, place });
             }
         }
+        self.find_restrained();
         let mut x = Vec::new();
         self.with(|mut island| {
             x = vec![0.0; island.n_x()];

@@ -55,6 +55,8 @@ struct Fixed<S = f64> {
     grids: Vec<Woven<S>>,
     cells: Vec<Cell<S>>,
     attachments: Vec<Attachment<S>>,
+    /// Nodes of each part that space or a commanded port holds.
+    restrained: Vec<[usize; 2]>,
     gravity: Vec3<S>,
     air_drag: S,
 }
@@ -213,7 +215,8 @@ impl<S: Scalar> CarriedWorld<S> {
         };
         let group = Group { members: &mut self.carriers };
         let grids: Vec<Grid<'_, S>> = fixed.grids.iter().map(Woven::view).collect();
-        act(Island::new(group, fixed.body(&grids), &fixed.attachments, memory)?.with_cells(&fixed.cells)?)
+        let island = Island::new(group, fixed.body(&grids), &fixed.attachments, memory)?;
+        act(island.with_cells(&fixed.cells)?.with_restrained(&fixed.restrained))
     }
 
     /// Rates of a state; forces and wrenches of it are in memory then.
@@ -290,6 +293,21 @@ impl<S: Scalar> CarriedWorld<S> {
         self.carriers.iter().map(Carrier::n_q).sum::<usize>() + 3 * self.free()
     }
 
+    /// Finds the parts that space or a commanded port holds.
+    fn find_restrained(&mut self) {
+        let still = self.carriers.iter().flat_map(|own| std::iter::repeat_n(own.n_u() == 0, own.n_ports()));
+        let still: Vec<bool> = still.collect();
+        let mut held = self.fixed.held.clone();
+        for attachment in &self.fixed.attachments {
+            held[attachment.node] = still[attachment.port];
+        }
+        let parts = self.places.iter().filter_map(|place| match place {
+            Place::Nodes(nodes, ..) if held[nodes.clone()].contains(&true) => Some([nodes.start, nodes.end]),
+            _ => None,
+        });
+        self.fixed.restrained = parts.collect();
+    }
+
     fn free(&self) -> usize {
         self.fixed.held.iter().filter(|held| !**held).count()
     }
@@ -307,6 +325,7 @@ impl<S: Scalar> Fixed<S> {
             grids: Vec::new(),
             cells: Vec::new(),
             attachments: Vec::new(),
+            restrained: Vec::new(),
             gravity,
             air_drag,
         }

@@ -172,6 +172,7 @@ impl Fixed {
             grids: self.grids.iter().map(|grid| grid.rounded()).collect(),
             cells: self.cells.iter().map(cell).collect(),
             attachments: self.attachments.iter().map(attachment).collect(),
+            restrained: self.restrained.clone(),
             gravity: vector(self.gravity),
             air_drag: S::from_f64(self.air_drag),
         };

@@ -276,9 +276,7 @@ impl<S: Settle> Engine for CarriedWorld<S> {
             Contacts::None => format!("{name}, flexible parts and what carries them as one"),
             Contacts::Located => format!("{name}, touches located in time"),
             Contacts::Unlocated => {
-                format!(
-                    "{name}, touches not located: of order 2 where nothing touches and no force depends on speeds, else 1"
-                )
+                format!("{name}, touches not located: of order 2 where nothing touches, else 1")
             }
         }
     }

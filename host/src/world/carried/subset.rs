@@ -116,6 +116,9 @@ impl CarriedWorld {
         fixed.attachments = own
             .map(|held| Attachment { node: new.nodes[held.node], port: new.ports[held.port], ..*held })
             .collect();
+        let own = self.fixed.restrained.iter().filter(|[first, _]| new.nodes[*first] != usize::MAX);
+        fixed.restrained =
+            own.map(|[first, end]| [new.nodes[*first], new.nodes[*first] + end - first]).collect();
         let x: Vec<usize> = [q, pos, u, vel].concat();
         let airs: Vec<usize> = (0..self.airs.len()).filter(|n| parts.contains(&self.airs[*n].part)).collect();
         let (mut world, pairs, things) =

@@ -139,6 +139,7 @@ impl CarriedWorld {
         table("FACETS", "[usize; 4]", fixed.facets.len(), &fixed.facets);
         table("CELLS", "Cell<f32>", fixed.cells.len(), &fixed.cells);
         table("ATTACHMENTS", "Attachment<f32>", fixed.attachments.len(), &fixed.attachments);
+        table("RESTRAINED", "[usize; 2]", fixed.restrained.len(), &fixed.restrained);
         let (things, pairs) = (&self.touched().things, &self.touched().pairs);
         table("THINGS", "Thing<f32>", things.len(), things);
         table("PAIRS", "Pair<f32>", pairs.len(), pairs);
