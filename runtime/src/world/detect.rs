@@ -65,6 +65,11 @@ impl<S: Scalar> Touch<S> {
         self.start
     }
 
+    /// Is it this contact of this pair?
+    pub(super) fn is(&self, pair: usize, id: u32) -> bool {
+        self.pair == pair && self.id == id
+    }
+
     /// The nodes that touch here, given the number of ports.
     pub(super) fn nodes(&self, ports: usize) -> impl Iterator<Item = usize> {
         self.contact.points().filter_map(move |(_, point)| point.body.checked_sub(ports))

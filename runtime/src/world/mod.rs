@@ -43,7 +43,7 @@ pub use group::Group;
 pub use impact::{Setting, Spare};
 pub use inertia::{Coupling, Inertias};
 pub use island::{Attachment, Island, IslandEnergy, Memory};
-pub use located::{LocatedMemory, LocatedReport, SPLITS};
+pub use located::{LocatedMemory, LocatedReport};
 pub use observer::{Ends, Forces, Observer, Push, Strike};
 pub use pressed::Pressing;
 pub use step::StepReport;

@@ -21,5 +21,6 @@ mod touching;
 
 pub use memory::{Memory, Piece, Report, Strike};
 pub use parts::{Fault, Pair, Part, RigidScene};
+pub(crate) use step::PIECES;
 pub use step::SPLITS;
 pub use touching::Touching;

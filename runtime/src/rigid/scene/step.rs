@@ -12,8 +12,8 @@ use crate::rigid::several::{Struck, compensate_all, stop, strike_all};
 
 /// Most splits of one step.
 pub const SPLITS: usize = 64;
-/// Pieces of equal length for the rest of a step; contacts are then detected only between them.
-const REST: u32 = 16;
+/// Pieces of equal length for the rest of a step that has used up its splits; contacts are detected only between them.
+pub(crate) const PIECES: u32 = 16;
 
 /// A small whole number.
 fn whole<S: Scalar>(n: u32) -> S {
@@ -80,8 +80,8 @@ impl<S: Scalar> RigidScene<'_, S> {
         report: &mut Report<S>,
         (strikes, pieces): &mut (impl FnMut(Strike<'_, S>), impl FnMut(Piece<'_, S>)),
     ) -> Result<(), Fault> {
-        let (mut left, mut rest) = (h, REST);
-        for split in 0..SPLITS + REST as usize {
+        let (mut left, mut rest) = (h, PIECES);
+        for split in 0..SPLITS + PIECES as usize {
             let last = split >= SPLITS;
             let rounding = self.rounding(memory.states[0]);
             self.strike(memory, rounding, last, report, |strike| {

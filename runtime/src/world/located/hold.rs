@@ -29,8 +29,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         for k in 0..list.len() {
             let Some(own) = list.get_mut(k) else { continue };
             let Some(first) = own.slip.filter(|_| own.held.contact.friction > S::ZERO) else { continue };
-            let same = |touch: &&Touch<S>| touch.pair == own.pair && touch.id == own.id;
-            let Some(touch) = touches.iter().find(same) else { continue };
+            let Some(touch) = touches.iter().find(|touch| touch.is(own.pair, own.id)) else { continue };
             let slip = touch.contact.to_inertial([S::ZERO, touch.start[1], touch.start[2]]);
             if vec3::dot(slip, first) <= S::ZERO && vec3::norm(slip) <= S::from_f64(SLOW) * own.speed {
                 (own.slip, own.held.contact, own.normal) = (None, touch.contact, touch.contact.axes[0]);

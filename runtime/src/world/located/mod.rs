@@ -5,12 +5,13 @@
 //! strike      if a touching contact approaches: impact of all touching contacts (`impact`)
 //! hold        lasting contacts press or release, stick or slip, by their forces at the start of the step
 //! advance     the method's step of the equations under these contacts (`pressed`)
-//! shorten     to the first new touch, to where a normal force would pull, slip stops, or sticking ends
+//! shorten     to the first new touch, to where a normal force would pull, slip stops, sticking ends, or a lasting
+//!             contact passes to another face
 //! ```
-//! Repeated until h is used up. A step is split at most [`SPLITS`] times; the rest is stepped without locating events,
-//! as in `step`, and the report says so: use that step for many contacts. The same where an implicit method's iteration
-//! does not converge, because friction turns round however short the piece. Gaps and speeds that count as zero follow
-//! from the sizes and speeds present.
+//! Repeated until h is used up. A step is split at most [`SPLITS`] times; the rest is stepped in [`PIECES`] pieces with
+//! e = 0 and without locating events, as in `step`, and the report says so: use that step for many contacts. The same
+//! where an implicit method's iteration does not converge, because friction turns round however short the piece. Gaps
+//! and speeds that count as zero follow from the sizes and speeds present.
 
 mod hold;
 mod shorten;
@@ -27,13 +28,10 @@ use crate::mechanism::Fault;
 use crate::ode::{Method, Ode, State, trial::split};
 use crate::real::Scalar;
 use crate::rigid::law::Kind;
+use crate::rigid::scene::{PIECES, SPLITS};
 use crate::rigid::several::Struck;
 use crate::vec3;
 
-/// Most splits of one step.
-pub const SPLITS: usize = 64;
-/// Pieces of the rest of a step that has used up its splits.
-const PIECES: u32 = 16;
 /// How far a lasting contact may move away from where it was detected in a step, relative to the world's size.
 const DRIFT: f64 = 0.01;
 /// Acceleration (m/s^2) from which the speed that counts as zero follows: of the order of gravity.

@@ -114,9 +114,8 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         let known = known.get(..way.known).unwrap_or_default();
         let mut clear = S::ONE;
         for touch in found.iter().take(count) {
-            let same = |pair: usize, id: u32| pair == touch.pair && id == touch.id;
-            if !list.iter().any(|own| same(own.pair, own.id)) {
-                let before = known.iter().find(|own| same(own.pair, own.id));
+            if !list.iter().any(|own| touch.is(own.pair, own.id)) {
+                let before = known.iter().find(|own| own.is(touch.pair, touch.id));
                 let gap_rate = touch.contact.relative(twists)[0];
                 clear = clear.min(touch.clearance(before, gap_rate, &way.rounding));
             }

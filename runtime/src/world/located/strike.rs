@@ -29,7 +29,7 @@ impl<S: Scalar> PartialStep<'_, '_, S> {
     fn catches(&self, earlier: usize) -> bool {
         let earlier = self.memory.touches[1].get(..earlier).unwrap_or_default();
         let deepest = -S::from_f64(OVERLAP) * self.rounding.gap;
-        let known = |touch: &Touch<S>| earlier.iter().any(|own| own.pair == touch.pair && own.id == touch.id);
+        let known = |touch: &Touch<S>| earlier.iter().any(|own| own.is(touch.pair, touch.id));
         self.touches().iter().any(|touch| touch.gap < deepest - touch.sagitta && !known(touch))
     }
 
@@ -45,7 +45,7 @@ impl<S: Scalar> PartialStep<'_, '_, S> {
             // With this speed at both ends a bounce is as high as a quarter of speed times duration.
             let height = -(S::from_f64(0.25) * length * touch.start[0]);
             let (lost, highest) = (S::ONE - touch.contact.restitution, S::from_f64(HIGHEST) * gap);
-            let again = earlier.iter().any(|own| own.pair == touch.pair && own.id == touch.id);
+            let again = earlier.iter().any(|own| own.is(touch.pair, touch.id));
             !again || lost <= S::ZERO || height > highest || lost * height > gap
         };
         if self.touches().iter().any(|touch| touch.start[0] < -rate && bounces(touch)) {

@@ -78,6 +78,8 @@ impl<S: Scalar, C: Carrier<S>> Pressed<'_, '_, '_, S, C> {
                 *to = *a + part * (way + part * ((*b - *a) - way));
             }
             if watch.watches() {
+                // The start was shown with Simpson's weight. Forces in memory are those of the end by now: compute its own
+                // once more to show what is missing.
                 self.powers(t, old, first)?;
                 self.show(quarter - sixth, watch);
             }
