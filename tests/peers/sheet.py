@@ -25,9 +25,11 @@ SAME_PLACE = {"f32": 1e-6, "f64": 1e-12}
 
 
 MANY = 28
-# Our time of a step over C's, at most; our gain from two cores over C's, at least.
-BAR = 1.0
+# Our time of a step over C's, at most, and what is hoped for with one bladder; our gain from two cores over C's, at least; time
+# of a step of the energy-momentum method over Verlet's, at most.
+BAR, STRETCH = 1.0, 0.6
 GAIN = 0.95
+CONSERVING = 4
 # Bladders side by side in C: as many numbers as 32 bytes hold, and as 64 do.
 LANES = {"f32": (8, 16), "f64": (4, 8)}
 
@@ -109,14 +111,16 @@ def main():
         for key in [(scalar, "exact", "grid"), (scalar, "many", "1")]:
             ratio = least[key] / least[same_work(key)]
             missed += ratio > BAR
-            print(f"{' '.join(key)}: {ratio:.2f} of C, {BAR:.1f} asked for{'' if ratio <= BAR else ', MISSED'}")
+            hoped = f"; {STRETCH} hoped for, {'reached' if ratio <= STRETCH else 'not reached'}" if "grid" in key else ""
+            print(f"{' '.join(key)}: {ratio:.2f} of C, {BAR:.1f} asked for{'' if ratio <= BAR else ', MISSED'}{hoped}")
         gain = {who: least[scalar, *one] / least[scalar, *two] for who, one, two in [
             ("ours", ("many", "1"), ("many", "2")), ("C", ("C", "many 1"), ("C", "many 2"))]}
         stiff = least[scalar, "stiff", "energy_momentum"] / least[scalar, "stiff", "verlet"]
         gains = gain["ours"] / gain["C"]
-        missed += gains < GAIN
+        missed += (gains < GAIN) + (stiff > CONSERVING)
         print(f"{scalar}: two cores gain {gain['ours']:.2f}, in C {gain['C']:.2f}: {gains:.2f} of it, {GAIN} asked for"
-              f"{'' if gains >= GAIN else ', MISSED'}; energy-momentum over Verlet {stiff:.1f}")
+              f"{'' if gains >= GAIN else ', MISSED'}; energy-momentum over Verlet {stiff:.1f},"
+              f" {CONSERVING} asked for{'' if stiff <= CONSERVING else ', MISSED'}")
     return missed
 
 
