@@ -330,6 +330,12 @@ impl<'a, S: Scalar> Scenery<'a, S> {
         first.into_iter().chain(second)
     }
 
+    /// Of a contact between two meshes: the one whose node touches, and the one whose facet does.
+    fn meshes(&self, [one, other]: [&'a Thing<S>; 2], id: u32) -> Option<[Mesh<'a, S>; 2]> {
+        let (a, b) = (self.mesh(one)?, self.mesh(other)?);
+        Some(if (a.nodes[0] < b.nodes[0]) == (id < OF_SHAPE) { [a, b] } else { [b, a] })
+    }
+
     /// A contact found earlier, at the present positions. None if it no longer exists.
     pub(super) fn again(&self, pair: &Pair<S>, id: u32) -> Option<Meeting<S>> {
         let [one, other] = pair.things.map(|thing| self.things.get(thing));
@@ -349,9 +355,7 @@ impl<'a, S: Scalar> Scenery<'a, S> {
                 Meeting::exact(feature.gap, feature.point, Contact::between(sides, feature.normal))
             }
             (None, None) => {
-                let (a, b) = (self.mesh(one)?, self.mesh(other)?);
-                let (low, high) = if a.nodes[0] < b.nodes[0] { (a, b) } else { (b, a) };
-                let (own, below) = if id < OF_SHAPE { (low, high) } else { (high, low) };
+                let [own, below] = self.meshes([one, other], id)?;
                 let node = own.nodes[0] + number;
                 self.node_over_facet(node, self.foot(&below, (vec3::at(self.pos, node), S::ZERO), over)?)
             }
@@ -378,8 +382,8 @@ impl<'a, S: Scalar> Scenery<'a, S> {
         let mesh = match (self.rigid(one), self.rigid(other)) {
             (Some(_), Some(_)) => return None,
             (None, None) => {
-                let (a, b) = (self.mesh(one)?, self.mesh(other)?);
-                if (a.nodes[0] < b.nodes[0]) == (id < OF_SHAPE) { a } else { b }
+                let [own, _] = self.meshes([one, other], id)?;
+                own
             }
             _ => self.mesh(one).or_else(|| self.mesh(other))?,
         };

@@ -267,7 +267,7 @@ impl<'a, S: Scalar, C: Carrier<S>> Island<'a, S, C> {
         }
     }
 
-    /// Positions and velocities of the free nodes of a state.
+    /// Places the free nodes of a state, and gives them its velocities.
     pub(super) fn place_nodes(&mut self, x: &[S]) -> Result<(), Fault> {
         let Cut { pos, vel, .. } = self.parts(x)?;
         let own = self.memory.pos.iter_mut().zip(self.memory.vel.iter_mut());

@@ -124,7 +124,7 @@ impl<S: Scalar> Pressing<S> {
 
     /// Sets the bias: by a central difference, or to one side where the other lies behind the end of the contact; where
     /// both do, it stays.
-    fn bend(&mut self, now: Option<(S, Vec3<S>)>, span: S) {
+    fn set_bias(&mut self, now: Option<(S, Vec3<S>)>, span: S) {
         let ([ahead, behind], twice) = (self.seen, span + span);
         let ends = match (ahead, behind, now) {
             (Some(ahead), Some(behind), _) => Some((ahead, behind, twice)),
@@ -219,7 +219,7 @@ impl<S: Scalar, C: Carrier<S>> Pressed<'_, '_, '_, S, C> {
     }
 
     /// Sets the biases d/dt W v, along the rates `dot`, and contacts and inverse masses at (t, x).
-    fn bend(&mut self, t: S, x: &[S], dot: &[S]) -> Result<(), Fault> {
+    fn set_biases(&mut self, t: S, x: &[S], dot: &[S]) -> Result<(), Fault> {
         let span = S::from_f64(SPAN) * self.h;
         for (k, way) in [span, -span].into_iter().enumerate() {
             let shifted = core::mem::take(&mut self.spare[0]);
@@ -237,7 +237,7 @@ impl<S: Scalar, C: Carrier<S>> Pressed<'_, '_, '_, S, C> {
         let (rounding, h, ports) = (self.rounding[1], self.h, self.world.island.memory.frames.len());
         self.look(t, x, |own, rate, velocity| {
             own.velocity = velocity;
-            own.bend((!own.lost).then_some((rate, velocity)), span);
+            own.set_bias((!own.lost).then_some((rate, velocity)), span);
             own.held.slip = own.slides(rounding, h, ports);
         })?;
         self.ask(t, x)
@@ -262,7 +262,7 @@ impl<S: Scalar, C: Carrier<S>> Pressed<'_, '_, '_, S, C> {
         island.load_seams()?;
         let pivot = island.accelerate(t, x, dot)?;
         if !self.list.is_empty() {
-            self.bend(t, x, dot)?;
+            self.set_biases(t, x, dot)?;
         }
         Ok(pivot)
     }
