@@ -113,7 +113,7 @@ def report(names, file):
     for ending in ("md", "json"):
         shutil.copy(out / f"{folder}.{ending}", target / f"motions.{ending}")
     told = json.loads((out / "report.json").read_text())
-    return told["dominating"] + ratios.check(told)
+    return told["dominating"] + ratios.check(told["points"])
 
 
 def main():
