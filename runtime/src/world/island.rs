@@ -259,8 +259,9 @@ impl<'a, S: Scalar, C: Carrier<S>> Island<'a, S, C> {
     pub(super) fn displace(&mut self, squared: S) {
         let (own, body) = (&mut self.memory, &self.body);
         for [first, end] in self.restrained {
-            let places = own.pos.iter_mut().zip(own.elastic.iter()).enumerate();
-            for (node, (place, elastic)) in places.take(*end).skip(*first) {
+            let rows = (own.pos.get_mut(*first..*end), own.elastic.get(*first..*end));
+            let (Some(places), Some(forces)) = rows else { continue };
+            for (node, (place, elastic)) in (*first..).zip(places.iter_mut().zip(forces)) {
                 // The rate of a fixed node is 0.
                 *place = vec3::axpy(*place, squared, rate(body, node, [*elastic, vec3::zero()]));
             }
