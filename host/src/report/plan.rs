@@ -149,10 +149,15 @@ impl Plan {
         }
     }
 
+    /// Tolerances from 1e-2 to the finest that is not yet rounding; DOP853's at 1e-13 would be the reference itself.
     fn tolerances(&self, method: &Method, scalar: ScalarKind) -> Vec<Rung> {
-        let least = if scalar == ScalarKind::F32 { 1e-7 } else { 1e-13 };
+        let finest: i32 = match scalar {
+            ScalarKind::F32 => -6,
+            _ if method.name == "dop853" => -12,
+            _ => -13,
+        };
         let work = self.tolerance_factor.powf(-1.0 / f64::from(method.order));
-        let count = (f64::log10(1e-2 / least) / -self.tolerance_factor.log10()) as i32;
+        let count = 1 + (f64::from(-2 - finest) / -self.tolerance_factor.log10() + ROUNDING) as i32;
         // As decimals that can be typed on the command line.
         let tolerance = |n: i32| format!("{:e}", 1e-2 * self.tolerance_factor.powi(n));
         let rounded = |n: i32| tolerance(n).parse::<f64>().ok().and_then(|x| format!("{x:.0e}").parse().ok());
