@@ -22,7 +22,7 @@ pub struct Arguments {
     pub model: Option<String>,
     /// Number of steps. Of a mechanism: steps of 1 ms [default: 10000]; of a scene: steps as its file says
     /// [default: all of the run].
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
     pub steps: Option<u32>,
     /// Change a parameter of a model or a key of a scene, on the chip and on the host; may be repeated.
     #[arg(long, value_name = "NAME=VALUE")]

@@ -13,7 +13,6 @@ use super::toolchain::Toolchain;
 use crate::failure::Failure;
 use serde_json::{Value, json};
 use smartbed_codegen::words::count;
-use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
 /// The results.
@@ -129,99 +128,95 @@ impl Report {
     /// The report as text.
     #[must_use]
     pub fn text(&self) -> String {
+        let mut lines = self.image_lines();
+        lines.extend(self.subject_line());
+        if let Some(run) = &self.run {
+            lines.extend(self.run_lines(run));
+            lines.extend(run.equations.iter().flat_map(equation_lines));
+        }
+        lines.extend(Rule::ALL.map(|rule| {
+            let broken = self.findings.iter().filter(|f| f.rule == rule).count();
+            let found = if broken == 0 { "ok".to_owned() } else { format!("FAILED ({broken})") };
+            line(&format!("check {}", rule.name()), found)
+        }));
+        lines.concat()
+    }
+
+    /// What the image is, and what it takes.
+    fn image_lines(&self) -> Vec<String> {
         let chip = &STM32F405;
-        let mut text = String::new();
-        let mut line = |name: &str, value: String| {
-            let _ = writeln!(text, "{name:<32}{value}");
-        };
-        line("model", self.settings.model.display().to_string());
-        line("toolchain", self.toolchain.clone());
-        line("image", self.elf.display().to_string());
-        line("chip", format!("{} at {} MHz", chip.name, chip.clock / 1_000_000));
-        line("flash", format!("{} of {} bytes", self.size.flash, chip.flash));
-        line("static RAM", format!("{} of {} bytes", self.size.ram, chip.ram));
-        line("stack bound", format!("{} bytes, an exception of each priority included", self.stack.bytes));
         let path: Vec<String> =
             self.stack.path.iter().map(|(name, frame)| format!("{name} {frame}")).collect();
-        line("  deepest path", path.join(" > "));
+        let mut lines = vec![
+            line("model", self.settings.model.display().to_string()),
+            line("toolchain", self.toolchain.clone()),
+            line("image", self.elf.display().to_string()),
+            line("chip", format!("{} at {} MHz", chip.name, chip.clock / 1_000_000)),
+            line("flash", format!("{} of {} bytes", self.size.flash, chip.flash)),
+            line("static RAM", format!("{} of {} bytes", self.size.ram, chip.ram)),
+            line(
+                "stack bound",
+                format!("{} bytes, an exception of each priority included", self.stack.bytes),
+            ),
+            line("  deepest path", path.join(" > ")),
+        ];
         if let Subject::World(world) = &self.settings.subject {
             let sheets = world.rows.map_or(String::new(), |rows| {
                 format!(", in sheets of {rows} x {rows}: the finest that fit into {} KB of RAM", RAM / 1024)
             });
-            line("nodes", format!("{}{sheets}", world.demand.nodes));
+            lines.push(line("nodes", format!("{}{sheets}", world.demand.nodes)));
             if world.demand.contacts() > 0 {
-                line("contacts", format!("room for {} at once", world.demand.contacts()));
+                lines.push(line("contacts", format!("room for {} at once", world.demand.contacts())));
             }
         }
-        if let Subject::Rest(found, _) = &self.settings.subject {
-            let ([low, high], [off, behind]) = (found.range, found.errors);
-            let terms = count(found.volume.len(), "term");
-            line(
-                "at rest",
-                format!(
-                    "{low} to {high} Pa and back: {terms}, error {off:.1e} of the displacement against equilibria, \
-                     {behind:.1e} against the moving sheet"
-                ),
-            );
-        }
-        if let Some(run) = &self.run {
-            line("trajectory", format!("{}, digest {}", count(self.settings.steps, "step"), run.digest));
-            let compared = match &run.host_digest {
-                None => "not run".to_owned(),
-                Some(host) if *host == run.digest => "the same, bit for bit".to_owned(),
-                Some(host) => format!("DIFFERS: {host}"),
-            };
-            line("  on the host", compared);
-            let [low, high] = self.real_time(run);
-            let fits = if high <= 1.0 { "within real time" } else { "not within real time" };
-            let length = self.settings.step as f64 * 1e-3;
+        lines
+    }
+
+    /// How exact a reduced body at rest is.
+    fn subject_line(&self) -> Option<String> {
+        let Subject::Rest(found, _) = &self.settings.subject else { return None };
+        let ([low, high], [off, behind]) = (found.range, found.errors);
+        let terms = count(found.volume.len(), "term");
+        Some(line(
+            "at rest",
+            format!(
+                "{low} to {high} Pa and back: {terms}, error {off:.1e} of the displacement against equilibria, \
+                 {behind:.1e} against the moving sheet"
+            ),
+        ))
+    }
+
+    /// What a run in the emulator gave, and what it cost.
+    fn run_lines(&self, run: &Outcome) -> Vec<String> {
+        let compared = match &run.host_digest {
+            None => "not run".to_owned(),
+            Some(host) if *host == run.digest => "the same, bit for bit".to_owned(),
+            Some(host) => format!("DIFFERS: {host}"),
+        };
+        let [low, high] = self.real_time(run);
+        let fits = if high <= 1.0 { "within real time" } else { "not within real time" };
+        let length = self.settings.step as f64 * 1e-3;
+        let mut lines = vec![
+            line("trajectory", format!("{}, digest {}", count(self.settings.steps, "step"), run.digest)),
+            line("  on the host", compared),
             line(
                 "real time",
                 format!("{fits}: a step of {length} us takes {low:.2}..{high:.2} of it by cycle model"),
-            );
-            let counts = [("step", Some(&run.step)), ("rates", run.rates.as_ref())];
-            for (name, counted) in counts.into_iter().filter_map(|(name, counted)| Some((name, counted?))) {
-                let [min, median, max] = counted.instructions;
-                let [low, high] = counted.cycles;
-                line(
-                    name,
-                    format!(
-                        "{min} / {median} / {max} instructions (min / median / max of {})",
-                        count(counted.calls, "call")
-                    ),
-                );
-                let micro = |cycles: u64| cycles as f64 * 1e6 / chip.clock as f64;
-                line(
-                    "  by cycle model",
-                    format!(
-                        "{low}..{high} cycles ({:.1}..{:.1} us), never more than {}",
-                        micro(low),
-                        micro(high),
-                        counted.most_cycles
-                    ),
-                );
-            }
+            ),
+        ];
+        let counts = [("step", Some(&run.step)), ("rates", run.rates.as_ref())];
+        for (name, counted) in counts.into_iter().filter_map(|(name, counted)| Some((name, counted?))) {
+            let ([min, median, max], [low, high]) = (counted.instructions, counted.cycles);
+            let calls = count(counted.calls, "call");
+            let instructions =
+                format!("{min} / {median} / {max} instructions (min / median / max of {calls})");
+            let micro = |cycles: u64| cycles as f64 * 1e6 / STM32F405.clock as f64;
+            let ([least, longest], most) = ([low, high].map(micro), counted.most_cycles);
+            let cycles =
+                format!("{low}..{high} cycles ({least:.1}..{longest:.1} us), never more than {most}");
+            lines.extend([line(name, instructions), line("  by cycle model", cycles)]);
         }
-        if let Some(equations) = self.run.as_ref().and_then(|run| run.equations.as_ref()) {
-            let Equations { operations, angles, sin_cos, apart, bytes, .. } = equations;
-            let (ratio, strict) = (equations.by_operation(), equations.by_operation_with_constants());
-            line(
-                "  sines and cosines apart",
-                format!(
-                    "{apart} instructions, {ratio:.2} for each of {operations} operations ({strict:.2} with their constants)"
-                ),
-            );
-            line("sine and cosine", format!("{sin_cos} instructions an angle, {angles} angles"));
-            line("rates, projection, energy", format!("{bytes} bytes of code"));
-        }
-        for rule in Rule::ALL {
-            let broken = self.findings.iter().filter(|f| f.rule == rule).count();
-            line(
-                &format!("check {}", rule.name()),
-                if broken == 0 { "ok".to_owned() } else { format!("FAILED ({broken})") },
-            );
-        }
-        text
+        lines
     }
 
     /// The report as one JSON object.
@@ -285,6 +280,24 @@ impl Report {
         });
         format!("{report:#}\n")
     }
+}
+
+/// A name and its value, aligned.
+fn line(name: &str, value: String) -> String {
+    format!("{name:<32}{value}\n")
+}
+
+/// What an evaluation of the equations costs.
+fn equation_lines(equations: &Equations) -> [String; 3] {
+    let Equations { operations, angles, sin_cos, apart, bytes, .. } = equations;
+    let (ratio, strict) = (equations.by_operation(), equations.by_operation_with_constants());
+    let for_each =
+        format!("{ratio:.2} for each of {operations} operations ({strict:.2} with their constants)");
+    [
+        line("  sines and cosines apart", format!("{apart} instructions, {for_each}")),
+        line("sine and cosine", format!("{sin_cos} instructions an angle, {angles} angles")),
+        line("rates, projection, energy", format!("{bytes} bytes of code")),
+    ]
 }
 
 /// The report of an image that was built elsewhere.

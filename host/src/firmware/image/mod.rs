@@ -16,7 +16,7 @@ use super::riscv;
 use super::thumb::{self, Instruction, Kind};
 use crate::failure::Failure;
 use object::elf::SHF_EXECINSTR;
-use object::{Architecture, Object, ObjectSection, ObjectSymbol, SectionFlags, SymbolKind};
+use object::{Architecture, Object, ObjectKind, ObjectSection, ObjectSymbol, SectionFlags, SymbolKind};
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
@@ -55,11 +55,22 @@ impl Image {
     /// Reads an image.
     ///
     /// # Errors
-    /// A message if the bytes are not a little-endian ELF with code.
+    /// A message if the bytes are not a little-endian ELF that is linked for ARM or RISC-V.
     pub fn read(elf: &[u8]) -> Result<Self, String> {
         let file = object::File::parse(elf).map_err(|e| format!("the image is not an ELF file: {e}"))?;
         let marks = marks(&file);
-        let decode = if file.architecture() == Architecture::Riscv32 { riscv::decode } else { arm };
+        let decode = match file.architecture() {
+            Architecture::Arm => arm,
+            Architecture::Riscv32 => riscv::decode,
+            other => {
+                return Err(format!(
+                    "the code is of {other:?}; expected an image for a Cortex-M (ARM) or for RISC-V with 32 bits"
+                ));
+            }
+        };
+        if file.kind() != ObjectKind::Executable {
+            return Err(format!("expected an executable image, not {:?}: link it first", file.kind()));
+        }
         let mut functions = functions(&file);
         for section in file.sections() {
             let SectionFlags::Elf { sh_flags, .. } = section.flags() else { continue };
@@ -268,7 +279,17 @@ pub(crate) mod tests {
     }
 
     #[test]
-    fn not_an_elf() {
+    fn no_image_of_these_chips() {
         assert!(Image::read(b"MZ").unwrap_err().contains("not an ELF"));
+        let image = handmade::elf(&[], &[]);
+        assert!(Image::read(&image).is_ok());
+        // The file's header: kind at byte 16, machine at byte 18.
+        let changed = |place: usize, value: u8| {
+            let mut image = image.clone();
+            image[place] = value;
+            Image::read(&image).unwrap_err()
+        };
+        assert!(changed(18, 3).contains("for a Cortex-M (ARM)"), "{}", changed(18, 3));
+        assert!(changed(16, 1).contains("link it first"), "{}", changed(16, 1));
     }
 }
