@@ -1,7 +1,8 @@
 //! Tekscan's ASCII movie: lines `KEY value`, then `ASCII_DATA @@`, then `Frame n` with its rows, finally `@@`.
 //!
 //! Required: `ROWS`, `COLS`, `ROW_SPACING`, `COL_SPACING` (with unit), `SECONDS_PER_FRAME`, `UNITS`; other keys are
-//! ignored. Uncalibrated files (`UNITS RAW`) are refused, because their numbers are not pressures.
+//! ignored. `END_FRAME` and `START_FRAME` (default 1), if stated, give the number of frames: a movie with another one
+//! was cut short. Uncalibrated files (`UNITS RAW`) are refused, because their numbers are not pressures.
 
 use super::text::{FileError, Mapped, count, mapped, metres, number, pascal, row, row_text};
 use crate::map::{Frame, Grid};
@@ -16,6 +17,9 @@ struct Head {
     column_pitch: Option<f64>,
     seconds: Option<f64>,
     unit: Option<f64>,
+    first_frame: Option<f64>,
+    /// The number of the last frame, and the line that states it.
+    last_frame: Option<(f64, usize)>,
 }
 
 impl Head {
@@ -37,6 +41,8 @@ impl Head {
                 self.seconds = Some(seconds);
             }
             "UNITS" => self.unit = Some(pascal(value, line)?),
+            "START_FRAME" => self.first_frame = Some(number(value, line)?),
+            "END_FRAME" => self.last_frame = Some((number(value, line)?, line)),
             _ => {}
         }
         Ok(())
@@ -53,6 +59,22 @@ impl Head {
         };
         let seconds = self.seconds.ok_or_else(|| lacks("SECONDS_PER_FRAME"))?;
         Ok((grid, seconds, self.unit.ok_or_else(|| lacks("UNITS"))?))
+    }
+
+    /// Checks the number of frames that were read.
+    fn counted(&self, frames: usize) -> Result<(), FileError> {
+        let Some((last, line)) = self.last_frame else { return Ok(()) };
+        let first = self.first_frame.unwrap_or(1.0);
+        let expected = last - first + 1.0;
+        if frames as f64 == expected {
+            return Ok(());
+        }
+        Err(FileError::at(
+            line,
+            format!(
+                "{frames} frames follow, expected {expected}, from frame {first} to frame {last}; export it again"
+            ),
+        ))
     }
 }
 
@@ -102,6 +124,7 @@ pub fn read(text: &str) -> Result<Mapped, FileError> {
     if frames.is_empty() {
         return Err(FileError::at(0, "no frame after `ASCII_DATA`"));
     }
+    head.counted(frames.len())?;
     mapped(grid, frames)
 }
 
@@ -115,11 +138,20 @@ fn full(grid: &Grid, frame: Option<&Frame>, line: usize) -> Result<(), FileError
     Err(FileError::at(line, format!("the frame ends after {rows} rows, expected {}", grid.rows)))
 }
 
+/// The duration (s) that [`write`] gives to the last frame, if that has none of its own: all frames of a movie have the
+/// same.
+#[must_use]
+pub fn added(mapped: &Mapped) -> Option<f64> {
+    let frames = mapped.recording.frames();
+    let (first, last) = (frames.first()?, frames.last()?);
+    (last.seconds == 0.0 && first.seconds > 0.0).then_some(first.seconds)
+}
+
 /// Writes a movie in kPa; shear is not part of the format.
 ///
 /// # Errors
 /// Frames with different durations, which the format cannot express; a final frame of duration 0 gets that of the
-/// others.
+/// others: see [`added`].
 pub fn write(mapped: &Mapped) -> Result<String, FileError> {
     let (grid, frames) = (&mapped.grid, mapped.recording.frames());
     let seconds = frames.first().map_or(1.0, |f| f.seconds);

@@ -2,11 +2,17 @@
 //!
 //! Keys: `FRAME`, `Time (s)`, `Duration (s)` (default: until the next frame; the last one as long as the one before; a
 //! single frame has duration 0), `Rows`, `Columns`, `Row Pitch`, `Column Pitch` (with unit), `Units`. Other keys are
-//! ignored, and later frames may omit what the first one states.
+//! ignored, and later frames may omit what the first one states. All frames have the same sensels, but units of their
+//! own, and no frame lasts beyond the start of the next.
 
 use super::text::{FileError, Mapped, count, mapped, metres, number, pascal, row, row_text};
 use crate::map::{Frame, Grid};
 use std::fmt::Write as _;
+
+/// Pitches that differ relatively by less count as equal: they may be stated in other units.
+const ALIKE: f64 = 1e-9;
+/// Times may be rounded to a millisecond, but by no more than a tenth of the time between two frames.
+const ROUNDING: (f64, f64) = (1e-3, 0.1);
 
 /// The values of keys read so far.
 #[derive(Default)]
@@ -17,14 +23,23 @@ struct Head {
     column_pitch: Option<f64>,
     unit: Option<f64>,
     time: Option<f64>,
-    seconds: Option<f64>,
+    /// Duration, and the line that states it.
+    seconds: Option<(f64, usize)>,
+}
+
+/// A frame as it is read.
+struct Block {
+    time: Option<f64>,
+    /// Duration, and the line that states it.
+    seconds: Option<(f64, usize)>,
+    pressure: Vec<f64>,
 }
 
 impl Head {
-    fn take(&mut self, text: &str, line: usize, is_first: bool) -> Result<(), FileError> {
+    /// Takes a key; `first` are the sensels of the first frame.
+    fn take(&mut self, text: &str, line: usize, first: Option<&Grid>) -> Result<(), FileError> {
         let (key, value) = text.split_once(',').unwrap_or((text, ""));
         let value = value.trim().trim_end_matches(',').trim_matches('"');
-        let was = (self.rows, self.columns);
         match key.trim().trim_matches('"').to_ascii_lowercase().as_str() {
             "rows" => self.rows = Some(count(value, line)?),
             "columns" => self.columns = Some(count(value, line)?),
@@ -32,11 +47,23 @@ impl Head {
             "column pitch" => self.column_pitch = Some(metres(value, line)?),
             "units" => self.unit = Some(pascal(value, line)?),
             "time (s)" => self.time = Some(number(value, line)?),
-            "duration (s)" => self.seconds = Some(number(value, line)?),
+            "duration (s)" => self.seconds = Some((number(value, line)?, line)),
             _ => {}
         }
-        if !is_first && was != (self.rows, self.columns) {
-            return Err(FileError::at(line, "the number of sensels changes between frames"));
+        let Some(first) = first else { return Ok(()) };
+        let refused = |what: &str| {
+            Err(FileError::at(
+                line,
+                format!("{what} changes between frames, expected the same sensels in all; split the file"),
+            ))
+        };
+        if self.rows != Some(first.rows) || self.columns != Some(first.columns) {
+            return refused("the number of sensels");
+        }
+        let is_alike =
+            |found: Option<f64>, pitch: f64| found.is_some_and(|x| (x / pitch - 1.0).abs() < ALIKE);
+        if !is_alike(self.row_pitch, first.row_pitch) || !is_alike(self.column_pitch, first.column_pitch) {
+            return refused("the pitch of sensels");
         }
         Ok(())
     }
@@ -59,12 +86,15 @@ impl Head {
 /// [`FileError`] at the first line that is wrong, or where the text ends too early.
 pub fn read(text: &str) -> Result<Mapped, FileError> {
     let mut head = Head::default();
-    let mut grid = None;
-    let mut frames: Vec<(Option<f64>, Option<f64>, Vec<f64>)> = Vec::new();
+    let mut grid: Option<Grid> = None;
+    let mut blocks: Vec<Block> = Vec::new();
     let mut lines = text.lines().enumerate().map(|(index, line)| (index + 1, line.trim()));
     while let Some((line, text)) = lines.next() {
         if !text.to_ascii_lowercase().starts_with("sensels") {
-            head.take(text, line, frames.is_empty())?;
+            if let Some(grid) = grid.as_ref().filter(|_| is_row(text)) {
+                return Err(FileError::at(line, format!("more than {} rows in this frame", grid.rows)));
+            }
+            head.take(text, line, grid.as_ref())?;
             continue;
         }
         let (sensels, unit) = head.grid(line)?;
@@ -79,31 +109,52 @@ pub fn read(text: &str) -> Result<Mapped, FileError> {
             };
             row(text, sensels.columns, unit, line, &mut pressure)?;
         }
-        frames.push((head.time.take(), head.seconds.take(), pressure));
-        grid = Some(sensels);
+        blocks.push(Block { time: head.time.take(), seconds: head.seconds.take(), pressure });
+        grid.get_or_insert(sensels);
     }
     let Some(grid) = grid else {
         return Err(FileError::at(0, "no line `SENSELS`: not an XSENSOR-style file"));
     };
-    mapped(grid, timed(frames)?)
+    mapped(grid, timed(blocks)?)
+}
+
+/// Whether a line is a row of pressures rather than a key.
+fn is_row(text: &str) -> bool {
+    text.split(',').next().is_some_and(|value| value.trim().parse::<f64>().is_ok())
 }
 
 /// Frames with their times and durations.
-fn timed(read: Vec<(Option<f64>, Option<f64>, Vec<f64>)>) -> Result<Vec<Frame>, FileError> {
+fn timed(blocks: Vec<Block>) -> Result<Vec<Frame>, FileError> {
     let mut times = Vec::new();
-    for (index, (time, _, _)) in read.iter().enumerate() {
-        if time.is_none() && read.len() > 1 {
+    for (index, block) in blocks.iter().enumerate() {
+        if block.time.is_none() && blocks.len() > 1 {
             return Err(FileError::at(0, format!("frame {index}: `Time (s)` is missing")));
         }
-        times.push(time.unwrap_or(0.0));
+        times.push(block.time.unwrap_or(0.0));
     }
     let mut before = 0.0;
-    let frames = read.into_iter().enumerate().map(|(index, (_, seconds, pressure))| {
+    let mut frames = Vec::new();
+    for (index, Block { seconds, pressure, .. }) in blocks.into_iter().enumerate() {
         let till_next = times.get(index + 1).map(|next| next - times[index]);
-        before = seconds.or(till_next).unwrap_or(before);
-        Frame { time: times[index], seconds: before, pressure, shear: Vec::new() }
-    });
-    Ok(frames.collect())
+        if let (Some((seconds, line)), Some(most)) = (seconds, till_next) {
+            fits(seconds, most, line)?;
+        }
+        before = seconds.map(|(seconds, _)| seconds).or(till_next).unwrap_or(before);
+        frames.push(Frame { time: times[index], seconds: before, pressure, shear: Vec::new() });
+    }
+    Ok(frames)
+}
+
+/// Checks that a frame ends before the next one begins; times that do not increase are refused elsewhere.
+fn fits(seconds: f64, till_next: f64, line: usize) -> Result<(), FileError> {
+    let (most, share) = ROUNDING;
+    if till_next <= 0.0 || seconds <= till_next + most.min(share * till_next) {
+        return Ok(());
+    }
+    Err(FileError::at(
+        line,
+        format!("a duration of {seconds} s, expected at most {till_next} s, when the next frame begins"),
+    ))
 }
 
 /// Writes frames in mmHg; shear is not part of the format.

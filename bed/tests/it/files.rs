@@ -101,6 +101,17 @@ fn refusals_name_the_line() {
         ("Frame 1\n", "", "line 9: expected a line `Frame` before the first row"),
         ("10.16 mm", "10.16 ft", "line 4: unit of length `ft`: expected mm, cm, m or in"),
         ("FRAME 0.1", "FRAME -1", "line 6: expected seconds >= 0, found `-1`"),
+        (
+            "UNITS mmHg\n",
+            "UNITS mmHg\nEND_FRAME 5\n",
+            "line 8: 1 frames follow, expected 5, from frame 1 to frame 5; export it again",
+        ),
+        (
+            "UNITS mmHg\n",
+            "END_FRAME 7\nSTART_FRAME 6\nUNITS mmHg\n",
+            "line 7: 1 frames follow, expected 2, from frame 6 to frame 7; export it again",
+        ),
+        ("UNITS mmHg", "END_FRAME last", "line 7: expected a number, found `last`"),
     ] {
         let text = MOVIE.replacen(from, to, 1);
         assert_ne!(text, MOVIE, "{from}");
@@ -112,6 +123,110 @@ fn refusals_name_the_line() {
         read(block).expect_err("short").to_string(),
         "line 6: the sensels end after 1 rows, expected 2"
     );
+}
+
+#[test]
+fn a_part_of_a_movie_has_as_many_frames_as_it_says() {
+    let part = MOVIE.replace("UNITS mmHg\n", "UNITS mmHg\nSTART_FRAME 5\nEND_FRAME 5\n");
+    assert_eq!(read(&part).expect("a movie"), read(MOVIE).expect("a movie"));
+}
+
+const BLOCKS: &str = "FRAME,1
+Time (s),0
+Duration (s),1
+Rows,2
+Columns,2
+Row Pitch,10 mm
+Column Pitch,10 mm
+Units,kPa
+SENSELS
+1,2
+3,4
+
+FRAME,2
+Time (s),1
+Duration (s),3
+Rows,2
+Columns,2
+Row Pitch,1 cm
+Column Pitch,10 mm
+Units,mmHg
+SENSELS
+1,2
+3,4
+";
+
+#[test]
+fn blocks_have_the_same_sensels_but_units_of_their_own() {
+    let frames = read(BLOCKS).expect("blocks").recording.frames().to_vec();
+    assert_eq!(frames.iter().map(|f| (f.time, f.seconds)).collect::<Vec<_>>(), [(0.0, 1.0), (1.0, 3.0)]);
+    assert_eq!(frames[0].pressure, [1e3, 2e3, 3e3, 4e3]);
+    assert_eq!(frames[1].pressure, [1.0, 2.0, 3.0, 4.0].map(|p| p * 133.322));
+    // A key may follow without an empty line.
+    assert_eq!(read(&BLOCKS.replace("3,4\n\n", "3,4\n")).expect("blocks").recording.frames(), frames);
+}
+
+#[test]
+fn refusals_of_blocks_name_the_line() {
+    let changed = |what: &str| {
+        format!("{what} changes between frames, expected the same sensels in all; split the file")
+    };
+    for (from, to, message) in [
+        ("3,4\n\n", "3,4\n5,6\n\n", "line 12: more than 2 rows in this frame".to_owned()),
+        ("3,4\n\n", "3,4\n\n5,6\n\n", "line 13: more than 2 rows in this frame".to_owned()),
+        (
+            "Rows,2\nColumns,2\nRow Pitch,1 cm",
+            "Rows,3",
+            format!("line 16: {}", changed("the number of sensels")),
+        ),
+        ("Row Pitch,1 cm", "Row Pitch,11 mm", format!("line 18: {}", changed("the pitch of sensels"))),
+        ("10 mm\nUnits,mmHg", "9 mm\nUnits,mmHg", format!("line 19: {}", changed("the pitch of sensels"))),
+        (
+            "Duration (s),1",
+            "Duration (s),1000",
+            "line 3: a duration of 1000 s, expected at most 1 s, when the next frame begins".to_owned(),
+        ),
+    ] {
+        let text = BLOCKS.replacen(from, to, 1);
+        assert_ne!(text, BLOCKS, "{from}");
+        assert_eq!(read(&text).expect_err(to).to_string(), message);
+    }
+    // The last frame's rows, and one more.
+    let text = format!("{BLOCKS}5,6\n");
+    assert_eq!(read(&text).expect_err("long").to_string(), "line 24: more than 2 rows in this frame");
+}
+
+#[test]
+fn durations_may_exceed_the_time_until_the_next_frame_by_rounding_alone() {
+    let read_with = |next: &str, seconds: &str| {
+        let text = BLOCKS.replacen("Time (s),1", &format!("Time (s),{next}"), 1);
+        read(&text.replacen("Duration (s),1", &format!("Duration (s),{seconds}"), 1))
+    };
+    // Thirty frames a second, with times in milliseconds.
+    assert!(read_with("0.033", "0.033333").is_ok());
+    assert!(read_with("1", "1.0009").is_ok() && read_with("1", "1.0011").is_err());
+    // A millisecond is no rounding where frames are as close.
+    assert!(read_with("0.001", "0.002").is_err());
+    // A shorter one leaves a gap.
+    assert!(read_with("1", "0.5").is_ok());
+}
+
+#[test]
+fn a_movie_gives_its_last_frame_the_duration_of_the_others() {
+    let mut map = mapped(1, 1, &[vec![1.0], vec![2.0]]);
+    assert_eq!(tekscan::added(&map), None);
+    let mut frames = map.recording.frames().to_vec();
+    frames[1].seconds = 0.0;
+    map.recording = Recording::new(map.grid.all(), frames.clone()).expect("sound");
+    assert_eq!(tekscan::added(&map), Some(0.25));
+    let again = read(&tekscan::write(&map).expect("even")).expect("read back");
+    assert_eq!((map.recording.seconds(), again.recording.seconds()), (0.25, 0.5));
+    assert_same(&read(&xsensor::write(&map)).expect("read back"), &map);
+    // A single frame of no duration keeps it.
+    map.recording = Recording::new(map.grid.all(), frames.split_off(1)).expect("sound");
+    assert_eq!(tekscan::added(&map), None);
+    let again = read(&tekscan::write(&map).expect("even")).expect("read back");
+    assert_eq!(again.recording.seconds(), 0.0);
 }
 
 #[test]

@@ -128,10 +128,17 @@ pub(super) fn ending(file: &str) -> Result<Format, Failure> {
     }
 }
 
-/// Maps in the format given by the ending of a file's name.
+/// Maps in the format given by the ending of a file's name; warns if the format says something else.
 pub(super) fn encoded(file: &str, mapped: &Mapped) -> Result<String, Failure> {
-    match ending(file)? {
-        Format::Xsensor => Ok(xsensor::write(mapped)),
-        Format::Tekscan => Ok(tekscan::write(mapped).map_err(|e| format!("{file}: {e}"))?),
+    let text = match ending(file)? {
+        Format::Xsensor => return Ok(xsensor::write(mapped)),
+        Format::Tekscan => tekscan::write(mapped).map_err(|e| format!("{file}: {e}"))?,
+    };
+    if let Some(seconds) = tekscan::added(mapped) {
+        output::say(&format!(
+            "warning: {file}: the last moment, which stands for no time, lasts {seconds} s there, since all moments of \
+             a Tekscan movie last as long: metrics over time differ; write .csv to keep it"
+        ));
     }
+    Ok(text)
 }

@@ -63,6 +63,19 @@ fn maps_of_sensor_makers_are_read_compared_and_written() {
     let text = std::fs::read_to_string(&again).expect("maps");
     let read = smartbed_bed::files::read(&text).expect("read back");
     assert_eq!((read.grid.rows, read.grid.columns, read.recording.seconds()), (2, 3, 10.0));
+    assert!(!done.err.contains("warning"), "{done:?}");
+    // A last moment of no time lasts as long as the others in a movie, and stays as it is in the other format.
+    let ended =
+        written("ended.csv", &text.replace("Time (s),5\nDuration (s),5", "Time (s),5\nDuration (s),0"));
+    let movie_again = file("ended.asf").display().to_string();
+    let done = smartbed(&["bed", "map", &ended, "-o", &movie_again]);
+    assert!(done.status == 0 && done.out.contains("2 frames over 5 s"), "{done:?}");
+    assert!(
+        done.err.contains("ended.asf: the last moment, which stands for no time, lasts 5 s there"),
+        "{done:?}"
+    );
+    let done = smartbed(&["bed", "map", &movie_again, "-o", &file("ended_again.csv").display().to_string()]);
+    assert!(done.out.contains("2 frames over 10 s") && !done.err.contains("warning"), "{done:?}");
     let say = |arguments: &[&str]| smartbed(&[&["bed", "map"], arguments].concat()).message().to_owned();
     let wide = written("wide.asf", &movie("10,20,30").replace("30 mm", "31 mm"));
     assert!(say(&[&one, "--against", &wide]).contains("expected the same sensels and as many frames"));
