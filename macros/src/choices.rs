@@ -5,6 +5,7 @@
 
 use smartbed_codegen::rust::Core;
 use smartbed_codegen::{Effort, Options, ScalarType};
+use std::collections::BTreeMap;
 use syn::parse::{Parse, ParseStream};
 use syn::{Ident, LitBool, LitFloat, LitInt, LitStr, Token, braced, bracketed};
 
@@ -20,12 +21,16 @@ impl Parse for Choices {
     fn parse(input: ParseStream) -> syn::Result<Self> {
         let path: LitStr = input.parse()?;
         let mut chosen = Self { path: path.value(), options: Options::default() };
+        let mut read: Vec<Ident> = Vec::new();
         while !input.is_empty() {
             input.parse::<Token![,]>()?;
             if input.is_empty() {
                 break;
             }
             let choice: Ident = input.parse()?;
+            if read.contains(&choice) {
+                return Err(twice(&choice));
+            }
             input.parse::<Token![=]>()?;
             let options = &mut chosen.options;
             match choice.to_string().as_str() {
@@ -35,9 +40,10 @@ impl Parse for Choices {
                 "shared_work" => options.emit.shared_work = input.parse::<LitBool>()?.value,
                 "answers" => options.answers = list(input)?,
                 "keep" => options.parameters.keep = list(input)?,
-                "set" => options.parameters.values = values(input)?.into_iter().collect(),
+                "set" => options.parameters.values = values(input)?,
                 _ => return Err(syn::Error::new(choice.span(), expected(&choice))),
             }
+            read.push(choice);
         }
         Ok(chosen)
     }
@@ -45,6 +51,10 @@ impl Parse for Choices {
 
 fn expected(choice: &Ident) -> String {
     format!("unknown choice `{choice}`; expected scalar, answers, keep, set, effort, core or shared_work")
+}
+
+fn twice(name: &Ident) -> syn::Error {
+    syn::Error::new(name.span(), format!("`{name}` is there twice; keep one of them"))
 }
 
 /// `f32`, `f64` or a type's path in quotes.
@@ -88,14 +98,19 @@ fn list(input: ParseStream) -> syn::Result<Vec<String>> {
 }
 
 /// `{ M = 8.0, z_payload = -0.1 }`.
-fn values(input: ParseStream) -> syn::Result<Vec<(String, f64)>> {
+fn values(input: ParseStream) -> syn::Result<BTreeMap<String, f64>> {
     let inside;
     braced!(inside in input);
-    let entries = inside.parse_terminated(value, Token![,])?;
-    Ok(entries.into_iter().collect())
+    let mut values = BTreeMap::new();
+    for (name, value) in inside.parse_terminated(value, Token![,])? {
+        if values.insert(name.to_string(), value).is_some() {
+            return Err(twice(&name));
+        }
+    }
+    Ok(values)
 }
 
-fn value(input: ParseStream) -> syn::Result<(String, f64)> {
+fn value(input: ParseStream) -> syn::Result<(Ident, f64)> {
     let name: Ident = input.parse()?;
     input.parse::<Token![=]>()?;
     let sign = if input.parse::<Option<Token![-]>>()?.is_some() { -1.0 } else { 1.0 };
@@ -103,7 +118,7 @@ fn value(input: ParseStream) -> syn::Result<(String, f64)> {
         true => input.parse::<LitInt>()?.base10_parse()?,
         false => input.parse::<LitFloat>()?.base10_parse()?,
     };
-    Ok((name.to_string(), sign * size))
+    Ok((name, sign * size))
 }
 
 #[cfg(test)]
@@ -136,6 +151,9 @@ mod tests {
             ("\"p.toml\", core = z80", "core: expected cortex_m4"),
             ("\"p.toml\", shared_work = 1", "expected boolean literal"),
             ("\"p.toml\" scalar = f32", "expected `,`"),
+            ("\"p.toml\", scalar = f32, scalar = f64", "`scalar` is there twice; keep one of them"),
+            ("\"p.toml\", keep = [], effort = all, keep = []", "`keep` is there twice"),
+            ("\"p.toml\", set = { m = 1.0, M = 1.0, m = 2.0 }", "`m` is there twice"),
         ] {
             let said = syn::parse_str::<Choices>(text).err().map(|e| e.to_string()).unwrap_or_default();
             assert!(said.contains(message), "{text}: {said}");

@@ -25,7 +25,8 @@ use proc_macro::{Group, Span, TokenStream, TokenTree};
 /// `set = { M = 8.0 }`, other values of parameters; `effort = none`, `default` or `all`;
 /// `core = cortex_m4` or `host`, what runs the code; `shared_work = true`, two functions more for `ode::rk4_shared`.
 ///
-/// What is wrong with the model is an error at the path, with file, line and column of the model in its text.
+/// What is wrong with the model is an error at the path, with file, line and column of the model in its text. Warnings
+/// of a model are not shown, because stable Rust lets no macro warn: `cargo smartbed check` and build scripts show them.
 #[proc_macro]
 pub fn mechanism(input: TokenStream) -> TokenStream {
     let place = input.clone().into_iter().next().map_or_else(Span::call_site, |token| token.span());
