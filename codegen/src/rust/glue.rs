@@ -5,7 +5,7 @@ use super::{layout, name};
 use crate::escape;
 use crate::program::Program;
 
-/// The struct, with `$name` for its name, `$runtime` for the runtime's path, `$getters`, `$setters` for the arms of the
+/// The struct, with `$name` for its name, `$runtime` for the runtime's path, `$by_index` for access to
 /// parameters, and [`TIME`] where places depend on time.
 const STRUCT: &str = "\
 #[derive(Clone, Copy, Debug)]
@@ -44,23 +44,7 @@ $time_start        }
         self.prepared = prepare(&parameters);
         self.parameters = parameters;
     }
-    /// The parameter at a position of `PARAMETER_NAMES`; none beyond the last.
-    #[must_use]
-    pub fn parameter(&self, index: usize) -> Option<S> {
-        Some(match index {
-$getters            _ => return None,
-        })
-    }
-    /// Changes the parameter at a position of `PARAMETER_NAMES` and prepares anew; false beyond the last$refusal.
-    pub fn set_parameter(&mut self, index: usize, value: S) -> bool {
-$before        let place = match index {
-$setters            _ => return false,
-        };
-        *place = value;
-        self.prepared = prepare(&self.parameters);
-$assembled        true
-    }
-$can_be_assembled}
+$by_index$can_be_assembled}
 impl $runtime::mechanism::Mechanism<S> for $name {
     fn n_q(&self) -> usize {
         NQ
@@ -127,6 +111,37 @@ $speed_projection$energy        let (Ok(q), Ok(u)) = (<&[S; NQ]>::try_from(q), <
         ))
     }
 }
+";
+
+/// Access to parameters by their position.
+const BY_INDEX: &str = "    /// The parameter at a position of `PARAMETER_NAMES`; none beyond the last.
+    #[must_use]
+    pub fn parameter(&self, index: usize) -> Option<S> {
+        Some(match index {
+$getters            _ => return None,
+        })
+    }
+    /// Changes the parameter at a position of `PARAMETER_NAMES` and prepares anew; false beyond the last$refusal.
+    pub fn set_parameter(&mut self, index: usize, value: S) -> bool {
+$before        let place = match index {
+$setters            _ => return false,
+        };
+        *place = value;
+        self.prepared = prepare(&self.parameters);
+$assembled        true
+    }
+";
+
+/// The same where there is none.
+const NO_PARAMETERS: &str = "    /// The parameter at a position of `PARAMETER_NAMES`: there is none.
+    #[must_use]
+    pub fn parameter(&self, _: usize) -> Option<S> {
+        None
+    }
+    /// Changes the parameter at a position of `PARAMETER_NAMES`: there is none, so that it returns false.
+    pub fn set_parameter(&mut self, _: usize, _: S) -> bool {
+        false
+    }
 ";
 
 /// Replacements for the placeholders of time; empty if neither projection nor energy depends on time.
@@ -243,7 +258,8 @@ pub(super) fn mechanism(program: &Program, fields: &[String], runtime: &str, sca
     };
     let keeps = keeps_time(program);
     let satisfied = satisfied(program, scalar);
-    let watched = IMPLIED.iter().fold(STRUCT.to_owned(), |text, (place, kept)| {
+    let by_index = if fields.is_empty() { NO_PARAMETERS } else { BY_INDEX };
+    let watched = IMPLIED.iter().fold(STRUCT.replace("$by_index", by_index), |text, (place, kept)| {
         text.replace(place, if satisfied.is_some() { kept } else { "" })
     });
     let speeds = if program.speed_correction.is_empty() { "" } else { SPEEDS };

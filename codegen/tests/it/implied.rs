@@ -237,4 +237,6 @@ fn implausible_numbers_are_named() {
     assert!(found.contains("`ballast` does not move"), "{found}");
     let far = derived_from(&press(60.0).replace("nominal = 60", "range = [70, 90], nominal = 60"));
     assert!(far.warnings.to_string().contains("the nominal value of `q1` lies outside its range"));
+    let reversed = derive(&press(60.0).replace("nominal = 60", "range = [90, 30], nominal = 60"));
+    assert!(reversed.expect_err("a range").contains("the range of `q1` ends before it begins"));
 }

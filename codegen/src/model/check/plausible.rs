@@ -41,6 +41,13 @@ fn outside(coordinate: &Coordinate) -> Option<Diagnostic> {
     let (low, high) = coordinate.range;
     let (unit, size) = &coordinate.written_unit;
     let written = |x: f64| x / size;
+    if low > high {
+        return Some(
+            Diagnostic::error(format!("the range of `{}` ends before it begins", coordinate.name))
+                .label(coordinate.span, format!("[{}, {}] {unit}", written(low), written(high)))
+                .help("give the lower end first: range = [-1, 1]"),
+        );
+    }
     let is_outside = coordinate.nominal < low || high < coordinate.nominal;
     is_outside.then(|| {
         Diagnostic::warning(format!("the nominal value of `{}` lies outside its range", coordinate.name))
