@@ -22,8 +22,8 @@ pub mod session;
 pub mod tag;
 pub mod talk;
 
-/// Delay of periodic messages of or for this tile (ms), larger for each next tile, so that
-/// they never pile up on one bus.
+/// How much earlier than those of tile 0 periodic messages of or for this tile are sent (ms), more for each next tile,
+/// so that they never pile up on one bus.
 #[must_use]
 pub fn stagger(tile: u8) -> u32 {
     7 * u32::from(tile)

@@ -33,12 +33,25 @@ const TEST_DUTY: f32 = 0.04;
 /// Value of the permission to move; a single flipped bit does not produce it.
 const ARMED: u32 = 0x5AFE_A11D;
 
+/// Speed below which a leg counts as standing (m/s).
+const STANDS: f32 = 1e-4;
+
 /// What the legs follow.
 #[derive(Clone, Copy, PartialEq, Debug)]
 enum Following {
     None,
+    /// They come to rest, drives off, because a profile begins at rest.
+    Soon(Aim),
     Motion(Motion),
     Homing(Homing),
+}
+
+/// Where a motion will go.
+#[derive(Clone, Copy, PartialEq, Debug)]
+enum Aim {
+    /// To these heights, at this part of the full speed.
+    To(Heights, f32),
+    Switches,
 }
 
 /// State of the controller.
@@ -219,8 +232,8 @@ impl Controller {
 
     /// Executes a command, or says why not; a refused command changes nothing.
     fn execute(&mut self, command: &Command) -> Result<(), Refusal> {
-        self.mode.allows(command, self.is_armed(), self.latched())?;
-        let here = self.sense.heights;
+        let is_moving = self.following != Following::None;
+        self.mode.allows(command, (self.is_armed(), is_moving), self.latched())?;
         match command {
             Command::Status | Command::Log(_) | Command::Identify | Command::Beat(_) => (),
             Command::Stop => {
@@ -233,19 +246,18 @@ impl Controller {
                 self.switch(self.resting());
             }
             Command::Clear(bits) => self.clear(Faults::from_bits(*bits))?,
-            Command::Home => self.start(Mode::Homing, Following::Homing(Homing::new(here))),
+            Command::Home => self.begin(Mode::Homing, Aim::Switches),
             Command::Move(target) => {
                 let pose = Pose { zc: target.heave, tx: target.slope_x, ty: target.slope_y };
                 let factor = if self.is_homed { 1.0 } else { UNHOMED_FACTOR };
-                let motion = Motion::new(here, heights(pose)?, factor);
-                self.start(Mode::Moving, Following::Motion(motion));
+                self.begin(Mode::Moving, Aim::To(heights(pose)?, factor));
             }
             Command::Pressure(wanted) => self.wanted_pressure = Some(commanded(*wanted)?),
             Command::Flatten => {
                 // A low supply voltage cannot give full speed.
                 let factor = FLATTEN_FACTOR * Real::min(self.sense.measured.supply / DRIVE.supply, 1.0);
                 self.wanted_pressure = None;
-                self.start(Mode::Flatten, Following::Motion(Motion::new(here, [-STROKE; 3], factor)));
+                self.begin(Mode::Flatten, Aim::To([-STROKE; 3], factor));
             }
             Command::Calibrate(trim) => {
                 let (height, pressure) = TRIM;
@@ -253,7 +265,7 @@ impl Controller {
                 if !(fits && Real::abs(trim.pressure) <= pressure) {
                     return Err(Refusal::Trim);
                 }
-                // Start again, so that the sensors settle.
+                // Start again, so that the sensors settle; faults stay, and with them the safe state.
                 let latch = self.latch;
                 *self = Self { latch, ..Self::new(Some(*trim)) };
             }
@@ -279,6 +291,9 @@ impl Controller {
 
     /// Advances the motion, or the start-up, by a tick.
     fn advance(&mut self, readings: &Readings) {
+        if let Following::Soon(aim) = self.following {
+            self.begin(self.mode, aim);
+        }
         let here = self.sense.heights;
         let ended = match &mut self.following {
             Following::Motion(motion) => motion.advance().map(|ago| (ago, motion.end())),
@@ -295,7 +310,7 @@ impl Controller {
                 }
                 Step::Done(ago) => Some((ago, [-STROKE; 3])),
             },
-            Following::None => None,
+            Following::None | Following::Soon(_) => None,
         };
         match (self.mode, ended) {
             (_, Some((ago, end))) => self.settle(ago, end),
@@ -304,7 +319,11 @@ impl Controller {
                 self.rest = self.sense.heights;
                 self.switch(Mode::SelfTest);
             }
-            (Mode::SelfTest, _) if self.since >= SELF_TEST => self.switch(Mode::Unhomed),
+            (Mode::SelfTest, _) if self.since >= SELF_TEST => self.switch(match self.latched().response() {
+                None => Mode::Unhomed,
+                Some(Response::Off) => Mode::Off,
+                Some(_) => Mode::Hold,
+            }),
             _ => (),
         }
     }
@@ -348,7 +367,9 @@ impl Controller {
         let pressure = self.sense.pressure();
         let valves = match self.mode {
             // Vent down to the highest pressure that may be commanded, even if a valve does not shut.
-            Mode::Off if self.latched().has(Fault::Overpressure) && pressure > PRESSURE => {
+            Mode::Off | Mode::Boot | Mode::SelfTest
+                if self.latched().has(Fault::Overpressure) && pressure > PRESSURE =>
+            {
                 self.bladder.force(Valves::Vent, pressure)
             }
             Mode::Off | Mode::Boot | Mode::SelfTest => self.bladder.force(Valves::Shut, pressure),
@@ -371,7 +392,7 @@ impl Controller {
     /// Wanted motion of each leg and its total displacement, while drives are on; else None.
     fn following(&self) -> Option<([Along; 3], [f32; 3])> {
         match &self.following {
-            Following::None => None,
+            Following::None | Following::Soon(_) => None,
             Following::Motion(motion) => Some((motion.wanted(), motion.ways())),
             Following::Homing(homing) => Some(homing.wanted()),
         }
@@ -379,6 +400,23 @@ impl Controller {
 
     fn resting(&self) -> Mode {
         if self.is_homed { Mode::Ready } else { Mode::Unhomed }
+    }
+
+    /// Starts a motion as soon as the legs stand.
+    fn begin(&mut self, mode: Mode, aim: Aim) {
+        if !self.sense.speeds.iter().all(|speed| Real::abs(*speed) < STANDS) {
+            if !matches!(self.following, Following::Soon(_)) {
+                self.rest = self.sense.heights;
+            }
+            self.following = Following::Soon(aim);
+            return self.switch(mode);
+        }
+        let here = self.sense.heights;
+        let following = match aim {
+            Aim::To(end, factor) => Following::Motion(Motion::new(here, end, factor)),
+            Aim::Switches => Following::Homing(Homing::new(here)),
+        };
+        self.start(mode, following);
     }
 
     fn start(&mut self, mode: Mode, following: Following) {
@@ -390,11 +428,15 @@ impl Controller {
         self.switch(mode);
     }
 
-    /// Switches the drives off and withdraws the permission to move.
+    /// Switches the drives off and withdraws the permission to move; off also withdraws the pressure that was ordered.
     fn stop(&mut self, mode: Mode) {
         self.following = Following::None;
         self.permission = Guarded::new([0]);
         self.rest = self.sense.heights;
+        if mode == Mode::Off {
+            // The valves stay shut when the fault is cleared, too.
+            self.wanted_pressure = None;
+        }
         self.switch(mode);
     }
 

@@ -71,11 +71,16 @@ impl Mode {
         matches!(self, Self::Unhomed | Self::Ready)
     }
 
-    /// Checks whether a command is allowed in this mode.
+    /// Checks whether a command is allowed in this mode, if motion is allowed or not, and something moves or not.
     ///
     /// # Errors
     /// The reason for a refusal.
-    pub fn allows(self, command: &Command, is_armed: bool, latched: Faults) -> Result<(), Refusal> {
+    pub fn allows(
+        self,
+        command: &Command,
+        (is_armed, is_moving): (bool, bool),
+        latched: Faults,
+    ) -> Result<(), Refusal> {
         let starts = matches!(self, Self::Boot | Self::SelfTest);
         match command {
             Command::Stop | Command::Status | Command::Log(_) | Command::Identify | Command::Beat(_) => {
@@ -92,6 +97,7 @@ impl Mode {
             Command::Calibrate(_) if is_armed => Err(Refusal::Busy),
             Command::Calibrate(_) if self.rests() || matches!(self, Self::Hold | Self::Off) => Ok(()),
             _ if !latched.is_empty() => Err(Refusal::Faulted),
+            Command::Enable if is_moving => Err(Refusal::Busy),
             Command::Enable if self.rests() || matches!(self, Self::Hold | Self::Flatten) => Ok(()),
             Command::Home | Command::Move(_) | Command::Pressure(_) if !is_armed => Err(Refusal::Mode),
             Command::Pressure(_) if self.rests() || self == Self::Moving => Ok(()),
@@ -124,23 +130,35 @@ mod tests {
         faults.set(Fault::Silence, true);
         for mode in Mode::ALL {
             for command in moves {
-                assert!(mode.allows(&command, false, Faults::default()).is_err(), "{mode:?} {command:?}");
-                assert!(mode.allows(&command, true, faults).is_err(), "{mode:?} {command:?}");
+                assert!(
+                    mode.allows(&command, (false, false), Faults::default()).is_err(),
+                    "{mode:?} {command:?}"
+                );
+                assert!(mode.allows(&command, (true, false), faults).is_err(), "{mode:?} {command:?}");
             }
-            assert_eq!(mode.allows(&Command::Stop, false, faults), Ok(()));
-            assert!(mode.allows(&Command::Calibrate(Trim::default()), true, Faults::default()).is_err());
+            assert_eq!(mode.allows(&Command::Stop, (false, false), faults), Ok(()));
+            assert!(
+                mode.allows(&Command::Calibrate(Trim::default()), (true, false), Faults::default()).is_err()
+            );
         }
-        assert_eq!(Mode::Ready.allows(&moves[1], true, Faults::default()), Ok(()));
-        assert_eq!(Mode::Moving.allows(&moves[1], true, Faults::default()), Err(Refusal::Busy));
+        assert_eq!(Mode::Ready.allows(&moves[1], (true, false), Faults::default()), Ok(()));
+        assert_eq!(Mode::Moving.allows(&moves[1], (true, true), Faults::default()), Err(Refusal::Busy));
     }
 
     #[test]
     fn resuscitation_is_allowed_while_held_but_not_when_off() {
         let mut faults = Faults::default();
         faults.set(Fault::Obstruction, true);
-        assert_eq!(Mode::Hold.allows(&Command::Flatten, false, faults), Ok(()));
+        assert_eq!(Mode::Hold.allows(&Command::Flatten, (false, false), faults), Ok(()));
         faults.set(Fault::Runaway, true);
-        assert_eq!(Mode::Off.allows(&Command::Flatten, false, faults), Err(Refusal::Faulted));
-        assert_eq!(Mode::Boot.allows(&Command::Flatten, true, Faults::default()), Err(Refusal::Mode));
+        assert_eq!(Mode::Off.allows(&Command::Flatten, (false, false), faults), Err(Refusal::Faulted));
+        assert_eq!(
+            Mode::Boot.allows(&Command::Flatten, (true, false), Faults::default()),
+            Err(Refusal::Mode)
+        );
+        // What lowers the tile is not interrupted by the permission for something else.
+        let enable =
+            |is_moving: bool| Mode::Flatten.allows(&Command::Enable, (false, is_moving), Faults::default());
+        assert_eq!([enable(false), enable(true)], [Ok(()), Err(Refusal::Busy)]);
     }
 }

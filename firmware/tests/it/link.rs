@@ -63,6 +63,41 @@ fn silence_stops_motion() {
 }
 
 #[test]
+fn a_refused_command_with_the_right_tag_is_a_sign_of_life_and_used_up() {
+    let mut wire = Wire::ready(20.0);
+    wire.order(&UP);
+    wire.beats = false;
+    for _ in 0..4 {
+        wire.run(SILENCE - 100);
+        assert_eq!(wire.order(&UP), Some(Outcome::Refused(Refusal::Busy)));
+    }
+    assert!(wire.is_enabled() && !wire.has(Fault::Silence));
+    let body = wire.peer.command(&UP, wire.now, 0).expect("it fits");
+    wire.reports.clear();
+    for _ in 0..2 {
+        wire.send(&body);
+        wire.run(30);
+    }
+    let why = |report: &Report| match report {
+        Report::Answer(_, Outcome::Refused(why)) => Some(*why),
+        _ => None,
+    };
+    let refused: Vec<Refusal> = wire.reports.iter().filter_map(why).collect();
+    assert_eq!(refused, [Refusal::Busy, Refusal::Replayed]);
+}
+
+#[test]
+fn a_pressure_is_kept_without_a_supervisor() {
+    let mut wire = Wire::ready(20.0);
+    assert_eq!(wire.order(&Command::Pressure(5000.0)), Some(Outcome::Done));
+    wire.beats = false;
+    wire.run(20_000);
+    let pressure = wire.tile.air.pressure();
+    assert!((pressure - 5000.0).abs() < 50.0, "{pressure}");
+    assert_eq!((wire.mode(), wire.has(Fault::Silence)), (Mode::Unhomed, false));
+}
+
+#[test]
 fn a_stop_without_a_tag_stops_within_a_tick() {
     let mut wire = Wire::ready(20.0);
     wire.order(&UP);

@@ -10,6 +10,7 @@ mod fuzz;
 mod link;
 mod motion;
 mod obstacle;
+mod orders;
 mod reset;
 mod safety;
 mod unpowered;

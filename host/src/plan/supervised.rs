@@ -113,7 +113,9 @@ impl Tiles<'_> {
     /// Checks one tile's part of a move by the tile's controller, then by the supervisor.
     fn order(&mut self, told: &Move, tile: usize) -> Result<(), String> {
         let mode = self.mode(tile, told.at);
-        let allow = |command: &Command| mode.allows(command, true, Faults::default()).map_err(refused);
+        let allow = |command: &Command| {
+            mode.allows(command, (true, mode == Mode::Moving), Faults::default()).map_err(refused)
+        };
         if let Some(pressure) = told.pressure {
             let pressure = bladder::commanded(pressure as f32).map_err(refused)?;
             allow(&Command::Pressure(pressure))?;

@@ -5,11 +5,13 @@
 use super::machine::Machine;
 use super::order::{self, Order};
 use crate::failure::Failure;
+use crate::output;
 use smartbed_firmware::link::frame::{Decoder, encode};
 use smartbed_firmware::link::message::{Command, Outcome, Refusal, Report, read};
 use smartbed_firmware::link::serial::BYTES;
 use smartbed_firmware::link::tag::Key;
 use smartbed_firmware::supervisor::Peer;
+use smartbed_firmware::tile::fault::{Fault, Faults};
 use smartbed_firmware::tile::mode::Mode;
 use smartbed_firmware::turns::KEY;
 use std::collections::VecDeque;
@@ -47,8 +49,8 @@ pub struct Bus {
     /// Bytes waiting to be sent.
     down: VecDeque<u8>,
     now: u32,
-    /// Has a state been asked for that has not arrived yet?
-    is_asked: bool,
+    /// The tile whose state has been asked for and has not arrived yet.
+    asked: Option<u8>,
     /// Everything that the tiles have sent.
     pub heard: Vec<u8>,
 }
@@ -59,7 +61,7 @@ impl Bus {
     pub fn new(machines: Vec<Machine>) -> Self {
         let tile = |(number, machine)| (machine, Peer::new(number, Key::new(KEY)), Decoder::default());
         let tiles = (0_u8..).zip(machines).map(tile).collect();
-        Self { tiles, current: 0, down: VecDeque::new(), now: 1, is_asked: false, heard: Vec::new() }
+        Self { tiles, current: 0, down: VecDeque::new(), now: 1, asked: None, heard: Vec::new() }
     }
 
     /// Margin of self-locking of the first tile.
@@ -138,7 +140,9 @@ impl Bus {
             Err((header, _)) => header.sequence,
         };
         self.down.extend(encode(&body));
-        self.is_asked |= command == Command::Status;
+        if command == Command::Status {
+            self.asked = u8::try_from(self.current).ok();
+        }
         if !command.needs_tag() && command != Command::Stop {
             return self.run(PATIENCE, listen).map(|()| true);
         }
@@ -195,7 +199,19 @@ impl Bus {
             }
             self.run(BATCH, listen)?;
         }
-        Ok(())
+        let (tile, state) = (self.current, self.tiles[self.current].1.state());
+        match state.map(|state| Faults::from_bits(state.faults)).filter(|faults| !faults.is_empty()) {
+            None => Ok(()),
+            Some(faults) => {
+                let names: Vec<&str> =
+                    Fault::ALL.into_iter().filter(|f| faults.has(*f)).map(Fault::name).collect();
+                output::say(&format!(
+                    "warning: tile {tile}: the motion ended by a fault: {}; see `status`",
+                    names.join(", ")
+                ));
+                Ok(())
+            }
+        }
     }
 
     fn is_moving(&self) -> bool {
@@ -245,7 +261,8 @@ impl Bus {
                 for body in sent.into_iter().filter_map(|byte| decoder.take(byte)) {
                     if let Some(report) = peer.take(&body, time) {
                         let is_state = matches!(report, Report::State(_));
-                        let is_asked = !is_state || core::mem::take(&mut self.is_asked);
+                        let is_asked = !is_state || self.asked == Some(peer.tile());
+                        self.asked = self.asked.filter(|_| !(is_state && is_asked));
                         listen(Received { tile: peer.tile(), time, report, is_asked })?;
                     }
                 }
@@ -262,6 +279,9 @@ fn moves(command: &Command) -> bool {
 
 fn refused(command: &Command, why: Refusal) -> Failure {
     let help = match why {
+        Refusal::Mode if *command == Command::Flatten || matches!(command, Command::Clear(_)) => {
+            ": see `status`"
+        }
         Refusal::Mode => ": `enable` first, and see `status`",
         Refusal::Faulted => ": `clear` once the cause is gone",
         Refusal::Busy => ": `stop` first",

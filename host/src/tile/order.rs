@@ -97,8 +97,14 @@ fn one(text: &str) -> Result<Order, Failure> {
     }
 }
 
+/// Tilts have slopes below this (rad).
+const STEEPEST: f64 = std::f64::consts::FRAC_PI_2;
+
 fn target(heave: &str, x: &str, y: &str) -> Result<Target, Failure> {
-    let slope = |text: &str| quantity(text, &["deg", "rad"]).map(|angle| angle.tan() as f32);
+    let slope = |text: &str| match quantity(text, &["deg", "rad"])? {
+        angle if angle.abs() < STEEPEST => Ok(angle.tan() as f32),
+        _ => Err(Failure::Wrong(format!("`{text}`: expected a tilt below 90 degrees; a tile allows 15"))),
+    };
     Ok(Target { heave: quantity(heave, &["mm", "m"])? as f32, slope_x: slope(x)?, slope_y: slope(y)? })
 }
 
@@ -151,6 +157,8 @@ mod tests {
             ("move 5_deg", "unit of mm, m"),
             ("wait -1_s", "up to a day"),
             ("break wind", "motor-on"),
+            ("move 0_mm 185_deg 0_deg", "a tilt below 90 degrees"),
+            ("move 0_mm 0_deg -3.2_rad", "a tilt below 90 degrees"),
             ("wait 1_s &", "a command before `&`"),
             ("tile x", "a number from 0"),
         ] {
