@@ -122,7 +122,7 @@ fn hold(arguments: &Arguments, program: &Program, search: &mut Search) -> Result
                 "--input {given}: `{name}` follows its law; leave one of them out"
             )));
         }
-        search.set_input(place, value);
+        search.hold_input(place, value);
     }
     for given in &arguments.hold {
         let (name, value) = model_argument::assignment("--hold", given)?;

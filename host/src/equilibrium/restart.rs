@@ -9,6 +9,8 @@ use super::search::{End, Entry, Found, Place, Rates, Search, Unknown};
 
 /// Number of places.
 const PLACES: usize = 64;
+/// Number of places at which it is looked up which coordinates the rates depend on.
+const PROBES: usize = 4;
 /// A range is a whole turn up to this fraction.
 const ROUNDING: f64 = 1e-9;
 const TURN: f64 = std::f64::consts::TAU;
@@ -127,13 +129,21 @@ impl Search<'_> {
             let named = |place: Vec<f64>| moved.iter().map(|&i| this.state[i].place).zip(place).collect();
             around(&ranges).into_iter().map(named).collect()
         };
-        // Where all of them are moved, no slope vanishes by a symmetry of the start.
-        let slopes = places(self, &moved)
-            .into_iter()
-            .find_map(|place| if self.go_to(start, &place) { self.rates().ok() } else { None });
-        if let Some(Rates { slopes, .. }) = slopes {
-            let largest = slopes.a.amax();
-            moved.retain(|&i| slopes.a.column(i).amax() > NO_SLOPE * largest);
+        // At one place a slope may vanish, as by a symmetry of the first, which is the middle of all ranges.
+        let mut counts = vec![false; self.state.len()];
+        let mut probes = 0;
+        for place in places(self, &moved) {
+            if probes < PROBES
+                && self.go_to(start, &place)
+                && let Ok(Rates { slopes, .. }) = self.rates()
+            {
+                let largest = slopes.a.amax();
+                moved.iter().for_each(|&i| counts[i] |= slopes.a.column(i).amax() > NO_SLOPE * largest);
+                probes += 1;
+            }
+        }
+        if probes > 0 {
+            moved.retain(|&i| counts[i]);
         }
         if moved.is_empty() { Vec::new() } else { places(self, &moved) }
     }

@@ -208,8 +208,10 @@ impl<'p> Search<'p> {
         self.free_inputs.contains(&place)
     }
 
-    pub fn set_input(&mut self, place: usize, value: f64) {
+    /// Keeps an input at a value.
+    pub fn hold_input(&mut self, place: usize, value: f64) {
         self.inputs[place] = value;
+        self.free_inputs.retain(|free| *free != place);
     }
 
     /// Holds an entry of the state. Holding the first speed frees the speeds that are not held. False if there is no
@@ -335,7 +337,9 @@ impl<'p> Search<'p> {
             Unknown::State => {
                 "give a start nearer to it by --set, hold inputs by --input, or let them balance it by --trim"
             }
-            Unknown::Inputs if self.free_inputs.is_empty() => "the model has no input without a law",
+            Unknown::Inputs if self.free_inputs.is_empty() => {
+                "the model has no input without a law, or --input holds them all"
+            }
             Unknown::Inputs => "its inputs cannot balance this state; give another by --set",
         };
         format!("no equilibrium was found: the rate of `{name}` stays {value:.3e}; {advice}")

@@ -7,13 +7,19 @@
 //! B is the block of A that lambda belongs to, balanced, E the errors of its entries. Blocks are the sets of entries of
 //! the state that act on one another in circles: what is fast in one of them does not round the others. Where
 //! eigenvalues repeat, x and y are bases of their null spaces; where these are too small, |y* x| is nearly 0 and the bound
-//! as wide as rounding splits the eigenvalue.
+//! as wide as rounding splits the eigenvalue. In exact numbers, as of critical damping, it is not split, and |y* x| is 0: the
+//! bound is then the radius of a circle that no eigenvalue crosses while B changes by rounding.
 
 use nalgebra::linalg::{Schur, balancing};
 use nalgebra::{Complex, ComplexField, DMatrix, DVector};
 
 /// Iterations for the eigenvalues of one block, at most.
 const SWEEPS: usize = 10_000;
+/// Where rounding splits an eigenvalue that has one direction for up to four, |y* x| is larger than this.
+const SPLIT: f64 = 1e-12;
+/// Points of a circle, and how often its radius is doubled.
+const POINTS: usize = 16;
+const DOUBLINGS: usize = 60;
 /// Bounds are wider than to first order by this factor.
 const WIDER: f64 = 4.0;
 
@@ -70,17 +76,44 @@ fn of_block(mut block: DMatrix<f64>, errors: DMatrix<f64>) -> Option<Vec<Eigenva
 }
 
 fn bound(block: &DMatrix<f64>, errors: &DMatrix<f64>, value: Complex<f64>) -> f64 {
+    let rounding = block.nrows() as f64 * f64::EPSILON * block.norm();
+    let (bound, overlap) = first_order(block, errors, value, rounding);
+    if overlap > SPLIT { bound } else { bound.min(far(block, value, WIDER * (rounding + errors.norm()))) }
+}
+
+/// Radius of a circle about an eigenvalue that no eigenvalue crosses while B changes by up to `epsilon`: on it the smallest
+/// singular value of B - z is larger (Trefethen & Embree, Spectra and Pseudospectra, 2.1).
+fn far(block: &DMatrix<f64>, value: Complex<f64>, epsilon: f64) -> f64 {
     let n = block.nrows();
-    let rounding = n as f64 * f64::EPSILON * block.norm();
+    let is_clear = |radius: f64| {
+        (0..POINTS).all(|k| {
+            let (sin, cos) = (std::f64::consts::TAU * k as f64 / POINTS as f64).sin_cos();
+            let z = value + Complex::new(radius * cos, radius * sin);
+            let away = block.map(|x| Complex::new(x, 0.0)) - DMatrix::identity(n, n) * z;
+            away.singular_values().min() > epsilon
+        })
+    };
+    let radii = std::iter::successors(Some(epsilon), |radius| Some(2.0 * radius));
+    radii.take(DOUBLINGS).find(|radius| is_clear(*radius)).unwrap_or(f64::INFINITY)
+}
+
+/// The bound to first order of an eigenvalue, and |y* x|.
+fn first_order(
+    block: &DMatrix<f64>,
+    errors: &DMatrix<f64>,
+    value: Complex<f64>,
+    rounding: f64,
+) -> (f64, f64) {
+    let n = block.nrows();
     let svd = (block.map(|x| Complex::new(x, 0.0)) - DMatrix::identity(n, n) * value).svd(true, true);
-    let (Some(left), Some(right)) = (&svd.u, &svd.v_t) else { return f64::INFINITY };
+    let (Some(left), Some(right)) = (&svd.u, &svd.v_t) else { return (f64::INFINITY, 0.0) };
     let null = vanishing(&svd.singular_values, WIDER * (rounding + errors.norm()));
     let y = left.select_columns(&null);
     let x = right.select_rows(&null).adjoint();
     let overlap = (y.adjoint() * &x).singular_values().min();
     let size = |of: &DMatrix<Complex<f64>>| of.map(|x| x.modulus());
     let by_errors = (size(&y).transpose() * errors * size(&x)).norm();
-    WIDER * (rounding + by_errors) / overlap.max(f64::MIN_POSITIVE)
+    (WIDER * (rounding + by_errors) / overlap.max(f64::MIN_POSITIVE), overlap)
 }
 
 /// Places of the singular values up to `none`, of the smallest one at least, the smallest first.
@@ -110,6 +143,41 @@ mod tests {
             let nearest = all.iter().min_by(|a, b| off(a).total_cmp(&off(b))).expect("one");
             assert!(off(nearest) <= nearest.bound, "{expected}: {nearest:?}");
             assert!(nearest.bound <= 1e-14 * expected.abs(), "{expected}: {nearest:?}");
+        }
+    }
+
+    #[test]
+    fn bounds_are_narrow_where_exact_numbers_do_not_split_an_eigenvalue() {
+        // m x'' + c x' + k x = 0 with c^2 = 4 k: -c/2 twice; damped, and driven by a negative damper.
+        for (k, c) in
+            [(4.0, 4.0), (1.0, 2.0), (9.0, 6.0), (0.25, 1.0), (100.0, 20.0), (1e4, 200.0), (1.0, -2.0)]
+        {
+            for own in exact(&[0.0, 1.0, -k, -c], 2) {
+                let off = (own.value - Complex::new(-0.5 * c, 0.0)).modulus();
+                assert!(off <= own.bound && own.bound < 1e-6 * f64::abs(c), "{k}, {c}: {own:?}");
+            }
+        }
+        // Two of them, each in two numbers that are coupled: T diag(J, J') T^-1 with T^-1 of whole numbers.
+        let t = DMatrix::from_row_slice(
+            4,
+            4,
+            &[1.0, 2.0, 0.0, 1.0, 0.0, 1.0, 3.0, 0.0, 0.0, 0.0, 1.0, 2.0, 0.0, 0.0, 0.0, 1.0],
+        );
+        let turn = DMatrix::from_row_slice(
+            4,
+            4,
+            &[1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 2.0, 0.0, 1.0, 0.0, 0.0, 1.0, 1.0, 1.0],
+        );
+        let jordan = DMatrix::from_row_slice(
+            4,
+            4,
+            &[-2.0, 1.0, 0.0, 0.0, 0.0, -2.0, 0.0, 0.0, 0.0, 0.0, -3.0, 1.0, 0.0, 0.0, 0.0, -3.0],
+        );
+        let both = &t * &turn;
+        let a = &both * jordan * both.clone().try_inverse().expect("regular");
+        for own in exact(a.transpose().as_slice(), 4) {
+            let off = [-2.0, -3.0].map(|x| (own.value - Complex::new(x, 0.0)).modulus());
+            assert!(off[0].min(off[1]) <= own.bound && own.bound < 1e-3, "{own:?}");
         }
     }
 

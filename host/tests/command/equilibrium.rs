@@ -317,3 +317,56 @@ fn what_cannot_be_is_refused() {
     let none = refused(&["gyroscope", "--trim"]);
     assert!(none.message().contains("no input without a law"), "{none:?}");
 }
+
+#[test]
+fn a_critically_damped_servo_is_stable() {
+    let text = "format = 1\nname = \"servo\"\n[parameters]\nJ = { value = 0.5, unit = \"kg m^2\" }\nw = { value = 4, unit = \"rad/s\" }\n\
+        [inputs]\nT = { unit = \"N m\" }\n[coordinates]\nq = { unit = \"rad\" }\n[frames]\nA = { rotations = [[\"z\", \"q\"]] }\n\
+        [bodies]\nrotor = { centre = \"O\", frame = \"A\", mass = 1, inertia = { Izz = \"J\" } }\n\
+        [torques]\nmotor = { frame = \"A\", torque = \"T*N.z\" }\n[law]\nT = \"-J*w*w*q - 2*J*w*u_q\"\n";
+    let values = eigenvalues(&found(&[&written("servo.toml", text)]));
+    assert_eq!(values.len(), 2);
+    // -w twice, in numbers that rounding does not tell apart.
+    values
+        .iter()
+        .for_each(|value| assert!((value[0] + 4.0).abs() < 1e-6 && value[1].abs() < 1e-6, "{values:?}"));
+    let unstable = text.replace("- 2*J*w*u_q", "+ 2*J*w*u_q");
+    let said = smartbed(&["equilibrium", &written("servo_unstable.toml", &unstable)]);
+    assert!(said.out.contains("unstable") && !said.out.contains("eigenvalues of 0"), "{}", said.out);
+}
+
+#[test]
+fn an_input_that_is_kept_is_no_unknown_of_a_trim() {
+    let text = "format = 1\nname = \"lifted\"\ngravity = \"-9.81_N/1_kg*N.z\"\n\
+        [inputs]\nT = { unit = \"N m\" }\nT2 = { unit = \"N m\" }\n\
+        [joints]\nr = { kind = \"revolute\", axis = \"y\", child = \"A\", drive = \"T + 3*T2\" }\n\
+        [points]\nC = \"A + 0.5_m*A.x\"\n[bodies]\na = { centre = \"C\", frame = \"A\", mass = 1, box = [0.1, 0.1, 0.1] }\n";
+    let file = written("lifted.toml", text);
+    let answer = found(&[&file, "--trim", "--input", "T2=1"]);
+    // T + 3 T2 = -m g l/2.
+    close(number(&answer["inputs"]["T2"]), 1.0, 0.0, "T2");
+    close(number(&answer["inputs"]["T"]), -9.81 * 0.5 - 3.0, 1e-12, "T");
+    let done = refused(&[&file, "--trim", "--input", "T2=1", "--input", "T=0"]);
+    assert!(
+        done.status == 1 && done.err.contains("no input without a law, or --input holds them all"),
+        "{done:?}"
+    );
+}
+
+#[test]
+fn the_search_starts_again_where_no_slope_shows_at_the_middle_of_the_ranges() {
+    // An arm that stands horizontally at the middle of its range: there its weight's slope is 0.
+    let arm = |range: &str| {
+        format!(
+            "format = 1\nname = \"arm\"\ngravity = \"-9.81_N/1_kg*N.y\"\n[coordinates]\nq = {{ unit = \"rad\"{range} }}\n\
+             [frames]\nA = {{ rotations = [[\"z\", \"q\"]] }}\n[points]\nP = \"0.5_m*A.x\"\n[bodies]\np = {{ centre = \"P\", mass = 1 }}\n"
+        )
+    };
+    for (k, range) in [", range = [\"-180*deg\", \"180*deg\"]", ", range = [\"-150*deg\", \"150*deg\"]", ""]
+        .iter()
+        .enumerate()
+    {
+        let answer = found(&[&written(&format!("arm_{k}.toml"), &arm(range))]);
+        close(number(&answer["q"]["q"]).abs(), std::f64::consts::FRAC_PI_2, 1e-9, range);
+    }
+}
