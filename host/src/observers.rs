@@ -7,6 +7,7 @@
 //! vanishes with the inputs is the actuator's; of the rest, what depends on speeds is damping, everything else
 //! external.
 
+use crate::columns::told_apart;
 use smartbed_codegen::id::Id;
 use smartbed_codegen::model::expression::{Expr, ExprKind, Function};
 use smartbed_codegen::model::unit::Unit;
@@ -25,6 +26,10 @@ pub struct Observers {
     pub law_inputs: Vec<usize>,
     /// Name and unit of each coordinate in closed form, which is not part of the state.
     pub closed: Vec<(String, String)>,
+    /// Columns of the outputs, `None` where there is one already, and of the inputs.
+    pub outputs: Vec<Option<String>>,
+    /// See `outputs`.
+    pub inputs: Vec<String>,
     /// Number of arguments by which functions of time alone switch.
     pub switches: usize,
 }
@@ -43,7 +48,9 @@ impl Observers {
         watched.outputs = seen.chain(switches.iter().cloned()).chain(places(model)).map(output).collect();
         let closed = model.coordinates.iter().filter(|c| c.closed_form.is_some());
         let closed = closed.map(|c| (c.name.clone(), c.unit.clone())).collect();
-        Ok(Self { program: program::derive(&watched, choice)?, law_inputs, closed, switches: switches.len() })
+        let (outputs, inputs) = told_apart(model);
+        let program = program::derive(&watched, choice)?;
+        Ok(Self { program, law_inputs, closed, outputs, inputs, switches: switches.len() })
     }
 
     /// A program whose outputs are the laws.

@@ -14,6 +14,7 @@ use crate::number::fewest_digits;
 use crate::observers::Observers;
 use crate::progress::{Progress, Waiting};
 use crate::{answers, model_argument, output, speeds};
+use smartbed_codegen::diagnostic::Severity;
 use smartbed_codegen::model::Model;
 use smartbed_codegen::program::answer;
 use smartbed_codegen::{Asked, Function, Interpreted, ParameterChoice, Program, Request, Settings, program};
@@ -140,6 +141,7 @@ fn evaluate<S: EngineScalar>(
         })?;
         let u = complete_speeds(model, program, (state.t, &q, &given.parameters), &given.u)
             .map_err(|fault| at(explain(fault).to_owned()))?;
+        check_masses(model, program, &given.parameters).map_err(at)?;
         let parameters = rounded::<S>(&given.parameters);
         engine.set_parameters(&parameters);
         // Shown as given, but computed with whole turns subtracted.
@@ -186,6 +188,22 @@ fn evaluate<S: EngineScalar>(
     Ok(text)
 }
 
+/// Refuses parameters at which a mass or a moment of inertia is negative.
+fn check_masses(model: &Model, program: &Program, parameters: &[f64]) -> Result<(), String> {
+    let values = program.parameters.iter().zip(parameters).map(|(own, value)| (own.name.clone(), *value));
+    let found = model.implausible(&model.parameter_values(&values.collect()));
+    let wrong = found.into_iter().find(|item| item.severity == Severity::Error);
+    wrong.map_or(Ok(()), |item| {
+        let values: Vec<&str> = item.labels.iter().map(|label| label.text.as_str()).collect();
+        Err(format!(
+            "parameters: {} ({}); {}",
+            item.message,
+            values.join(", "),
+            item.help.unwrap_or_default()
+        ))
+    })
+}
+
 /// Warns of states whose answers are finite but doubtful.
 fn warn<S: EngineScalar>(
     number: usize,
@@ -207,6 +225,16 @@ fn warn<S: EngineScalar>(
             "warning: states[{number}]: the configuration does not satisfy the constraints: a residual of {:.1e} is \
              left, and its accelerations have no meaning",
             evaluated.residual
+        ));
+    }
+    let fastest = evaluated.u.iter().fold(0.0_f64, |most, u| most.max(u.abs()));
+    let wrong =
+        evaluated.speed_correction.iter().zip(&program.u).find(|(off, _)| off.abs() > VIOLATED * fastest);
+    if let Some((off, speed)) = wrong {
+        output::say(&format!(
+            "warning: states[{number}]: the speeds do not satisfy the constraints: `{}` is off by {off:.1e}, and the \
+             accelerations have no meaning; `run` corrects such speeds, and a list of independent ones is completed",
+            speed.name
         ));
     }
     if evaluated.pivot.abs() < S::ROOT_EPSILON.to_f64() {

@@ -7,9 +7,12 @@ use super::energies;
 use super::panels::{self, Shown};
 use super::pattern;
 use super::{Recording, chart::Panel};
+use crate::columns::told_apart;
 use crate::failure::Failure;
 use smartbed_codegen::model::{Coordinate, Model, SpeedMeaning};
 
+/// Runs count as at least so long (s) for the size of a speed.
+const SHORTEST: f64 = 1e-3;
 /// Columns of the ledger that are drawn.
 pub const ENERGIES: [&str; 8] =
     ["kinetic", "gravity", "spring", "damping", "actuator", "external", "drive", "total"];
@@ -42,16 +45,17 @@ pub fn draw(motion: &Motion<'_>) -> Result<Drawing, Failure> {
     let seconds = time.last().copied().filter(|t| *t > 0.0).unwrap_or(1.0);
     let model = motion.model;
     let columns: Vec<Column> = columns(model, seconds);
-    let known: Vec<&str> = columns.iter().map(|c| c.name).filter(|n| index(motion, n).is_some()).collect();
+    let known: Vec<&str> =
+        columns.iter().map(|c| c.name.as_str()).filter(|n| index(motion, n).is_some()).collect();
     let wanted = match motion.show {
         Some(patterns) => pattern::chosen(patterns, &known)?,
-        None => columns.iter().filter(|c| c.by_default).map(|c| c.name).collect(),
+        None => columns.iter().filter(|c| c.by_default).map(|c| c.name.as_str()).collect(),
     };
-    let shown = columns.iter().filter(|c| wanted.contains(&c.name));
+    let shown = columns.iter().filter(|c| wanted.contains(&c.name.as_str()));
     let shown = shown.filter_map(|column| {
-        let values = motion.recording.column(index(motion, column.name)?);
+        let values = motion.recording.column(index(motion, &column.name)?);
         let values = values.into_iter().map(|x| x / column.factor).collect();
-        let curve = Curve { name: column.name.to_owned(), values, color: None, across: None };
+        let curve = Curve { name: column.name.clone(), values, color: None, across: None };
         Some(Shown { curve, unit: column.unit.clone(), natural: column.natural / column.factor })
     });
     let mut panels = panels::of(shown.collect(), motion.noise);
@@ -70,8 +74,8 @@ fn index(motion: &Motion<'_>, name: &str) -> Option<usize> {
 }
 
 /// A column of a run that can be drawn.
-pub(crate) struct Column<'a> {
-    pub(crate) name: &'a str,
+pub(crate) struct Column {
+    pub(crate) name: String,
     /// As the model writes it.
     pub(crate) unit: String,
     /// SI units per such unit.
@@ -82,11 +86,11 @@ pub(crate) struct Column<'a> {
 }
 
 /// Coordinates, speeds, outputs, inputs.
-pub(crate) fn columns(model: &Model, seconds: f64) -> Vec<Column<'_>> {
+pub(crate) fn columns(model: &Model, seconds: f64) -> Vec<Column> {
     let natural = |c: &Coordinate| if c.unit == "rad" { 1.0 } else { 0.0 };
     let coordinates = model.coordinates.iter().map(|c| {
         let (unit, factor) = (c.written_unit.0.clone(), c.written_unit.1);
-        Column { name: &c.name, unit, factor, natural: natural(c), by_default: true }
+        Column { name: c.name.clone(), unit, factor, natural: natural(c), by_default: true }
     });
     let speeds = model.speeds.iter().map(|s| match &s.meaning {
         // A rate in the unit of its coordinate.
@@ -94,22 +98,21 @@ pub(crate) fn columns(model: &Model, seconds: f64) -> Vec<Column<'_>> {
             let coordinate = &model.coordinates[*id];
             let (written, factor) = &coordinate.written_unit;
             let unit = if written == "1" { "1/s".to_owned() } else { format!("{written}/s") };
-            let natural = natural(coordinate) / seconds;
-            Column { name: &s.name, unit, factor: *factor, natural, by_default: false }
+            let natural = natural(coordinate) / seconds.max(SHORTEST);
+            Column { name: s.name.clone(), unit, factor: *factor, natural, by_default: false }
         }
         SpeedMeaning::Combination(_) => plain(&s.name, &s.unit, false),
     });
-    // An output may repeat a coordinate in closed form, which is listed already.
-    let is_coordinate = |name: &str| model.coordinates.iter().any(|c| c.name == name);
-    let outputs = model.outputs.iter().filter(|o| !is_coordinate(&o.name));
-    let outputs = outputs.map(|o| plain(&o.name, &o.unit, true));
-    let inputs = model.inputs.iter().map(|i| plain(&i.name, &i.unit, false));
+    let (outputs, inputs) = told_apart(model);
+    let outputs = outputs.into_iter().zip(model.outputs.iter());
+    let outputs = outputs.filter_map(|(name, o)| Some(plain(&name?, &o.unit, true)));
+    let inputs = inputs.iter().zip(model.inputs.iter()).map(|(name, i)| plain(name, &i.unit, false));
     coordinates.chain(speeds).chain(outputs).chain(inputs).collect()
 }
 
-fn plain<'a>(name: &'a str, unit: &str, by_default: bool) -> Column<'a> {
+fn plain(name: &str, unit: &str, by_default: bool) -> Column {
     let natural = if unit == "rad" { 1.0 } else { 0.0 };
-    Column { name, unit: unit.to_owned(), factor: 1.0, natural, by_default }
+    Column { name: name.to_owned(), unit: unit.to_owned(), factor: 1.0, natural, by_default }
 }
 
 /// Panels of the ledger's accounts that are not zero.

@@ -4,38 +4,23 @@
 //! spring; it is 0 in exact arithmetic. Works are integrals of powers over each step by Simpson's rule; states inside a
 //! step come from a cubic Hermite polynomial or from the method's own dense output.
 
+use crate::columns::{ACCOUNTS, DRIVE};
 use crate::observers::{LEDGER, Observers};
 use smartbed_codegen::{Interpreted, Program};
 use smartbed_runtime::mechanism::{Fault, Mechanism};
 
-/// Names of the columns of a row, in the documented order; those that a rigid mechanism does not have stay 0.
-pub const COLUMNS: [&str; 12] = [
-    "kinetic",
-    "gravity",
-    "spring",
-    "pressure",
-    "damping",
-    "drag",
-    "impact",
-    "friction",
-    "actuator",
-    "external",
-    "total",
-    "imbalance",
-];
-
-/// [`COLUMNS`], with `drive` after `external` if the mechanism is driven.
+/// [`ACCOUNTS`], with `drive` after `external` if the mechanism is driven.
 #[must_use]
 pub fn columns(program: &Program) -> Vec<&'static str> {
-    let mut names = COLUMNS.to_vec();
+    let mut names = ACCOUNTS.to_vec();
     if program.drive.is_some() {
-        names.insert(DRIVE, "drive");
+        names.insert(DRIVE_AT, DRIVE);
     }
     names
 }
 
 /// Index of `drive`.
-const DRIVE: usize = 10;
+const DRIVE_AT: usize = 10;
 
 /// Stored energies and accounts (J).
 #[derive(Clone, Copy, PartialEq, Debug, Default)]

@@ -112,7 +112,7 @@ fn record<S: EngineScalar>(
 /// Curves that the page shows beside the motion, and their indices in a row.
 fn series(model: &Model, names: &[String]) -> (Vec<Series>, Vec<usize>) {
     let columns = motion::columns(model, 1.0).into_iter();
-    let curves = columns.map(|c| (c.name.to_owned(), panels::label(&c.unit), c.factor));
+    let curves = columns.map(|c| (c.name, panels::label(&c.unit), c.factor));
     let energies = motion::ENERGIES.into_iter().map(|name| (name.to_owned(), panels::label("J"), 1.0));
     let accounts = ["imbalance", "damping", "actuator", "external", "drive"];
     let accounts = accounts.map(|name| (name.to_owned(), "ledger".to_owned(), 1.0));
@@ -168,7 +168,7 @@ fn report(arguments: &Arguments, model: &Model, setup: Setup<'_>, summary: &Summ
 /// Time, coordinates and speeds at the end, in the model's units; values that are rounding are shown as 0.
 fn last_row(model: &Model, seconds: f64, names: &[String], last: &[f64]) -> String {
     let columns = motion::columns(model, seconds);
-    let of = |name: &String, value: &f64| match columns.iter().find(|column| column.name == name) {
+    let of = |name: &String, value: &f64| match columns.iter().find(|column| column.name == *name) {
         Some(column) => (value / column.factor, column.unit.as_str(), column.natural / column.factor),
         None if name == "t" => (*value, "s", 0.0),
         None => (*value, "", 0.0),

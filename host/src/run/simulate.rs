@@ -81,19 +81,14 @@ pub fn columns(program: &Program, observers: &Observers) -> Vec<String> {
     names.extend(observers.closed.iter().map(|(name, _)| name.clone()));
     names.extend(program.speeds.iter().map(|(name, _)| name.clone()));
     names.extend(ledger::columns(program).into_iter().map(str::to_owned));
-    let more = program.outputs.iter().map(|(name, _)| name).chain(program.inputs.iter().map(|i| &i.name));
-    for name in more {
-        // A duplicate name would make the table ambiguous; the documented columns come first.
-        if !names.contains(name) {
-            names.push(name.clone());
-        }
-    }
+    names.extend(observers.outputs.iter().flatten().chain(&observers.inputs).cloned());
     names
 }
 
 /// Makes rows, and collects the summary.
 struct Recorder<'a, S, F> {
     program: &'a Program,
+    observers: &'a Observers,
     closed_forms: Interpreted<S>,
     places: Interpreted<f64>,
     /// Of the equations and of the laws.
@@ -125,16 +120,11 @@ impl<S: EngineScalar, F: FnMut(&Row) -> Result<(), Failure>> Recorder<'_, S, F> 
         let mut values = vec![t];
         values.extend(q.iter().chain(closed.iter().step_by(2)).chain(&speeds).map(|x| x.to_f64()));
         values.extend(accounts.columns());
-        let more = self.program.outputs.iter().map(|(name, _)| name).zip(&outputs);
-        let inputs = self.program.inputs.iter().map(|i| &i.name).zip(&plant.inputs);
-        for (name, value) in more.clone() {
+        for ((name, _), value) in self.program.outputs.iter().zip(&outputs) {
             self.summary.health.output(name, value.to_f64(), t);
         }
-        for (name, value) in more.chain(inputs) {
-            if self.columns.get(values.len()) == Some(name) {
-                values.push(value.to_f64());
-            }
-        }
+        let shown = outputs.iter().zip(&self.observers.outputs).filter(|(_, name)| name.is_some());
+        values.extend(shown.map(|(value, _)| value).chain(&plant.inputs).map(|value| value.to_f64()));
         let (wide_q, wide_u): (Vec<f64>, Vec<f64>) =
             (q.iter().map(|x| x.to_f64()).collect(), u.iter().map(|x| x.to_f64()).collect());
         let no_inputs = vec![0.0; plant.inputs.len()];
@@ -184,6 +174,7 @@ pub fn simulate<S: EngineScalar>(
     let mut low = vec![S::ZERO; x.len()];
     let mut recorder = Recorder {
         program: setup.program,
+        observers: setup.observers,
         closed_forms: Interpreted::new(&setup.observers.closed_forms()),
         places: Interpreted::new(&setup.observers.places()),
         angles: [setup.program, &setup.observers.laws()].map(Angles::new::<S>),

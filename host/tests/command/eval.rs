@@ -246,3 +246,47 @@ fn coordinates_in_closed_form_are_answered_and_may_be_given() {
     let done = eval("closed_wrong.json", "slider_crank_closed", wrong, &[]);
     assert!(done.message().contains("`b` is -0.26") && done.message().contains("leave it out"), "{done:?}");
 }
+
+#[test]
+fn parameters_at_which_a_mass_is_negative_are_refused() {
+    let text = "format = 1\nname = \"less\"\n[parameters]\nm = { value = 1, unit = \"kg\" }\ndm = { value = 0.2, unit = \"kg\" }\n\
+        [inputs]\nF = { unit = \"N\" }\n[coordinates]\nx = { unit = \"m\" }\n[points]\nP = \"x*N.x\"\n\
+        [bodies]\nb = { centre = \"P\", mass = \"m - dm\" }\n[forces]\nf = { point = \"P\", force = \"F*N.x\" }\n";
+    let model = written("less.toml", text);
+    let at = |m: &str| {
+        let states = format!(
+            "{{\"states\": [{{\"q\": {{\"x\": 0}}, \"inputs\": {{\"F\": 1}}, \"parameters\": {{\"m\": {m}}}}}]}}"
+        );
+        eval("less.json", &model, &states, &[])
+    };
+    let rate = state(&at("0.7"))["u_dot"]["u_x"].as_f64().expect("a number");
+    assert!((rate - 2.0).abs() < 1e-15, "{rate}");
+    let done = at("0.1");
+    assert_eq!(done.status, 1, "{done:?}");
+    assert!(
+        done.err.contains("states[0]: parameters: the mass of `b` is negative (-0.1 kg)"),
+        "{}",
+        done.err
+    );
+}
+
+#[test]
+fn speeds_that_violate_the_constraints_are_told_of() {
+    // A slider crank whose crank passes dead points: all speeds are in the state.
+    let text = "format = 1\nname = \"dead\"\n[coordinates]\nq = { unit = \"rad\", nominal = 1, range = [-1, 3.2] }\n\
+        x = { unit = \"m\", independent = true, nominal = 1.0, range = [0.7, 1.3] }\nb = { unit = \"rad\", nominal = -0.3, range = [-1, 1] }\n\
+        [frames]\ncr = { rotations = [[\"z\", \"q\"]] }\nro = { rotations = [[\"z\", \"b\"]] }\n\
+        [points]\nA = \"0.3_m*cr.x\"\nB = \"A + 1_m*ro.x\"\n\
+        [bodies]\nc = { centre = \"A\", frame = \"cr\", mass = 1, inertia = { Izz = 0.1 } }\np = { centre = \"B\", mass = 2 }\n\
+        [constraints.configuration]\nl = \"B - x*N.x\"\n";
+    let model = written("dead_points.toml", text);
+    let at = |u: &str| {
+        eval("dead.json", &model, &format!("{{\"states\": [{{\"q\": {{\"x\": 1.1}}, \"u\": {u}}}]}}"), &[])
+    };
+    let done = at("{\"u_q\": 1, \"u_x\": 5, \"u_b\": 3}");
+    assert!(
+        done.status == 0 && done.err.contains("the speeds do not satisfy the constraints: `u_"),
+        "{done:?}"
+    );
+    assert!(!at("{\"u_x\": 0.2}").err.contains("the speeds do not satisfy"));
+}

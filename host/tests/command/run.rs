@@ -371,3 +371,24 @@ fn a_tiny_step_is_refused_in_few_words() {
     assert!(tiny.message().contains("10 s in steps of 1e-300 s are more than 1e9 steps"), "{tiny:?}");
     assert!(tiny.err.len() < 120, "{tiny:?}");
 }
+
+/// What shares its name with another column is told apart, and none is dropped.
+#[test]
+fn outputs_and_inputs_with_the_name_of_a_column_have_columns_of_their_own() {
+    let text = "format = 1\nname = \"names\"\n[inputs]\nF = { unit = \"N\" }\n[coordinates]\nx = { unit = \"m\" }\n[points]\nP = \"x*N.x\"\n\
+        [bodies]\nb = { centre = \"P\", mass = 1 }\n[forces]\nf = { point = \"P\", force = \"F*N.x\" }\n\
+        [outputs]\nfriction = \"1_N\"\nu_x = \"7*x\"\nF = \"11\"\nother = \"x\"\n[law]\nF = \"2_N\"\n\
+        [start]\nx = 1\n[run]\nseconds = 0.1\nstep = 0.1\n";
+    let done = smartbed(&["run", &written("names.toml", text), "--csv", "-"]);
+    let rows: Vec<Vec<&str>> = done.out.lines().map(|line| line.split(',').collect()).collect();
+    let at = |name: &str| {
+        let places: Vec<usize> = (0..rows[0].len()).filter(|n| rows[0][*n] == name).collect();
+        assert_eq!(places.len(), 1, "{name}: {:?}", rows[0]);
+        rows[1][places[0]].parse::<f64>().expect("a number")
+    };
+    let found = ["x", "u_x", "friction", "output.friction", "output.u_x", "F", "input.F", "other"].map(at);
+    assert_eq!(found, [1.0, 0.0, 0.0, 1.0, 7.0, 11.0, 2.0, 1.0]);
+    // Speeds of a run of no length are shown as they are.
+    let done = smartbed(&["run", &written("names.toml", text), "--seconds", "0", "--set", "u_x=0.25"]);
+    assert!(done.out.contains("0.250000 m/s"), "{}", done.out);
+}
