@@ -242,3 +242,28 @@ fn a_capsule_that_topples_on_a_turntable_comes_to_lie_and_rides() {
     let apart = |k: usize| (ends[k][0] - ends[2][0]).hypot(ends[k][1] - ends[2][1]);
     assert!(apart(0) < 1e-4 && apart(1) < 1e-4, "{ends:?}");
 }
+
+/// Masses, inertias and impulses that are multiplied by one number give the same motion.
+#[test]
+fn an_oblique_impact_does_not_depend_on_the_unit_of_mass() {
+    let text = "format = 2\n[parts.ground]\nrigid = \"half_space\"\n[parts.box]\nrigid = \"box\"\n\
+        size = [\"0.3_mm\", \"0.2_mm\", \"0.1_mm\"]\nmass = \"1_kg\"\n\
+        start = { height = \"1_mm\", axis = [1, 2, 0.3], angle = 0.5, velocity = [\"20 mm/s\", \"6 mm/s\", 0] }\n\
+        [[contacts]]\nbetween = [\"box\", \"ground\"]\nimpact = \"stronge\"\nrestitution = 0.5\nfriction = 0.3\n\
+        [run]\nseconds = 0.0146\nstep = \"0.02_ms\"\n";
+    let file = scene("friction_unit_of_mass", text);
+    let first = |mass: f64, friction: f64| {
+        let (mass_set, friction_set) =
+            (format!("parts.box.mass={mass:e}"), format!("contacts.0.friction={friction:e}"));
+        let done = json(&[&file, "--set", &mass_set, "--set", &friction_set]);
+        number(&done["events"][0]["impulse"]) / mass
+    };
+    for friction in [0.3, 1e4, 1e9] {
+        let expected = first(1.0, friction);
+        assert!(expected > 0.05, "{expected}");
+        for mass in [1e-12, 1e-9, 1e-7, 1e-3, 1e8, 1e12] {
+            let off = (first(mass, friction) / expected - 1.0).abs();
+            assert!(off < 1e-12, "mass {mass:e} kg, friction {friction:e}: {off:e}");
+        }
+    }
+}

@@ -183,3 +183,32 @@ fn free_parts_that_overlap_are_moved_apart() {
         }
     }
 }
+
+/// Balanced forces leave rounding noise of the speeds, which no iteration makes smaller.
+#[test]
+fn a_mechanism_at_rest_stands_with_methods_that_iterate() {
+    let text = "format = 2\n[parts.tile]\nmechanism = \"tile_reactions\"\n[run]\nseconds = 0.05\n";
+    let file = scene("rest_iterated", text);
+    for method in ["verlet", "blanes_moan4", "implicit_midpoint"] {
+        for step in ["1e-3", "1e-5"] {
+            let done = json(&[&file, "--method", method, "--step", step]);
+            assert!(
+                number(&done["imbalance"]).abs() < 1e-13 && number(&done["last"]["kinetic"]) < 1e-25,
+                "{method}: {done}"
+            );
+        }
+    }
+    for method in ["verlet", "blanes_moan4"] {
+        let arguments = [
+            "tile_bladder_coupled",
+            "--method",
+            method,
+            "--set",
+            "run.start=\"settled\"",
+            "--seconds",
+            "0.6",
+        ];
+        let done = json(&arguments);
+        assert!(number(&done["last"]["kinetic"]) < 1e-15, "{method}: {done}");
+    }
+}

@@ -130,6 +130,7 @@ impl<'a, S: Scalar, O: Ode<S>> Flow<'a, S, O> {
             Moving::Coordinates => 0..n_q,
             Moving::All => 0..n,
         };
+        let still = S::EPSILON * self.trial.x.iter().take(n_q).fold(S::ZERO, |most, q| most.max(q.abs()));
         let is_exact = moving == Moving::Speeds && !self.system.is_damped();
         self.change.fill(S::ZERO);
         // Changes made by the last two iterations: errors pass between coordinates and speeds, so that only every
@@ -142,8 +143,11 @@ impl<'a, S: Scalar, O: Ode<S>> Flow<'a, S, O> {
             self.evaluate(moving, t)?;
             let (step, size) = self.improve((h, share), range.clone())?;
             let settled = step <= S::from_f64(SETTLED) * S::EPSILON * size;
-            // Below the root of the rounding unit, a change that no longer shrinks is rounding noise.
-            let is_rounding = step >= before[0] && step <= S::EPSILON.sqrt() * size;
+            // A change that no longer shrinks is rounding noise below the root of the rounding unit, and where it moves
+            // no coordinate by more than its rounding: balanced forces leave noise at rest, too.
+            let is_small =
+                step <= S::EPSILON.sqrt() * size || moving == Moving::Speeds && h.abs() * step <= still;
+            let is_rounding = step >= before[0] && is_small;
             if is_exact || settled || is_rounding {
                 self.advance();
                 return Ok(());

@@ -89,7 +89,8 @@ fn root<S: Scalar>(f: impl Fn(S) -> S, step: S) -> S {
     high
 }
 
-/// Taylor coefficients in tau of velocity, normal impulse and work.
+/// Taylor coefficients in tau / scale of velocity, normal impulse and work. Over the scale 1/(|K| (1 + mu)) the
+/// velocity changes by about its own size, whatever the masses: the last coefficients neither overflow nor vanish.
 struct Series<S> {
     n: [S; TERMS],
     x: [S; TERMS],
@@ -97,22 +98,24 @@ struct Series<S> {
     impulse: [S; TERMS],
     work: [S; TERMS],
     friction: S,
+    scale: S,
 }
 
 impl<S: Scalar> Series<S> {
     fn new(touch: &Touch<S>, at: &Progress<S>) -> Series<S> {
-        let none = [S::ZERO; TERMS];
-        let mut series =
-            Series { n: none, x: none, y: none, impulse: none, work: none, friction: touch.friction };
+        let (none, friction) = ([S::ZERO; TERMS], touch.friction);
+        let entries = touch.inverse_mass.as_flattened().iter();
+        let scale = S::ONE / (entries.fold(S::ZERO, |sum, entry| sum + entry.abs()) * (S::ONE + friction));
+        let mut series = Series { n: none, x: none, y: none, impulse: none, work: none, friction, scale };
         let (mut slip, mut count) = (none, S::ZERO);
         let mut term = at.velocity;
         for k in 0..TERMS {
             (series.n[k], series.x[k], series.y[k]) = (term[0], term[1], term[2]);
             slip[k] = slip_term(&series.x, &series.y, &slip, k);
             count = count + S::ONE;
-            let rate = [slip[k], -(touch.friction * term[1]), -(touch.friction * term[2])];
-            let next = vec3::scale(rate, S::ONE / count);
-            let power = convolution(&series.n, &slip, k) / count;
+            let rate = [slip[k], -(friction * term[1]), -(friction * term[2])];
+            let next = vec3::scale(rate, scale / count);
+            let power = scale * convolution(&series.n, &slip, k) / count;
             // The last coefficient has no successor.
             if let (Some(impulse), Some(work)) = (series.impulse.get_mut(k + 1), series.work.get_mut(k + 1)) {
                 (*impulse, *work) = (next[0], power);
@@ -144,7 +147,7 @@ impl<S: Scalar> Series<S> {
             (x, y) = (x * tau + *vx / count, y * tau + *vy / count);
             count = count - S::ONE;
         }
-        let sideways = -(self.friction * tau);
+        let sideways = -(self.friction * self.scale * tau);
         at.impulse = vec3::add(at.impulse, [value(&self.impulse, tau), sideways * x, sideways * y]);
         at.work = at.work + value(&self.work, tau);
         at.velocity = [value(&self.n, tau), value(&self.x, tau), value(&self.y, tau)];

@@ -153,7 +153,7 @@ impl<S: Scalar, const DEPTH: usize> Sensor<S, DEPTH> {
         let Channel { noise, resolution, range: [low, high], .. } = self.channel;
         let exact = quantity + self.bias + self.memory.drifted;
         let noisy = if noise > S::ZERO { exact + noise * self.source.normal(number) } else { exact };
-        quantised(noisy.max(low).min(high), resolution)
+        quantised(noisy, resolution).max(low).min(high)
     }
 }
 
