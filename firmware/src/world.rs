@@ -84,7 +84,7 @@ fn simulate(show: impl FnOnce(&[f32])) -> Result<Digest, Fault> {
     let mut carriers = members();
     let group = Group { members: &mut carriers };
     let island = Island::new(group, body, &ATTACHMENTS, memory)?.with_cells(&CELLS)?;
-    let island = island.with_restrained(&RESTRAINED);
+    let island = island.with_restrained(&RESTRAINED)?;
     let mut world = World { island, things: &THINGS, pairs: &PAIRS };
     let (mut x, mut low) = (START, [0.0; NUMBERS]);
     let mut state = State::resume(&mut x, &mut low)?;

@@ -5,6 +5,7 @@ use crate::file_kind::FileKind;
 use crate::model_argument;
 use crate::number::{json_number, json_object, json_string, short};
 use crate::output;
+use crate::world::read::settings::refuse_twice;
 use crate::world::run::engine;
 use std::fmt::Write as _;
 
@@ -34,6 +35,7 @@ pub struct Arguments {
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let path = model_argument::find(&arguments.scene)?;
     FileKind::expect(&path, &[FileKind::World])?;
+    refuse_twice(&arguments.set).map_err(Failure::Wrong)?;
     let assembly = model_argument::open_world_to_settle(&path, &arguments.set)?;
     let mut engine = engine(&assembly).map_err(Failure::Wrong)?;
     let settled = engine.settle().map_err(Failure::Wrong)?;

@@ -24,14 +24,14 @@ impl Rows {
     /// Opens the file and, before it, the accounts.
     ///
     /// # Errors
-    /// If it cannot be created, if `csv` goes to standard output too, or if the engine keeps no accounts of this world.
+    /// If it cannot be created, or if `csv` goes to standard output too.
     pub(super) fn open(file: &str, csv: Option<&str>, engine: &mut dyn Engine) -> Result<Rows, Failure> {
         if file == "-" && csv == Some("-") {
             return Err(Failure::Wrong(
                 "--accounts - and --csv -: only one of them can go to standard output; name a file for the other".to_owned(),
             ));
         }
-        engine.keep_accounts().map_err(Failure::Wrong)?;
+        engine.keep_accounts();
         let csv = Output::open(file)?;
         Ok(Rows { csv, start: Vec::new(), last: Vec::new(), imbalance: 0.0, of: String::new() })
     }

@@ -118,6 +118,11 @@ impl Health {
         self.imbalance = worst(self.imbalance, at.imbalance);
     }
 
+    /// Energies are differences of numbers of this size (J), whose rounding they have.
+    pub fn differences_of(&mut self, size: f64) {
+        self.size = self.size.max(size);
+    }
+
     /// The findings, as messages for the user.
     #[must_use]
     pub fn findings(&self) -> Vec<String> {

@@ -2,9 +2,10 @@
 
 use super::accounts::{Closed, Rows};
 use super::arguments::Arguments;
-use super::health::{Energies as Moved, Health};
+use super::health::{Energies as Moved, Health, Range};
 use super::outcome::{ended_early, line};
 use super::rows::{drawing, names, shown, told, values};
+use super::settings;
 use crate::engine::ScalarKind;
 use crate::failure::Failure;
 use crate::number::worst;
@@ -13,7 +14,7 @@ use crate::plot::{self, Recording, chart, panels};
 use crate::view::film::{Film, Series};
 use crate::view::side::Sides;
 use crate::view::world as stage;
-use crate::world::Assembly;
+use crate::world::assembly::{Assembly, Kind, Part};
 use crate::world::engine::{ACCOUNTS, Column, Engine, Event};
 use crate::world::run::Row;
 use crate::{csv, interrupt};
@@ -80,7 +81,7 @@ impl<'a> Records<'a> {
                 rows: 0,
                 imbalance: 0.0,
                 total: [f64::NAN; 2],
-                health: Health::new(BTreeMap::new(), epsilon),
+                health: Health::new(ranges(assembly), epsilon),
                 accounts: None,
             },
         })
@@ -88,6 +89,7 @@ impl<'a> Records<'a> {
 
     /// Opens the files.
     fn begin(&mut self, engine: &mut dyn Engine) -> Result<(), Failure> {
+        self.kept.health.differences_of(engine.largest_term());
         let csv_file = self.arguments.csv.as_deref();
         let open = |file: &str| Rows::open(file, csv_file, engine);
         self.accounts = self.arguments.accounts.as_deref().map(open).transpose()?;
@@ -108,6 +110,12 @@ impl<'a> Records<'a> {
             self.begin(engine)?;
         }
         let values = values(row);
+        if !row.energies.total().is_finite() {
+            let t = row.t;
+            return Err(Failure::Wrong(format!(
+                "t = {t:.6} s: the energy is not finite; a speed, a length or a mass is too large"
+            )));
+        }
         if let Some(csv) = &mut self.csv {
             csv.write(&line(&values))?;
         }
@@ -188,8 +196,27 @@ impl Kept {
         let stored = [energies.kinetic, energies.gravity, energies.spring, energies.gas];
         let change = self.total[1] - self.total[0];
         let moved = [energies.damping, energies.impact, energies.friction, energies.drive, change];
+        for (name, value) in self.names.iter().skip(1).zip(row.state) {
+            self.health.place(name, *value, row.t);
+        }
         self.health.energies(Moved { stored: &stored, moved: &moved, imbalance });
     }
+}
+
+/// Ranges that the models of the mechanisms declare, by column; those of angles count modulo whole turns.
+fn ranges(assembly: &Assembly) -> BTreeMap<String, Range> {
+    let of = |part: &Part| match &part.kind {
+        Kind::Mechanism(mechanism) => settings::ranges(&mechanism.model),
+        _ => BTreeMap::new(),
+    };
+    let named = |part: &Part| {
+        let name = part.name.clone();
+        of(part).into_iter().map(move |(own, range)| {
+            let is_angle = range.unit.0 == "rad" || range.unit.0 == "deg";
+            (format!("{name}.{own}"), Range { is_angle, ..range })
+        })
+    };
+    assembly.parts.iter().flat_map(named).collect()
 }
 
 /// Curves that the page shows beside the motion, in the order of [`values`].

@@ -201,7 +201,7 @@ fn starts_at(model: &Model, name: &str) -> Result<(), Failure> {
     Err(Failure::Wrong(format!("`{}` has no parameter or start value `{name}`{help}", model.name)))
 }
 
-fn ranges(model: &Model) -> BTreeMap<String, Range> {
+pub(super) fn ranges(model: &Model) -> BTreeMap<String, Range> {
     let declared = model.coordinates.iter().filter(|c| c.written[1].is_some());
     declared
         .map(|c| (c.name.clone(), Range { ends: c.range, unit: c.written_unit.clone(), is_angle: false }))

@@ -13,6 +13,7 @@ use crate::output;
 use crate::progress::Progress;
 use crate::world::Assembly;
 use crate::world::engine::Event;
+use crate::world::read::settings::refuse_twice;
 use crate::world::run::{Checkpoint, Ran, engine, run, single_engine};
 use crate::{input, model_argument};
 use smartbed_codegen::words::count;
@@ -43,6 +44,7 @@ pub(super) fn open(arguments: &Arguments, path: &Path) -> Result<Assembly, Failu
     set("run.method", arguments.method.as_ref().map(|m| format!("{m:?}")));
     set("run.every", arguments.every.map(|n| n.to_string()));
     settings.extend(arguments.set.iter().cloned());
+    refuse_twice(&settings).map_err(Failure::Wrong)?;
     model_argument::open_world(path, &settings)
 }
 
@@ -93,7 +95,7 @@ fn record(arguments: &Arguments, assembly: &Assembly) -> Result<Done, Failure> {
             interrupted(t)
         },
     );
-    let Ran { events, seen } = match done {
+    let Ran { events, seen, warnings: mut passed } = match done {
         Ok(ran) => ran,
         Err(failure) => return Err(records.ended_early(failure, arguments.csv.as_deref())),
     };
@@ -112,6 +114,7 @@ fn record(arguments: &Arguments, assembly: &Assembly) -> Result<Done, Failure> {
     }
     let note = noted(format!("{method}, step {} s", six_digits(assembly.run.step)), arguments);
     let mut warnings = engine.warnings();
+    warnings.append(&mut passed);
     warnings.extend(from.iter().flat_map(|from| changed(from, assembly, &method)));
     let method = if arguments.scalar == ScalarKind::F32 { method + ", in f32" } else { method };
     let (kept, film) = records.finish(arguments, &note, &events)?;

@@ -262,6 +262,13 @@ impl<S: Scalar> Observer<S> for Watch<'_> {
         }
     }
 
+    fn carried(&mut self, member: usize, [given, taken]: [S; 2]) {
+        if let Some(books) = &mut self.books {
+            books.driven[member] += given.to_f64();
+            books.carrier_damped[member] += taken.to_f64();
+        }
+    }
+
     fn push(&mut self, push: &Push<'_, S>) {
         if let Some(books) = &mut self.books {
             books.push(push, &self.bodies[push.pair]);

@@ -73,11 +73,26 @@ impl<S: Scalar> Carrier<S> for HostCarrier<S> {
         }
     }
 
-    fn drive_power(&mut self, frames: &[Frame<S>], wrenches: &[Wrench<S>]) -> Option<S> {
-        // Its own share is in its account.
-        match self {
-            Self::Mechanism(own) => own.drive_against(frames, wrenches),
-            Self::Floating(_) | Self::Still(_) => None,
+    fn powers(
+        &mut self,
+        t: S,
+        [q, u]: [&[S]; 2],
+        (_, wrenches): (&[Frame<S>], &[Wrench<S>]),
+        tell: &mut impl FnMut(usize, [S; 2]),
+    ) -> Result<(), Fault> {
+        if let Self::Mechanism(own) = self {
+            let account = own.account(t, q, u, wrenches)?;
+            tell(0, [account.driven, account.damped]);
+        }
+        Ok(())
+    }
+
+    fn drive_powers(&mut self, frames: &[Frame<S>], wrenches: &[Wrench<S>], tell: &mut impl FnMut(usize, S)) {
+        // What moves its own inertia and weight is in its account.
+        if let Self::Mechanism(own) = self
+            && let Some(power) = own.drive_against(frames, wrenches)
+        {
+            tell(0, power);
         }
     }
 

@@ -5,6 +5,7 @@
 use super::accounts::Accounts;
 use super::picture::Picture;
 use crate::engine::ScalarKind;
+use smartbed_runtime::vec3::Vec3;
 
 /// A value in each row.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -147,10 +148,7 @@ pub trait Engine {
             .to_owned())
     }
     /// Keeps accounts of each part and each seam from here on.
-    ///
-    /// # Errors
-    /// The reason why it cannot.
-    fn keep_accounts(&mut self) -> Result<(), String>;
+    fn keep_accounts(&mut self);
     /// These accounts now.
     ///
     /// # Errors
@@ -166,6 +164,12 @@ pub trait Engine {
     /// The scalar in which the world moves.
     fn scalar(&self) -> ScalarKind {
         ScalarKind::F64
+    }
+    /// The middle of each rigid part that is free or fixed in space (m); the origin for the others.
+    fn middles(&self) -> Vec<Vec3<f64>>;
+    /// The largest number (J) of which a stored energy is the small difference: p V of a sealed gas.
+    fn largest_term(&self) -> f64 {
+        0.0
     }
     /// Warnings to be shown at the end.
     fn warnings(&self) -> Vec<String> {

@@ -14,6 +14,7 @@ pub mod carriers;
 pub mod controllers;
 pub mod engine;
 pub mod feedback;
+mod passing;
 pub mod picture;
 pub mod ported;
 mod pushed;

@@ -13,7 +13,7 @@ use smartbed_runtime::rigid::attitude::Attitude;
 use smartbed_runtime::rigid::contact::{Mobility, Twist};
 use smartbed_runtime::rigid::scene::{Fault, Memory, Pair, Part, Piece, RigidScene, Strike, Touching};
 use smartbed_runtime::rigid::several::Struck;
-use smartbed_runtime::vec3;
+use smartbed_runtime::vec3::{self, Vec3};
 use smartbed_runtime::world::Push;
 use std::cell::RefCell;
 
@@ -233,10 +233,13 @@ impl Engine for RigidWorld {
         Ok(())
     }
 
-    fn keep_accounts(&mut self) -> Result<(), String> {
+    fn middles(&self) -> Vec<Vec3<f64>> {
+        self.states.iter().map(|state| state.position).collect()
+    }
+
+    fn keep_accounts(&mut self) {
         let counts = [self.pairs.len(), self.parts.len(), 0, 0];
         self.books = Some(Books::new(std::iter::empty(), Vec::new(), counts));
-        Ok(())
     }
 
     fn accounts(&mut self) -> Result<Accounts, String> {

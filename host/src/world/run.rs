@@ -6,6 +6,7 @@ use super::assembly::{Assembly, Law};
 use super::carried::{CarriedWorld, apart, rounded};
 use super::engine::{Energies, Engine, Event};
 use super::feedback::Feedback;
+use super::passing::Passing;
 use super::rigid::RigidWorld;
 use crate::engine::ScalarKind;
 
@@ -91,6 +92,8 @@ pub struct Ran {
     pub events: Vec<Event>,
     /// Values of sensors and controllers at its end.
     pub seen: Vec<f64>,
+    /// Warnings of what a run of steps shows.
+    pub warnings: Vec<String>,
 }
 
 impl Checkpoint {
@@ -175,6 +178,8 @@ pub fn run<E: From<String>>(
             (0, engine.energies().map_err(|why| at(0.0, why))?.total())
         }
     };
+    let mut passing = Passing::new(assembly);
+    let mut middles = if passing.is_empty() { Vec::new() } else { engine.middles() };
     let mut feedback = Feedback::new(assembly, engine)?;
     if let Some(checkpoint) = from {
         feedback.load(&checkpoint.seen, engine)?;
@@ -182,10 +187,14 @@ pub fn run<E: From<String>>(
     let (mut t, mut events) = (first as f64 * assembly.run.step, Vec::new());
     for n in first..=assembly.run.steps() {
         if n > first {
-            let before = events.len();
+            let before_step = events.len();
             let h = assembly.run.length(n);
             engine.step(h, &mut events).map_err(|why| at(t, why))?;
-            events[before..].iter_mut().for_each(|event| event.time += t);
+            if !passing.is_empty() {
+                let before = std::mem::replace(&mut middles, engine.middles());
+                passing.observe(h, [&before, &middles], &events[before_step..]);
+            }
+            events[before_step..].iter_mut().for_each(|event| event.time += t);
             // Computed as a product: a sum would accumulate rounding errors.
             t = if n == assembly.run.steps() { assembly.run.seconds } else { n as f64 * assembly.run.step };
         }
@@ -210,5 +219,5 @@ pub fn run<E: From<String>>(
         }
         stepped(t)?;
     }
-    Ok(Ran { events, seen: feedback.save() })
+    Ok(Ran { events, seen: feedback.save(), warnings: passing.warnings(assembly) })
 }

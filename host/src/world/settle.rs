@@ -103,7 +103,7 @@ pub(super) fn relax(world: &mut impl Relaxing) -> Result<Settled, String> {
     }
     Err(format!(
         "settle: after {MOST_STEPS} steps an acceleration of {left:.1e} m/s^2 is left; expected every part to be \
-         held or supported"
+         held or supported; if all are, take a smaller step"
     ))
 }
 

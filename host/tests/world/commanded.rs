@@ -126,12 +126,14 @@ fn loads_on_a_mechanism_commanded_in_part_book_the_work_of_its_drive() {
     };
     let rod = "[parts.rod]\npoints = [[0, 0, 0], [0.1, 0, -0.3]]\nsprings = [[0, 1]]\nmass = 0.7\nK = 300\n\
                attach = [{ nodes = [0], to = \"cart.top\" }]\n";
+    // Largest imbalance (J), and the least factor by which half the step reduces it. Located steps count powers between
+    // events to order 4, so that rounding is left.
     let worlds = [
-        (on_wedge("plastic_wedge", &slider("plastic")), None),
-        (on_wedge("moreau_wedge", &slider("moreau")), None),
-        (on_wedge("mean_wedge", rod), Some("energy_momentum")),
+        (on_wedge("plastic_wedge", &slider("plastic")), None, 2e-8, 0.0),
+        (on_wedge("moreau_wedge", &slider("moreau")), None, 5e-5, 3.0),
+        (on_wedge("mean_wedge", rod), Some("energy_momentum"), 5e-5, 3.0),
     ];
-    for (file, method) in &worlds {
+    for (file, method, largest, fall) in &worlds {
         let imbalance = |step: &str| {
             let method: Vec<&str> = method.iter().flat_map(|method| ["--method", method]).collect();
             let done = json(&[&[file, "--step", step][..], &method].concat());
@@ -139,7 +141,7 @@ fn loads_on_a_mechanism_commanded_in_part_book_the_work_of_its_drive() {
             number(&done["imbalance"]).abs()
         };
         let (coarse, fine) = (imbalance("2e-3"), imbalance("1e-3"));
-        assert!(coarse < 5e-5 && fine < coarse / 3.0, "{file}: {coarse:e} {fine:e}");
+        assert!(coarse < *largest && fine < *largest && fine * fall <= coarse, "{file}: {coarse:e} {fine:e}");
     }
 }
 

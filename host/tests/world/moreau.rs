@@ -37,3 +37,42 @@ fn a_step_is_of_order_two_under_forces_of_speeds() {
         assert!((1.9..2.1).contains(&order), "{part:?}: {coarse} {fine}, order {order}");
     }
 }
+
+/// What is near and not touched changes nothing, to the bit: a damped spring that slides past the ground, and a damped
+/// slider whose ball stays a millimetre from a wall.
+#[test]
+fn what_is_near_and_untouched_changes_no_bit() {
+    let slider = "format = 1\nname = \"slider\"\n[coordinates]\nx = { unit = \"m\" }\n[points]\nP = \"x*N.x\"\n\
+        [bodies]\nb = { centre = \"P\", mass = \"2_kg\" }\n[springs]\ns = { coordinate = \"x\", stiffness = 200, damping = 4 }\n\
+        [ports]\ntool = { point = \"P\", frame = \"N\" }\n[start]\nu_x = 0.5\n";
+    scene("moreau_slider", slider);
+    let spring = |gap: f64| {
+        format!(
+            "[parts.wall]\nrigid = \"half_space\"\nstart = {{ position = [0, 0, -{gap}] }}\n\
+             [parts.part]\npoints = [[0, 0, 0], [1, 0, 0]]\nsprings = [[0, 1]]\nrest_lengths = [0.8]\nmass = 1\nK = 100\nC = 2\n\
+             start = {{ velocity = [0.5, 0.3, 0] }}\n"
+        )
+    };
+    let ball = |gap: f64| {
+        format!(
+            "[parts.wall]\nrigid = \"box\"\nsize = [1, 1, 1]\nfixed = true\nstart = {{ position = [0, {}, 0] }}\n\
+             [parts.slider]\nmechanism = \"moreau_slider\"\n[parts.part]\nrigid = \"sphere\"\nradius = \"50_mm\"\non = \"slider.tool\"\n",
+            0.55 + gap
+        )
+    };
+    for (name, world, state) in [
+        ("spring", &spring as &dyn Fn(f64) -> String, &["part.x0", "part.x1", "part.y1"][..]),
+        ("ball", &ball, &["slider.x"]),
+    ] {
+        let ends = [1e-3, 10.0].map(|gap| {
+            let text = format!(
+                "format = 2\ngravity = [0, 0, 0]\n{}[[contacts]]\nbetween = [\"part\", \"wall\"]\nimpact = \"moreau\"\n[run]\nseconds = 0.3\nstep = \"2_ms\"\n",
+                world(gap)
+            );
+            let done = json(&[&scene(&format!("moreau_near_{name}_{gap}"), &text)]);
+            assert_eq!(number(&done["last"]["part-wall.points"]), 0.0, "{name}: nothing touches");
+            state.iter().map(|of| number(&done["last"][of])).collect::<Vec<_>>()
+        });
+        assert_eq!(ends[0], ends[1], "{name}");
+    }
+}

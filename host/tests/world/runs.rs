@@ -1,6 +1,6 @@
 //! What a run of a world writes: rows, plots, pages, checkpoints, sensors.
 
-use super::support::{fails, json, rows, run, scene, times};
+use super::support::{fails, json, number, rows, run, scene, times};
 use std::path::Path;
 
 #[test]
@@ -168,4 +168,99 @@ fn sensors_have_noise_of_their_own_unless_they_share_a_seed() {
     assert!(alike(&readings("")).abs() < 0.15, "{}", alike(&readings("")));
     assert!(alike(&readings(", seed = 3")) > 0.999);
     assert_eq!(readings(""), readings(""));
+}
+
+#[test]
+fn a_key_is_set_once() {
+    for twice in [
+        &["--seconds", "0.3", "--set", "run.seconds=0.2"][..],
+        &["--set", "run.step=2e-3", "--set", "run.step=1e-3"],
+        &["--method", "verlet", "--set", "run.method=rk4"],
+        &["--set", "contacts[0].friction=0.1", "--set", "contacts.0.friction=0.2"],
+    ] {
+        let said = fails(&[&["run", "box_bounce"], twice].concat());
+        assert!(said.contains("is set twice; leave one of them out"), "{twice:?}: {said}");
+    }
+    let said = fails(&["settle", "plate_on_bladder", "--set", "run.step=1e-3", "--set", "run.step=1e-3"]);
+    assert!(said.contains("`run.step` is set twice"), "{said}");
+}
+
+#[test]
+fn parts_that_no_force_moves_are_no_pair() {
+    let text = |law: &str| {
+        format!(
+            "format = 2\n[parts.ground]\nrigid = \"half_space\"\n[parts.tile]\nmechanism = \"tile_minimal\"\n\
+             command = {{ hA = \"-0.1_m*t/1_s\", hB = \"-0.1_m*t/1_s\", hC = \"-0.1_m*t/1_s\" }}\nstart = {{ position = [0, 0, \"50_mm\"] }}\n\
+             [parts.plate]\nrigid = \"box\"\nsize = [0.2, 0.2, 0.02]\non = \"tile.platform\"\n\
+             [[contacts]]\nbetween = [\"plate\", \"ground\"]\nimpact = \"{law}\"\n"
+        )
+    };
+    for law in ["moreau", "stronge", "newton"] {
+        let said = fails(&["run", &scene(&format!("runs_immovable_{law}"), &text(law))]);
+        assert!(said.contains("`plate` and `ground` are both fixed or follow commands"), "{law}: {said}");
+    }
+}
+
+#[test]
+fn what_a_mechanism_warns_of_alone_it_warns_of_in_a_scene() {
+    let file =
+        scene("runs_ranges", "format = 2\n[parts.m]\nmechanism = \"parallelogram\"\n[run]\nseconds = 0.4\n");
+    let alone = json(&["parallelogram", "--seconds", "0.4"]);
+    let ranges = |done: &serde_json::Value| {
+        let said =
+            done["warnings"].as_array().expect("warnings").iter().filter_map(serde_json::Value::as_str);
+        said.filter(|text| text.contains("left the ranges")).count()
+    };
+    assert_eq!([ranges(&alone), ranges(&json(&[&file]))], [1, 1]);
+    assert!(fails(&["run", &file, "--strict"]).contains("`m.q3` = "));
+}
+
+#[test]
+fn energies_that_are_no_numbers_end_a_run() {
+    let text = "format = 2\n[parts.ball]\nrigid = \"sphere\"\nradius = 0.1\nmass = 1\nstart = { velocity = [1e200, 0, 0] }\n";
+    let said = fails(&["run", &scene("runs_infinite", text)]);
+    assert!(said.contains("t = 0.000000 s: the energy is not finite"), "{said}");
+}
+
+/// The energy of a gas is the small difference of numbers 400 times as large.
+#[test]
+fn rounding_of_a_gas_at_rest_is_no_finding() {
+    let text = "format = 2\n[parts.ground]\nrigid = \"half_space\"\n[parts.bladder]\nshape = \"sheet\"\nrows = 5\ncolumns = 5\n\
+        width = 0.28\ndepth = 0.28\nbase = 0.04\nmass = 0.01\nK = 2000\nC = 0.5\nstart = { position = [0, 0, 0.04] }\n\
+        gas = { gauge = 1000, sealed = true, exponent = 1.2 }\n\
+        attach = [{ nodes = \"rim\", to = \"ground\" }, { facets = \"base\", to = \"ground\" }]\n\
+        [parts.ball]\nrigid = \"sphere\"\nradius = 0.06\nmass = 1\nstart = { position = [0.14, 0.14, 0], height = 0.06 }\n\
+        [[contacts]]\nbetween = [\"ball\", \"bladder\"]\nimpact = \"moreau\"\nfriction = 0.3\n\
+        [run]\nseconds = 0.3\nstep = 0.0005\nstart = \"settled\"\n";
+    let done = json(&[&scene("runs_gas_at_rest", text), "--strict"]);
+    assert_eq!(done["warnings"], serde_json::json!([]));
+}
+
+#[test]
+fn a_ball_that_may_have_passed_through_a_plate_is_told_of() {
+    let text = |law: &str| {
+        format!(
+            "format = 2\ngravity = [0, 0, 0]\n[parts.plate]\nrigid = \"box\"\nsize = [\"1_m\", \"1_m\", \"2_mm\"]\nfixed = true\n\
+             [parts.ball]\nrigid = \"sphere\"\nradius = \"10_mm\"\nmass = \"10_g\"\n\
+             start = {{ position = [0, 0, \"1.02_m\"], velocity = [0, 0, \"-80 m/s\"] }}\n\
+             [[contacts]]\nbetween = [\"ball\", \"plate\"]\nimpact = \"{law}\"\nrestitution = 0.5\n\
+             [run]\nseconds = 0.03\nstep = \"1_ms\"\n"
+        )
+    };
+    for law in ["stronge", "moreau"] {
+        let file = scene(&format!("runs_tunnel_{law}"), &text(law));
+        let missed = json(&[&file]);
+        assert!(number(&missed["last"]["ball.z"]) < -0.1, "{law}: a step of 80 mm does not see 22");
+        let said = missed["warnings"].to_string();
+        assert!(
+            said.contains("`ball` and `plate` moved by more than both are wide in 1 step"),
+            "{law}: {said}"
+        );
+        assert!(said.contains("at most 2.8e-4 s"), "{law}: {said}");
+        let seen = json(&[&file, "--step", "2e-4"]);
+        assert!(
+            number(&seen["last"]["ball.z"]) > 0.1 && seen["warnings"] == serde_json::json!([]),
+            "{law}: {seen}"
+        );
+    }
 }

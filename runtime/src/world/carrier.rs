@@ -68,11 +68,26 @@ pub trait Carrier<S: Scalar> {
         u: &[S],
         ports: [usize; 2],
     ) -> Result<InverseInertia<S>, Fault>;
-    /// Power (W) that the drive of a commanded motion supplies, given the frames of the ports and the wrenches on them.
-    /// None if only the wrenches change its energy.
-    fn drive_power(&mut self, frames: &[Frame<S>], wrenches: &[Wrench<S>]) -> Option<S> {
-        let _ = (frames, wrenches);
-        None
+    /// Tells, by member of a group, the power (W) that the drive of its commanded motion supplies because of wrenches at
+    /// its ports, given the frames of the ports.
+    fn drive_powers(&mut self, frames: &[Frame<S>], wrenches: &[Wrench<S>], tell: &mut impl FnMut(usize, S)) {
+        let _ = (frames, wrenches, tell);
+    }
+    /// Tells, by member of a group, all power (W) that its drives and actuators give and that its dampers take, at a
+    /// state [q, u] under wrenches at its ports, given the frames of the ports.
+    ///
+    /// # Errors
+    /// [`Fault::Shape`] if a slice has not the stated length.
+    fn powers(
+        &mut self,
+        t: S,
+        [q, u]: [&[S]; 2],
+        (frames, wrenches): (&[Frame<S>], &[Wrench<S>]),
+        tell: &mut impl FnMut(usize, [S; 2]),
+    ) -> Result<(), Fault> {
+        let _ = (t, q, u);
+        self.drive_powers(frames, wrenches, &mut |member, power| tell(member, [power, S::ZERO]));
+        Ok(())
     }
     /// Writes the frames of the ports, with their motion.
     ///
@@ -173,9 +188,9 @@ impl<S: Scalar, F: Fn(S, usize) -> Frame<S>> Carrier<S> for Commanded<F> {
     fn inverse_inertia(&mut self, _: S, _: &[S], _: &[S], _: [usize; 2]) -> Result<InverseInertia<S>, Fault> {
         Ok([[S::ZERO; 6]; 6])
     }
-    fn drive_power(&mut self, frames: &[Frame<S>], wrenches: &[Wrench<S>]) -> Option<S> {
+    fn drive_powers(&mut self, frames: &[Frame<S>], wrenches: &[Wrench<S>], tell: &mut impl FnMut(usize, S)) {
         let seams = frames.iter().zip(wrenches);
-        Some(seams.fold(S::ZERO, |sum, (frame, wrench)| sum - wrench.power(frame)))
+        tell(0, seams.fold(S::ZERO, |sum, (frame, wrench)| sum - wrench.power(frame)));
     }
     fn frames(&mut self, t: S, _: &[S], _: &[S], frames: &mut [Frame<S>]) -> Result<(), Fault> {
         frames.iter_mut().enumerate().for_each(|(port, frame)| *frame = (self.law)(t, port));

@@ -105,16 +105,32 @@ impl<S: Scalar, C: Carrier<S>> Carrier<S> for Group<'_, C> {
         }
         Ok([[S::ZERO; 6]; 6])
     }
-    fn drive_power(&mut self, mut frames: &[Frame<S>], mut wrenches: &[Wrench<S>]) -> Option<S> {
-        let mut sum = None;
-        for member in self.members.iter_mut() {
+    fn drive_powers(
+        &mut self,
+        mut frames: &[Frame<S>],
+        mut wrenches: &[Wrench<S>],
+        tell: &mut impl FnMut(usize, S),
+    ) {
+        for (number, member) in self.members.iter_mut().enumerate() {
             let n = member.n_ports();
-            let (frames, wrenches) = (cut(&mut frames, n).ok()?, cut(&mut wrenches, n).ok()?);
-            if let Some(power) = member.drive_power(frames, wrenches) {
-                sum = Some(sum.unwrap_or(S::ZERO) + power);
-            }
+            let (Ok(frames), Ok(wrenches)) = (cut(&mut frames, n), cut(&mut wrenches, n)) else { return };
+            member.drive_powers(frames, wrenches, &mut |_, power| tell(number, power));
         }
-        sum
+    }
+    fn powers(
+        &mut self,
+        t: S,
+        [mut q, mut u]: [&[S]; 2],
+        (mut frames, mut wrenches): (&[Frame<S>], &[Wrench<S>]),
+        tell: &mut impl FnMut(usize, [S; 2]),
+    ) -> Result<(), Fault> {
+        for (number, member) in self.members.iter_mut().enumerate() {
+            let n = member.n_ports();
+            let state = [cut(&mut q, member.n_q())?, cut(&mut u, member.n_u())?];
+            let seams = (cut(&mut frames, n)?, cut(&mut wrenches, n)?);
+            member.powers(t, state, seams, &mut |_, powers| tell(number, powers))?;
+        }
+        Ok(())
     }
     fn frames(&mut self, t: S, mut q: &[S], mut u: &[S], mut frames: &mut [Frame<S>]) -> Result<(), Fault> {
         for member in self.members.iter_mut() {

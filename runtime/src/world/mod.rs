@@ -10,6 +10,7 @@
 //! ```
 
 mod accounts;
+mod booking;
 mod carrier;
 mod cell;
 mod conserving;

@@ -63,6 +63,8 @@ pub trait Observer<S: Scalar> {
     fn forces(&mut self, forces: &Forces<'_, S>);
     /// A node, or the damper whose tail it is, takes energy (J) beyond the viscous forces that were shown.
     fn damped(&mut self, node: usize, energy: S);
+    /// The drives of a member of a group of carriers give work, its dampers take energy (J).
+    fn carried(&mut self, member: usize, works: [S; 2]);
     /// A contact pushes.
     fn push(&mut self, push: &Push<'_, S>);
     /// An impact, even of a step that is refused in the end.
@@ -76,6 +78,7 @@ impl<S: Scalar> Observer<S> for () {
     }
     fn forces(&mut self, _: &Forces<'_, S>) {}
     fn damped(&mut self, _: usize, _: S) {}
+    fn carried(&mut self, _: usize, _: [S; 2]) {}
     fn push(&mut self, _: &Push<'_, S>) {}
     fn strike(&mut self, _: &Strike<'_, S>) {}
 }

@@ -4,7 +4,7 @@
 //! ```text
 //! advance   x_m = x + h/2 N(x) v
 //! forces    f there, with the speeds of the start
-//! detect    contacts at x_m: gap, axes, W, K = W M^-1 W'
+//! detect    contacts at x_m: gap, axes, W, K = W M^-1 W';  those that push
 //! correct   f with the speeds v + h/2 M^-1 f of what does not touch, and the places x_m + h^2/12 M^-1 f of what is held
 //! sweep     v+ = v + h M^-1 f + M^-1 W' P,  P by the laws of the contacts (`sweep`)
 //! close     x+ = x_m + h/2 N(x+) v+, by one correction;  projection onto the carriers' constraints
@@ -15,17 +15,15 @@
 //! rounding. No event is located in time, so the cost of a step hardly depends on how many events it holds.
 
 use super::accounts::Accounts;
+use super::booking::take;
 use super::carrier::{Carrier, Wrench};
 use super::contacts::{load_contacts, press};
-use super::island::{Attachment, Island};
-use super::observer::{Forces, Observer, Push};
-use super::sweep;
+use super::observer::Observer;
 use super::whole::{StepMemory, World};
 use crate::mechanism::Fault;
 use crate::ode::{Ode, State, pivot_limit, state::advance, trial::split};
 use crate::real::Scalar;
-use crate::rigid::contact::Twist;
-use crate::vec3::{self, Vec3};
+use crate::vec3;
 
 /// How a step goes through time.
 pub(super) struct Course<S> {
@@ -113,25 +111,8 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         if state.x().len() != n {
             return Err(Fault::Shape);
         }
-        let half = S::from_f64(0.5) * h;
-
-        // Half the step with the speeds at the start: carriers turn by q', which `rest` holds, nodes move by their
-        // velocities.
-        let (turning, n_q, n_u) = (self.island.carrier.n_q(), self.island.n_q(), self.island.carrier.n_u());
-        self.turn(t, state.x(), rest)?;
-        let island = &self.island;
-        let [from, error] = [island.parts(state.x())?, island.parts(state.low())?];
-        let to = island.parts_mut(middle)?;
-        for (to, from, error, rates) in
-            [(to.q, from.q, error.q, &*rest), (to.pos, from.pos, error.pos, from.vel)]
-        {
-            for ((to, rate), (from, error)) in to.iter_mut().zip(rates).zip(from.iter().zip(error)) {
-                *to = *from + (*error + half * *rate);
-            }
-        }
-        for (to, from) in [(to.u, from.u), (to.vel, from.vel)] {
-            to.iter_mut().zip(from).for_each(|(to, from)| *to = *from);
-        }
+        // `rest` gets the carriers' q' at the start.
+        self.advance_to_middle((t, h), state, rest, middle)?;
         let mut pivot = self.forces_at_middle(t_middle, middle, dot)?;
 
         // Contact impulses act as forces at the middle.
@@ -142,8 +123,10 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         }
         let corrects = self.island.is_damped() || !self.island.restrained.is_empty();
         if corrects {
+            // Only what pushes touches: what is near may pass by.
+            press(h, memory);
             pivot = pivot.min(self.correct((t_middle, h), [middle, &mut *dot, &mut *low], memory)?);
-            if n_u > 0 {
+            if self.island.carrier.n_u() > 0 {
                 self.carry_twists([t, t_end], h, middle, dot, new, memory)?;
             }
             self.read_touched(h, memory);
@@ -157,23 +140,12 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         }
         let accounts = self.accelerate(h, dot)?;
 
-        let accounts = self.observe(h, accounts, memory);
+        let accounts = self.observe(h, accounts, memory, watch);
         if watch.watches() {
             self.show(h, memory, watch);
         }
 
-        // The other half with the speeds at the end.
-        if turning > 0 {
-            for ((to, from), rate) in new.iter_mut().zip(middle.iter()).zip(dot.iter()).skip(n_q).take(n_u) {
-                *to = *from + h * *rate;
-            }
-            new.iter_mut().zip(middle.iter()).take(turning).for_each(|(to, from)| *to = *from);
-            self.turn(t_middle, new, low)?;
-            // N at the end, so that both halves together are symmetric in time: order 2, and Euler parameters of unit length.
-            let ends = new.iter_mut().zip(middle.iter().zip(low.iter()));
-            ends.take(turning).for_each(|(to, (from, rate))| *to = *from + half * *rate);
-            self.turn(t_end, new, low)?;
-        }
+        self.turn_at_end(([t_middle, t_end], h), [&*middle, &*dot], [&mut *new, &mut *low])?;
         let finite = self.close(h, state, [rest, dot], [new, low])?;
         self.project_carriers(t_end, [&mut *new, &mut *low, middle])?;
         let [ends, lows] = [self.island.parts(new)?, self.island.parts(low)?];
@@ -195,6 +167,54 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         })
     }
 
+    /// Advances by half the step with the speeds at the start: carriers turn by their q', which `rest` gets, nodes move by
+    /// their velocities.
+    fn advance_to_middle(
+        &mut self,
+        (t, h): (S, S),
+        state: &State<'_, S>,
+        rest: &mut [S],
+        middle: &mut [S],
+    ) -> Result<(), Fault> {
+        self.turn(t, state.x(), rest)?;
+        let (half, island) = (S::from_f64(0.5) * h, &self.island);
+        let [from, error] = [island.parts(state.x())?, island.parts(state.low())?];
+        let to = island.parts_mut(middle)?;
+        for (to, from, error, rates) in
+            [(to.q, from.q, error.q, &*rest), (to.pos, from.pos, error.pos, from.vel)]
+        {
+            for ((to, rate), (from, error)) in to.iter_mut().zip(rates).zip(from.iter().zip(error)) {
+                *to = *from + (*error + half * *rate);
+            }
+        }
+        for (to, from) in [(to.u, from.u), (to.vel, from.vel)] {
+            to.iter_mut().zip(from).for_each(|(to, from)| *to = *from);
+        }
+        Ok(())
+    }
+
+    /// Turns the carriers by the other half with their speeds at the end; `low` gets their q' there.
+    fn turn_at_end(
+        &mut self,
+        ([t_middle, t_end], h): ([S; 2], S),
+        [middle, dot]: [&[S]; 2],
+        [new, low]: [&mut [S]; 2],
+    ) -> Result<(), Fault> {
+        let (turning, n_q, n_u) = (self.island.carrier.n_q(), self.island.n_q(), self.island.carrier.n_u());
+        if turning == 0 {
+            return Ok(());
+        }
+        for ((to, from), rate) in new.iter_mut().zip(middle).zip(dot).skip(n_q).take(n_u) {
+            *to = *from + h * *rate;
+        }
+        new.iter_mut().zip(middle).take(turning).for_each(|(to, from)| *to = *from);
+        self.turn(t_middle, new, low)?;
+        // N at the end, so that both halves together are symmetric in time: order 2, and Euler parameters of unit length.
+        let (half, ends) = (S::from_f64(0.5) * h, new.iter_mut().zip(middle.iter().zip(low.iter())));
+        ends.take(turning).for_each(|(to, (from, rate))| *to = *from + half * *rate);
+        self.turn(t_end, new, low)
+    }
+
     /// Forces at the middle, and the carriers' rates under them; returns the worst pivot.
     fn forces_at_middle(&mut self, t: S, middle: &[S], dot: &mut [S]) -> Result<S, Fault> {
         self.island.place(t, middle)?;
@@ -202,7 +222,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         checked(self.island.carrier_rates(t, middle, dot)?)
     }
 
-    /// Forces at what their rates predict of parts that do not touch, and the carriers' rates under them; returns the
+    /// Forces at what their rates predict of parts on which no contact pushes, and the carriers' rates under them; returns the
     /// worst pivot. What touches keeps its place and speed, since what holds it is not known yet: a load at rest stays at
     /// rest. `predicted` gets the carriers' speeds; the nodes are left as they were placed.
     fn correct(
@@ -213,7 +233,8 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
     ) -> Result<S, Fault> {
         let (half, island) = (S::from_f64(0.5) * h, &mut self.island);
         let ports = island.memory.frames.len();
-        let mut points = memory.contacts().iter().flat_map(|touch| touch.contact.points());
+        let pushing = || memory.contacts().iter().filter(|touch| touch.contact.impulse[0] > S::ZERO);
+        let mut points = pushing().flat_map(|touch| touch.contact.points());
         let way = if points.any(|(_, point)| point.body < ports) { S::ZERO } else { half };
         let ([from, rates], to) = ([island.parts(middle)?, island.parts(dot)?], island.parts_mut(predicted)?);
         to.q.iter_mut().zip(from.q).for_each(|(to, from)| *to = *from);
@@ -222,7 +243,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         }
         // Speeds of the middle: with those of the start a step is of order 1 wherever forces depend on speeds.
         island.predict_speeds(t, half, (to.q, to.u))?;
-        let touching = || memory.contacts().iter().flat_map(|touch| touch.nodes(ports));
+        let touching = || pushing().flat_map(|touch| touch.nodes(ports));
         for node in touching() {
             if let (Some(velocity), Some(start)) =
                 (island.memory.vel.get_mut(node), memory.twists[0].get(ports + node))
@@ -335,79 +356,10 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         })?;
         Ok(accounts)
     }
-
-    /// Energy accounts of this step, of which those of the free nodes are given: work of the forces at the middle over the
-    /// mean of the velocities at start and end.
-    fn observe(&mut self, h: S, mut accounts: Accounts<S>, memory: &mut StepMemory<'_, S>) -> Accounts<S> {
-        let half = S::from_f64(0.5);
-        let own = &self.island.memory;
-        let [start, _, end] = &memory.twists;
-        let mean = |port: usize, arm: Vec3<S>| {
-            let at = |list: &[Twist<S>]| list.get(port).map_or_else(vec3::zero, |twist| twist.at(arm));
-            vec3::scale(vec3::add(at(start), at(end)), half)
-        };
-        for attachment in self.island.attachments {
-            let origin = own.frames.get(attachment.port).map_or_else(vec3::zero, |frame| frame.origin);
-            let arm = vec3::sub(vec3::at(own.pos, attachment.node), origin);
-            let viscous = vec3::at(own.viscous, attachment.node);
-            let velocity = mean(attachment.port, arm);
-            take(&mut accounts, h, (viscous, self.island.body.air_drag), velocity);
-        }
-        let Island { carrier, memory: own, .. } = &mut self.island;
-        let touches = memory.touches[0].get(..memory.counts[0]).unwrap_or_default();
-        let [normal, friction] = sweep::works(touches, end);
-        (accounts.impact, accounts.friction) = (-normal, -friction);
-        for (port, frame) in own.frames.iter_mut().enumerate() {
-            frame.velocity = mean(port, vec3::zero());
-            let spin = |list: &[Twist<S>]| list.get(port).map_or_else(vec3::zero, |twist| twist.angular);
-            frame.angular_velocity = vec3::scale(vec3::add(spin(start), spin(end)), half);
-        }
-        accounts.drive = h * carrier.drive_power(own.frames, own.wrenches).unwrap_or(S::ZERO);
-        accounts
-    }
-
-    /// Shows this step: forces and impulses at the middle, velocities at start and end.
-    fn show(&self, h: S, memory: &mut StepMemory<'_, S>, watch: &mut impl Observer<S>) {
-        let own = &self.island.memory;
-        let ports = own.frames.len();
-        let [start, _, end] = &mut memory.twists;
-        for node in self.island.node_rates() {
-            for (twists, velocity) in [(&mut **start, node.velocity), (&mut **end, node.after(h))] {
-                if let Some(twist) = twists.get_mut(ports + node.node) {
-                    twist.velocity = velocity;
-                }
-            }
-        }
-        for Attachment { node, port, .. } in self.island.attachments {
-            let origin = own.frames.get(*port).map_or_else(vec3::zero, |frame| frame.origin);
-            let arm = vec3::sub(vec3::at(own.pos, *node), origin);
-            for twists in [&mut **start, &mut **end] {
-                let velocity = twists.get(*port).map_or_else(vec3::zero, |twist| twist.at(arm));
-                if let Some(twist) = twists.get_mut(ports + *node) {
-                    twist.velocity = velocity;
-                }
-            }
-        }
-        let ends = [&**start, &**end];
-        watch.forces(&Forces { duration: h, elastic: own.elastic, viscous: own.viscous, ends });
-        for touch in memory.touches[0].iter().take(memory.counts[0]) {
-            let (pair, contact) = (touch.pair, &touch.contact);
-            watch.push(&Push { pair, contact, duration: S::ONE, ends, strikes: true });
-        }
-    }
 }
 
 fn is_finite<S: Scalar>(list: &[S]) -> bool {
     list.iter().fold(true, |finite, value| finite & value.is_finite())
-}
-
-/// Adds what the viscous force of a node takes at a mean velocity; the drag of the air is a part of it.
-#[inline(always)]
-fn take<S: Scalar>(accounts: &mut Accounts<S>, h: S, (viscous, air_drag): (Vec3<S>, S), velocity: Vec3<S>) {
-    let drag = vec3::scale(velocity, -air_drag);
-    let damping = vec3::sub(viscous, drag);
-    accounts.damping = accounts.damping - h * vec3::dot(damping, velocity);
-    accounts.drag = accounts.drag - h * vec3::dot(drag, velocity);
 }
 
 /// The pivot's magnitude if the equations could be solved.

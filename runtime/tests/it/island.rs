@@ -492,6 +492,10 @@ fn two_cells_on_two_bodies_in_one_island_move_as_each_by_itself() {
     // The two laws count the gas' energy from volumes of their own.
     assert!((energy - first_energy - second_energy).abs() < 1e-9 * energy.abs().max(1.0), "{energy}");
     assert!((first[0] - POSE[0]).abs() > 1e-3);
+    let restrained = [[0, nodes], [nodes, 2 * nodes]];
+    let island = island.with_restrained(&restrained).expect("both bodies");
+    let island = island.with_restrained(&[[2, 2]]).expect("a body of no nodes");
+    assert_eq!(island.with_restrained(&[[nodes, 2 * nodes + 1]]).err(), Some(Fault::Shape));
 }
 
 #[test]

@@ -61,8 +61,22 @@ impl Carrier<f64> for Part {
     ) -> Result<InverseInertia<f64>, Fault> {
         each!(self, part => part.inverse_inertia(t, q, u, ports))
     }
-    fn drive_power(&mut self, frames: &[Frame<f64>], wrenches: &[Wrench<f64>]) -> Option<f64> {
-        each!(self, part => part.drive_power(frames, wrenches))
+    fn powers(
+        &mut self,
+        t: f64,
+        state: [&[f64]; 2],
+        seams: (&[Frame<f64>], &[Wrench<f64>]),
+        tell: &mut impl FnMut(usize, [f64; 2]),
+    ) -> Result<(), Fault> {
+        each!(self, part => part.powers(t, state, seams, tell))
+    }
+    fn drive_powers(
+        &mut self,
+        frames: &[Frame<f64>],
+        wrenches: &[Wrench<f64>],
+        tell: &mut impl FnMut(usize, f64),
+    ) {
+        each!(self, part => part.drive_powers(frames, wrenches, tell))
     }
     fn frames(&mut self, t: f64, q: &[f64], u: &[f64], frames: &mut [Frame<f64>]) -> Result<(), Fault> {
         each!(self, part => part.frames(t, q, u, frames))
@@ -326,7 +340,8 @@ impl Scene {
             wrenches: &mut wrenches,
         };
         let island = Island::new(group, body.expect("a body"), &self.attachments, memory).expect("an island");
-        let island = island.with_cells(&self.cells).expect("cells").with_restrained(&self.restrained);
+        let island =
+            island.with_cells(&self.cells).expect("cells").with_restrained(&self.restrained).expect("ranges");
         let mut x = vec![0.0; island.n_x()];
         island.load(&self.q, &self.u, &mut x).expect("lengths");
         let mut world = World { island, things: &self.things, pairs: &self.pairs };

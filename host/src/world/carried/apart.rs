@@ -8,6 +8,7 @@ use super::islands::Islands;
 use crate::world::accounts::Accounts;
 use crate::world::engine::{self, Column, Energies, Engine, Event, Settled};
 use crate::world::picture::Picture;
+use smartbed_runtime::vec3::Vec3;
 
 /// A world and the grouping of its parts.
 #[derive(Clone, Debug)]
@@ -61,9 +62,9 @@ impl Engine for Apart {
         self.world.settle()
     }
 
-    fn keep_accounts(&mut self) -> Result<(), String> {
+    fn keep_accounts(&mut self) {
         self.islands.forget();
-        self.world.keep_accounts()
+        self.world.keep_accounts();
     }
 
     fn accounts(&mut self) -> Result<Accounts, String> {
@@ -84,6 +85,14 @@ impl Engine for Apart {
 
     fn warnings(&self) -> Vec<String> {
         self.world.warnings()
+    }
+
+    fn middles(&self) -> Vec<Vec3<f64>> {
+        self.world.middles()
+    }
+
+    fn largest_term(&self) -> f64 {
+        self.world.largest_term()
     }
 
     fn method(&self) -> String {

@@ -13,22 +13,6 @@ use smartbed_runtime::world::{Carrier, Forces, Wrench};
 pub(super) type Motion = [Vec<f64>; 2];
 
 impl<S: Scalar> CarriedWorld<S> {
-    /// Can every account be kept? In steps with contacts or mean forces, what the drives of a mechanism that is commanded
-    /// in part give against the wrenches at its ports is known for all mechanisms together only.
-    pub(super) fn can_keep_books(&self) -> Result<(), String> {
-        for (name, place) in self.names.iter().zip(&self.places) {
-            let Place::Carrier(number, _) = place else { continue };
-            let HostCarrier::Mechanism(own) = &self.carriers[*number] else { continue };
-            if self.steps_as_world() && own.is_driven_in_part() && own.n_ports() > 0 {
-                return Err(format!(
-                    "--accounts: `{name}` is commanded in part, and the work of its drives against contacts (or against mean forces) \
-                     is not booked by part; command all of its coordinates or none, or leave the contacts out"
-                ));
-            }
-        }
-        Ok(())
-    }
-
     /// Opens the books.
     pub(super) fn open_books(&mut self) {
         let held = self.fixed.attachments.iter().map(|held| [held.node, held.port]);
@@ -51,19 +35,6 @@ impl<S: Scalar> CarriedWorld<S> {
             viscous: &room.viscous,
             ends: [&twists; 2],
         });
-    }
-
-    /// Books that the drive of each commanded mechanism has supplied what its ports took beyond `before`.
-    pub(super) fn book_commanded(&mut self, before: &[f64]) {
-        let (Some(books), mut port) = (&mut self.books, 0) else { return };
-        for (number, carrier) in self.carriers.iter().enumerate() {
-            let next = port + carrier.n_ports();
-            if matches!(carrier, HostCarrier::Mechanism(own) if own.n_u() == 0) {
-                let taken = books.ports[port..next].iter().zip(&before[port..next]);
-                books.driven[number] -= taken.map(|(now, before)| now - before).sum::<f64>();
-            }
-            port = next;
-        }
     }
 
     /// Kinetic energies of nodes and carriers now.

@@ -21,6 +21,7 @@ mod reach;
 mod rest;
 pub mod rounded;
 mod rows;
+mod selection;
 mod stepping;
 mod subset;
 pub mod tables;
@@ -148,21 +149,26 @@ impl<S: Scalar> CarriedWorld<S> {
         let t = self.t;
         let old = self.of_carriers(x).map(<[S]>::to_vec);
         let real = S::from_f64;
-        let how = if self.method.1 == Stepping::Conserving { How::Conserving } else { How::Freely };
+        let how = match self.method.1 {
+            _ if at_rest => How::Relaxing,
+            Stepping::Conserving => How::Conserving,
+            _ => How::Freely,
+        };
         let mut touching = self.touching.take().ok_or(Fault::Shape)?;
         let mut books = self.books.take();
-        let taken = books.as_ref().map_or_else(Vec::new, |books| books.ports.clone());
         let done = self.with(|island| {
             let mut state = State::resume(x, low)?;
-            let how = if at_rest { How::Relaxing } else { how };
             touching.step(island, (real(t), real(h)), &mut state, how, (found, books.as_mut()))
         });
         (self.touching, self.books) = (Some(touching), books);
         let mut report = done?;
-        self.book_commanded(&taken);
         self.unsettled += usize::from(!report.settled);
         self.forced += usize::from(report.forced);
-        // What the step's own accounts do not see of mechanisms: powers in the middle, but those of the wrenches.
+        // Located steps count all powers of mechanisms, piece by piece; the others only those of the wrenches: add the
+        // rest at the state in the middle.
+        if how == How::Freely && self.touching.as_ref().is_some_and(Touching::locates) {
+            return Ok(report);
+        }
         let mut middle = old;
         for (old, new) in middle.iter_mut().zip(self.of_carriers(x)) {
             old.iter_mut().zip(new).for_each(|(old, new)| *old = real(0.5) * (*old + *new));
@@ -216,7 +222,7 @@ impl<S: Scalar> CarriedWorld<S> {
         let group = Group { members: &mut self.carriers };
         let grids: Vec<Grid<'_, S>> = fixed.grids.iter().map(Woven::view).collect();
         let island = Island::new(group, fixed.body(&grids), &fixed.attachments, memory)?;
-        act(island.with_cells(&fixed.cells)?.with_restrained(&fixed.restrained))
+        act(island.with_cells(&fixed.cells)?.with_restrained(&fixed.restrained)?)
     }
 
     /// Rates of a state; forces and wrenches of it are in memory then.

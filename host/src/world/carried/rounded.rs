@@ -70,8 +70,8 @@ impl Engine for Single {
         Ok(settled)
     }
 
-    fn keep_accounts(&mut self) -> Result<(), String> {
-        self.own.keep_accounts()
+    fn keep_accounts(&mut self) {
+        self.own.keep_accounts();
     }
 
     fn accounts(&mut self) -> Result<Accounts, String> {
@@ -92,6 +92,14 @@ impl Engine for Single {
 
     fn warnings(&self) -> Vec<String> {
         self.own.warnings()
+    }
+
+    fn middles(&self) -> Vec<Vec3<f64>> {
+        self.own.middles()
+    }
+
+    fn largest_term(&self) -> f64 {
+        self.own.largest_term()
     }
 
     fn method(&self) -> String {

@@ -10,7 +10,8 @@ use crate::world::engine::{self, Column, Energies, Engine, Event, Settled};
 use crate::world::picture::Picture;
 use crate::world::pushed::Pushed;
 use crate::world::rounding::{wide, wide_shape};
-use smartbed_runtime::world::Carrier;
+use smartbed_runtime::vec3::Vec3;
+use smartbed_runtime::world::{Carrier, Cell, Content};
 
 impl<S: Settle> Engine for CarriedWorld<S> {
     fn columns(&self) -> Vec<Column> {
@@ -211,10 +212,8 @@ impl<S: Settle> Engine for CarriedWorld<S> {
         S::settle(self)
     }
 
-    fn keep_accounts(&mut self) -> Result<(), String> {
-        self.can_keep_books()?;
+    fn keep_accounts(&mut self) {
         self.open_books();
-        Ok(())
     }
 
     fn accounts(&mut self) -> Result<Accounts, String> {
@@ -248,6 +247,32 @@ impl<S: Settle> Engine for CarriedWorld<S> {
             air.load(own, &mut self.fixed.cells);
         }
         Ok(())
+    }
+
+    fn middles(&self) -> Vec<Vec3<f64>> {
+        let starts = self.carrier_starts();
+        let middle = |place: &Place<S>| match place {
+            Place::Carrier(number, _) => match &self.carriers[*number] {
+                HostCarrier::Floating(_) => {
+                    let first = starts[*number][0];
+                    wide([0, 1, 2].map(|axis| self.x[first + axis]))
+                }
+                HostCarrier::Still(still) => wide(still.0.origin),
+                HostCarrier::Mechanism(_) => [0.0; 3],
+            },
+            Place::Shape(..) | Place::Nodes(..) => [0.0; 3],
+        };
+        self.places.iter().map(middle).collect()
+    }
+
+    fn largest_term(&self) -> f64 {
+        let facets = &self.fixed.facets;
+        let of = |cell: &Cell<S>| {
+            let Content::Sealed { chamber, state } = &cell.content else { return 0.0 };
+            let volume = cell.volume(facets, &self.room.pos);
+            chamber.pressure(state, volume).map_or(0.0, |pressure| (pressure * volume).to_f64())
+        };
+        self.fixed.cells.iter().map(of).fold(0.0, f64::max)
     }
 
     fn warnings(&self) -> Vec<String> {

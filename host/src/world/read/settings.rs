@@ -27,6 +27,21 @@ pub(crate) fn apply(mut table: Table, settings: &[String], found: &mut Diagnosti
     table
 }
 
+/// Refuses two settings of one key, the first of which would be ignored.
+///
+/// # Errors
+/// A message with the key.
+pub fn refuse_twice(settings: &[String]) -> Result<(), String> {
+    let key = |setting: &String| {
+        dotted(setting).split_once('=').map_or_else(String::new, |(key, _)| key.trim().to_owned())
+    };
+    let keys: Vec<String> = settings.iter().map(key).collect();
+    let again = (1..keys.len()).find(|&n| keys[..n].contains(&keys[n]));
+    again.map_or(Ok(()), |n| {
+        Err(format!("--set {}: `{}` is set twice; leave one of them out", settings[n], keys[n]))
+    })
+}
+
 /// The setting with the numbers of entries of lists as names: `contacts.0.friction=0.1` for `contacts[0].friction=0.1`.
 fn dotted(setting: &str) -> String {
     let Some((key, value)) = setting.split_once('=').filter(|(key, _)| !key.contains('"')) else {

@@ -298,6 +298,11 @@ impl<S: Scalar> Touching<S> {
         Ok(memory.contacts().iter().filter_map(overlap).collect())
     }
 
+    /// Are touches located within its steps?
+    pub(super) fn locates(&self) -> bool {
+        self.located.is_some()
+    }
+
     /// Contacts that were near in the last step.
     pub(super) fn near(&self) -> usize {
         self.room.counts[0]

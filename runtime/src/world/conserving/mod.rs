@@ -144,7 +144,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         let trail = Trail { number: 0, least: S::ZERO, gained, off, differences: trail };
         let spares = Spares { touched, found, spare, trail };
         let (pivot, sweeps) = self.settle_rates(&mut span, spares, state.low(), memory, means)?;
-        let accounts = self.observe_means(h, memory, means);
+        let accounts = self.observe_means(h, memory, means, watch);
         if watch.watches() {
             self.show_means(h, memory, means, watch);
         }

@@ -21,6 +21,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         h: S,
         memory: &mut StepMemory<'_, S>,
         means: &mut MeanMemory<'_, S>,
+        watch: &mut impl Observer<S>,
     ) -> Accounts<S> {
         let mut accounts = Accounts::empty();
         let island = &mut self.island;
@@ -48,7 +49,10 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
             accounts.impact = accounts.impact - n * vn;
             accounts.friction = accounts.friction - (x * vx + y * vy);
         }
-        accounts.drive = h * island.carrier.drive_power(own.frames, own.wrenches).unwrap_or(S::ZERO);
+        island.carrier.drive_powers(own.frames, own.wrenches, &mut |member, power| {
+            accounts.drive = accounts.drive + h * power;
+            watch.carried(member, [h * power, S::ZERO]);
+        });
         accounts
     }
 

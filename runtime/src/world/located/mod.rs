@@ -18,9 +18,10 @@ mod shorten;
 mod strike;
 
 use super::accounts::Accounts;
-use super::carrier::Carrier;
+use super::carrier::{Carrier, Wrench};
 use super::detect::{Touch, keep_only};
-use super::observer::{Observer, Strike};
+use super::island::{Cut, Island};
+use super::observer::Observer;
 use super::pressed::{Pressed, Pressing};
 use super::step::Course;
 use super::whole::{StepMemory, World};
@@ -208,9 +209,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         for _ in 0..SPLITS {
             let start = t + (h - left);
             self.measure(start, way)?;
-            let struck = self.strike(kinds, (start, length), way, &mut report, |touches, struck, ends| {
-                watch.strike(&Strike { time: h - left, touches, struck, ends });
-            })?;
+            let struck = self.strike(kinds, (start, length), way, &mut report, (h - left, watch))?;
             // An impact changes slips at once: none of them has come to rest slowly.
             if !struck {
                 self.stop(start, way)?;
@@ -256,9 +255,33 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
             let at = |part: f64| t + S::from_f64(f64::from(k) + part) * piece;
             let course = Course { times: [at(0.0), at(0.5), at(1.0)], rebounds: false };
             let [x, low] = &mut way.now;
+            way.trial[0].iter_mut().zip(x.iter()).for_each(|(to, from)| *to = *from);
             let state = &mut State::resume(x, low)?;
             accounts = accounts.plus(&self.step_at((&course, piece), state, way.memory, watch)?.accounts);
+            accounts = accounts.plus(&self.own_works((at(0.5), piece), way, watch)?);
         }
+        Ok(accounts)
+    }
+
+    /// Works of the carriers' drives and dampers over a piece at whose start the trial state stands, by their powers
+    /// half-way but for those against wrenches, which the step has counted.
+    fn own_works(
+        &mut self,
+        (t, piece): (S, S),
+        way: &mut PartialStep<S>,
+        watch: &mut impl Observer<S>,
+    ) -> Result<Accounts<S>, Fault> {
+        let ([middle, _], [end, _], half) = (&mut way.trial, &way.now, S::from_f64(0.5));
+        middle.iter_mut().zip(end.iter()).for_each(|(x, end)| *x = half * (*x + *end));
+        let Cut { q, u, .. } = self.island.parts(middle)?;
+        let Island { carrier, memory: own, .. } = &mut self.island;
+        own.wrenches.iter_mut().for_each(|wrench| *wrench = Wrench::zero());
+        let mut accounts = Accounts::empty();
+        carrier.powers(t, [q, u], (own.frames, own.wrenches), &mut |member, powers| {
+            let works = powers.map(|power| piece * power);
+            (accounts.drive, accounts.damping) = (accounts.drive + works[0], accounts.damping + works[1]);
+            watch.carried(member, works);
+        })?;
         Ok(accounts)
     }
 

@@ -11,7 +11,7 @@ use crate::world::carrier::Carrier;
 use crate::world::detect::Touch;
 use crate::world::impact::{Setting, Spare};
 use crate::world::island::Island;
-use crate::world::observer::Ends;
+use crate::world::observer::{Observer, Strike};
 use crate::world::pressed::Pressed;
 use crate::world::whole::{StepMemory, World};
 
@@ -61,14 +61,14 @@ impl<S: Scalar> PartialStep<'_, '_, S> {
 
 impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
     /// Resolves the impact of all contacts, if any of them closes; returns whether one did. `length`: of the piece of
-    /// the step before, 0 if this is the first.
+    /// the step before, 0 if this is the first; `since`: time since the step's start.
     pub(super) fn strike(
         &mut self,
         kinds: &[Kind],
         (t, length): (S, S),
         way: &mut PartialStep<S>,
         report: &mut LocatedReport<S>,
-        show: impl FnOnce(&[Touch<S>], &[Struck<S>], Ends<'_, S>),
+        (since, watch): (S, &mut impl Observer<S>),
     ) -> Result<bool, Fault> {
         let earlier = way.known;
         way.memory.touches.swap(0, 1);
@@ -99,14 +99,18 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         report.settled &= settled;
         // The island still stands where it was before the impact.
         Pressed::read_twists(self, one);
-        show(touches, struck, [&**one, &**twists]);
+        watch.strike(&Strike { time: since, touches, struck, ends: [&**one, &**twists] });
         let [x, low] = &mut way.now;
         let [a, b, c] = &mut way.spare;
         let contacts = struck.iter().map(|s| (&s.contact, s.contact.impulse));
         self.island.load_impulses(contacts);
         // What moves as commanded gives work in an impact as elsewhere: J . V.
         let Island { carrier, memory: own, .. } = &mut self.island;
-        let given = carrier.drive_power(own.frames, own.wrenches).unwrap_or(S::ZERO);
+        let mut given = S::ZERO;
+        carrier.drive_powers(own.frames, own.wrenches, &mut |member, work| {
+            given = given + work;
+            watch.carried(member, [work, S::ZERO]);
+        });
         self.island.set_speeds(x, twists)?;
         self.island.push_carrier(t, x, [&mut **a, &mut **b, &mut **c], false)?;
         if self.island.projections() > 0 {

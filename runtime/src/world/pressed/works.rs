@@ -15,7 +15,7 @@ use crate::real::Scalar;
 use crate::vec3;
 use crate::world::accounts::Accounts;
 use crate::world::carrier::Carrier;
-use crate::world::island::Island;
+use crate::world::island::{Cut, Island};
 use crate::world::observer::{Forces, Observer, Push};
 use crate::world::whole::StepMemory;
 
@@ -26,7 +26,7 @@ impl<S: Scalar, C: Carrier<S>> Pressed<'_, '_, '_, S, C> {
     /// Power of each account at a state (W), and the state's rates.
     fn powers(&mut self, t: S, x: &[S], dot: &mut [S]) -> Result<Accounts<S>, Fault> {
         self.rates(t, x, dot)?;
-        let Island { carrier, body, memory: own, .. } = &mut self.world.island;
+        let Island { body, memory: own, .. } = &self.world.island;
         let mut powers = Accounts::empty();
         for (viscous, velocity) in own.viscous.iter().zip(own.vel.iter()) {
             let drag = vec3::scale(*velocity, -body.air_drag);
@@ -38,15 +38,28 @@ impl<S: Scalar, C: Carrier<S>> Pressed<'_, '_, '_, S, C> {
             let force = own.held.contact.to_inertial([S::ZERO, x, y]);
             powers.friction = powers.friction - vec3::dot(force, own.velocity);
         }
-        powers.drive = carrier.drive_power(own.frames, own.wrenches).unwrap_or(S::ZERO);
+        self.carrier_powers(t, x, |_, [given, taken]| {
+            powers.drive = powers.drive + given;
+            powers.damping = powers.damping + taken;
+        })?;
         Ok(powers)
     }
 
+    /// Powers of the carriers' drives and dampers at a state whose rates were asked for last, by member of their group.
+    fn carrier_powers(&mut self, t: S, x: &[S], mut tell: impl FnMut(usize, [S; 2])) -> Result<(), Fault> {
+        let Cut { q, u, .. } = self.world.island.parts(x)?;
+        let Island { carrier, memory: own, .. } = &mut self.world.island;
+        carrier.powers(t, [q, u], (own.frames, own.wrenches), &mut tell)
+    }
+
     /// Shows the instant whose powers were asked for last, which counts for `duration` (s).
-    fn show(&mut self, duration: S, watch: &mut impl Observer<S>) {
+    fn show(&mut self, (t, x): (S, &[S]), duration: S, watch: &mut impl Observer<S>) -> Result<(), Fault> {
         if !watch.watches() {
-            return;
+            return Ok(());
         }
+        self.carrier_powers(t, x, |member, [given, taken]| {
+            watch.carried(member, [duration * given, duration * taken]);
+        })?;
         let StepMemory { twists: [_, twists, _], .. } = &mut *self.memory;
         Self::read_twists(self.world, twists);
         let (own, ends) = (&self.world.island.memory, [&**twists; 2]);
@@ -54,6 +67,7 @@ impl<S: Scalar, C: Carrier<S>> Pressed<'_, '_, '_, S, C> {
         for Pressing { pair, held, .. } in self.list.iter() {
             watch.push(&Push { pair: *pair, contact: &held.contact, duration, ends, strikes: false });
         }
+        Ok(())
     }
 
     /// Energy accounts between two states that are `length` apart in time, by Simpson's rule; three lists of memory.
@@ -66,7 +80,7 @@ impl<S: Scalar, C: Carrier<S>> Pressed<'_, '_, '_, S, C> {
     ) -> Result<Accounts<S>, Fault> {
         let (half, sixth) = (S::from_f64(0.5), length / S::from_f64(6.0));
         let start = self.powers(t, old, first)?;
-        self.show(sixth, watch);
+        self.show((t, old), sixth, watch)?;
         let force = |own: &Pressing<S>| own.held.contact.impulse[0];
         let largest = self.list.iter().map(force).fold(S::ZERO, S::max);
         let end = self.powers(t + length, new, last)?;
@@ -81,20 +95,20 @@ impl<S: Scalar, C: Carrier<S>> Pressed<'_, '_, '_, S, C> {
                 // The start was shown with Simpson's weight. Forces in memory are those of the end by now: compute its own
                 // once more to show what is missing.
                 self.powers(t, old, first)?;
-                self.show(quarter - sixth, watch);
+                self.show((t, old), quarter - sixth, watch)?;
             }
             let inside = self.powers(t + part * length, between, first)?.times(S::from_f64(3.0));
-            self.show(S::from_f64(3.0) * quarter, watch);
+            self.show((t + part * length, between), S::from_f64(3.0) * quarter, watch)?;
             return Ok(start.plus(&inside).times(quarter));
         }
-        self.show(sixth, watch);
+        self.show((t + length, new), sixth, watch)?;
         // The state at half time by Hermite interpolation.
         let ends = old.iter().zip(new).zip(first.iter().zip(last.iter()));
         for (to, ((a, b), (da, db))) in between.iter_mut().zip(ends) {
             *to = half * (*a + *b) + S::from_f64(0.125) * length * (*da - *db);
         }
         let inside = self.powers(t + half * length, between, first)?;
-        self.show(S::from_f64(4.0) * sixth, watch);
+        self.show((t + half * length, between), S::from_f64(4.0) * sixth, watch)?;
         let sum = start.plus(&end).plus(&inside.times(S::from_f64(4.0)));
         Ok(sum.times(sixth))
     }

@@ -5,19 +5,20 @@
 //! carrier, their velocities]. Fixed nodes stay where they were placed; attached ones have no mass of their own: it
 //! belongs to the carrier.
 
+mod impulses;
+mod loads;
+
 use core::ops::Range;
 
 use super::carrier::{Carrier, Wrench};
 use super::cell::Cell;
-use super::inertia::Inertias;
+use crate::flexible::Body;
 use crate::flexible::element::Element;
 use crate::flexible::energy::{Energies, eval_energies};
 use crate::flexible::grid::Grid;
-use crate::flexible::{Body, force};
 use crate::mechanism::Fault;
 use crate::ode::Ode;
 use crate::real::Scalar;
-use crate::rigid::contact::{Contact, Twist};
 use crate::surface::Frame;
 use crate::vec3::{self, Vec3};
 
@@ -149,9 +150,12 @@ impl<'a, S: Scalar, C: Carrier<S>> Island<'a, S, C> {
 
     /// Names the bodies that space or a commanded port holds: the first node of each and the one after the last. Nothing
     /// keeps their angular momentum, so that steps of order 2 may give them frequencies of order 4.
-    #[must_use]
-    pub fn with_restrained(self, restrained: &'a [[usize; 2]]) -> Self {
-        Island { restrained, ..self }
+    ///
+    /// # Errors
+    /// [`Fault::Shape`] if one ends before it begins or beyond the last node.
+    pub fn with_restrained(self, restrained: &'a [[usize; 2]]) -> Result<Self, Fault> {
+        let known = restrained.iter().all(|[first, end]| first <= end && *end <= self.body.points());
+        if known { Ok(Island { restrained, ..self }) } else { Err(Fault::Shape) }
     }
 
     /// The flexible body, all parts of it.
@@ -220,93 +224,6 @@ impl<'a, S: Scalar, C: Carrier<S>> Island<'a, S, C> {
         Ok(())
     }
 
-    /// Places nodes that ports hold.
-    fn place_attached(&mut self) {
-        for attachment in self.attachments {
-            let Some(frame) = self.memory.frames.get(attachment.port) else { continue };
-            let point = frame.point(attachment.place);
-            let velocity = frame.velocity_at(point);
-            if let (Some(own_x), Some(own_v)) =
-                (self.memory.pos.get_mut(attachment.node), self.memory.vel.get_mut(attachment.node))
-            {
-                (*own_x, *own_v) = (point, velocity);
-            }
-        }
-    }
-
-    /// Changes the velocities of the nodes placed last to those after h under the forces in memory, and at these speeds
-    /// of the carrier.
-    pub(super) fn predict_speeds(&mut self, t: S, h: S, (q, u): (&[S], &[S])) -> Result<(), Fault> {
-        self.carrier.frames(t, q, u, self.memory.frames)?;
-        let (own, body) = (&mut self.memory, &self.body);
-        let forces = own.elastic.iter().zip(own.viscous.iter());
-        for (node, (velocity, (elastic, viscous))) in own.vel.iter_mut().zip(forces).enumerate() {
-            // The rate of a fixed node is 0.
-            *velocity = vec3::axpy(*velocity, h, rate(body, node, [*elastic, *viscous]));
-        }
-        self.place_attached();
-        Ok(())
-    }
-
-    /// Takes the elastic force in memory from a node.
-    pub(super) fn unload(&mut self, node: usize) {
-        if let Some(force) = self.memory.elastic.get_mut(node) {
-            *force = vec3::zero();
-        }
-    }
-
-    /// Moves the nodes of restrained bodies by `squared` (s^2) times their rates under the elastic forces in memory.
-    pub(super) fn displace(&mut self, squared: S) {
-        let (own, body) = (&mut self.memory, &self.body);
-        for [first, end] in self.restrained {
-            let rows = (own.pos.get_mut(*first..*end), own.elastic.get(*first..*end));
-            let (Some(places), Some(forces)) = rows else { continue };
-            for (node, (place, elastic)) in (*first..).zip(places.iter_mut().zip(forces)) {
-                // The rate of a fixed node is 0.
-                *place = vec3::axpy(*place, squared, rate(body, node, [*elastic, vec3::zero()]));
-            }
-        }
-    }
-
-    /// Places the free nodes of a state, and gives them its velocities.
-    pub(super) fn place_nodes(&mut self, x: &[S]) -> Result<(), Fault> {
-        let Cut { pos, vel, .. } = self.parts(x)?;
-        let own = self.memory.pos.iter_mut().zip(self.memory.vel.iter_mut());
-        let rows = pos.as_chunks().0.iter().zip(vel.as_chunks().0);
-        for ((own_x, own_v), (x, v)) in free_of(own, &self.body).zip(rows) {
-            (*own_x, *own_v) = (*x, *v);
-        }
-        Ok(())
-    }
-
-    /// Computes the forces on the nodes placed last, and the wrenches on the ports.
-    pub(super) fn load_seams(&mut self) -> Result<(), Fault> {
-        let (elements, memory) = (self.body.elements(), &mut self.memory);
-        // A grid overwrites its sums, with the gas of its cell: so before anything is added to them.
-        let weights = (self.body.mass, self.body.gravity);
-        let alone = |grid: &Grid<S>| !self.cells.iter().any(|cell| cell.holds(grid));
-        let forces = elements.eval_elastic(weights, alone, memory.pos, memory.elastic);
-        forces.map_err(|_| Fault::NonFinite)?;
-        for cell in self.cells {
-            cell.add_force(&self.body, elements.grids(), memory.pos, memory.elastic)?;
-        }
-        self.load_speeds();
-        Ok(())
-    }
-
-    /// The same where only the speeds have changed since.
-    pub(super) fn load_speeds(&mut self) {
-        let (elements, memory) = (self.body.elements(), &mut self.memory);
-        force::eval_viscous(&self.body, &elements, memory.pos, memory.vel, memory.viscous);
-        memory.wrenches.iter_mut().for_each(|wrench| *wrench = Wrench::zero());
-        for Attachment { node, port, .. } in self.attachments {
-            let force = vec3::add(vec3::at(memory.elastic, *node), vec3::at(memory.viscous, *node));
-            if let (Some(frame), Some(wrench)) = (memory.frames.get(*port), memory.wrenches.get_mut(*port)) {
-                wrench.add_force(frame, vec3::at(memory.pos, *node), force);
-            }
-        }
-    }
-
     /// Rates under the forces and wrenches in memory; returns the worst pivot.
     pub(super) fn accelerate(&mut self, t: S, x: &[S], x_dot: &mut [S]) -> Result<S, Fault> {
         let pivot = self.carrier_rates(t, x, x_dot)?;
@@ -346,76 +263,6 @@ impl<'a, S: Scalar, C: Carrier<S>> Island<'a, S, C> {
         let [velocity, elastic, viscous] = [&*self.memory.vel, &*self.memory.elastic, &*self.memory.viscous]
             .map(|list| vec3::at(list, node));
         NodeRate { node, velocity, viscous, rate: rate(&self.body, node, [elastic, viscous]) }
-    }
-
-    /// Writes the inverse inertia of the `needed` ports and of all nodes at a state.
-    pub(super) fn ask_yields(
-        &mut self,
-        t: S,
-        x: &[S],
-        inertias: &mut Inertias<'_, S>,
-        needed: impl Fn(usize) -> bool,
-    ) -> Result<(), Fault> {
-        let Cut { q, u, .. } = self.parts(x)?;
-        inertias.ask(&mut self.carrier, t, (q, u), needed)?;
-        for (node, yields) in inertias.nodes.iter_mut().enumerate() {
-            *yields = self.body.inverse_mass(node);
-        }
-        Ok(())
-    }
-
-    /// Writes impulses of contacts, along n, t1, t2, as wrenches at the ports.
-    pub(super) fn load_impulses<'c>(&mut self, impulses: impl Iterator<Item = (&'c Contact<S>, Vec3<S>)>)
-    where
-        S: 'c,
-    {
-        let wrenches = &mut *self.memory.wrenches;
-        wrenches.iter_mut().for_each(|wrench| *wrench = Wrench::zero());
-        for (contact, impulse) in impulses {
-            contact.deal(impulse, |body, arm, impulse| {
-                if let Some(wrench) = wrenches.get_mut(body) {
-                    wrench.force = vec3::add(wrench.force, impulse);
-                    wrench.moment = vec3::add(wrench.moment, vec3::cross(arm, impulse));
-                }
-            });
-        }
-    }
-
-    /// Writes the velocities of free nodes, which follow those of the ports in `twists`, into a state.
-    pub(super) fn set_speeds(&self, x: &mut [S], twists: &[Twist<S>]) -> Result<(), Fault> {
-        let nodes = twists.get(self.memory.frames.len()..).ok_or(Fault::Shape)?;
-        let parts = self.parts_mut(x)?;
-        for (node, row) in free_nodes(&self.body).zip(parts.vel.chunks_exact_mut(3)) {
-            write(row, nodes.get(node).ok_or(Fault::Shape)?.velocity);
-        }
-        Ok(())
-    }
-
-    /// Applies the wrenches in memory to the carrier of a state, as impulses (N s): u changes by M^-1 J' P. With
-    /// `places` as displacements (kg m) instead: q changes by what those speeds do in 1 s. Each of the spare lists has
-    /// one entry per entry of x.
-    pub(super) fn push_carrier(
-        &mut self,
-        t: S,
-        x: &mut [S],
-        [pushed, free, moved]: [&mut [S]; 3],
-        places: bool,
-    ) -> Result<(), Fault> {
-        self.carrier_rates(t, x, pushed)?;
-        self.memory.wrenches.iter_mut().for_each(|wrench| *wrench = Wrench::zero());
-        self.carrier_rates(t, x, free)?;
-        let (u, n_u) = (self.n_q(), self.carrier.n_u());
-        let gains = pushed.iter().zip(free.iter()).skip(u).take(n_u);
-        if !places {
-            x.iter_mut().skip(u).zip(gains).for_each(|(x, (with, without))| *x = *x + (*with - *without));
-            return Ok(());
-        }
-        moved.iter_mut().zip(x.iter()).for_each(|(to, from)| *to = *from);
-        moved.iter_mut().skip(u).zip(gains).for_each(|(x, (with, without))| *x = *x + (*with - *without));
-        self.carrier_rates(t, moved, pushed)?;
-        let ways = pushed.iter().zip(free.iter()).take(self.carrier.n_q());
-        x.iter_mut().zip(ways).for_each(|(x, (with, without))| *x = *x + (*with - *without));
-        Ok(())
     }
 
     /// Rates of the carrier alone, under the wrenches in memory.
