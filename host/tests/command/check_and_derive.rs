@@ -384,6 +384,24 @@ fn a_derived_crate_compiles_in_half_a_second_of_processor_time() {
     }
 }
 
+/// A mechanism of numbers alone has no parameters that could be changed.
+#[test]
+fn a_derived_crate_without_parameters_compiles_without_a_warning() {
+    let model = "format = 1\nname = \"plain\"\n[inputs]\nF = { unit = \"N\" }\n[coordinates]\nx = { unit = \"m\" }\n[points]\nP = \"x*N.x\"\n\
+        [bodies]\nb = { centre = \"P\", mass = 2 }\n[forces]\nf = { point = \"P\", force = \"F*N.x\" }\n";
+    let model = written("plain.toml", model);
+    for more in [&[][..], &["--scalar", "f32", "--integrator"]] {
+        let folder = file(&format!("plain_{}", more.len()));
+        let done = smartbed(&[&["derive", &model, "--crate", &folder.display().to_string()], more].concat());
+        assert_eq!(done.status, 0, "{done:?}");
+        lock(&folder);
+        let mut cargo = Command::new(env!("CARGO"));
+        cargo.args(["check", "--quiet", "--target-dir"]).arg(file("derived")).current_dir(&folder);
+        let done = finish(cargo);
+        assert_eq!((done.status, done.err.as_str()), (0, ""), "{more:?}");
+    }
+}
+
 /// A crate of equations in f32, with the workspace's lock file: its versions are at hand without a network.
 fn derived_crate(model: &str) -> std::path::PathBuf {
     let folder = file(&format!("{model}_chip"));
