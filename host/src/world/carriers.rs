@@ -81,8 +81,7 @@ impl<S: Scalar> Carrier<S> for HostCarrier<S> {
         tell: &mut impl FnMut(usize, [S; 2]),
     ) -> Result<(), Fault> {
         if let Self::Mechanism(own) = self {
-            let account = own.account(t, q, u, wrenches)?;
-            tell(0, [account.driven, account.damped]);
+            tell(0, own.powers(t, q, u, wrenches)?);
         }
         Ok(())
     }

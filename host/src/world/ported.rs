@@ -377,17 +377,27 @@ impl<S: Scalar> Ported<S> {
     /// # Errors
     /// The engine's.
     pub fn account(&mut self, t: S, q: &[S], u: &[S], wrenches: &[Wrench<S>]) -> Result<Account<S>, Fault> {
+        let ([gravity, spring], [driven, damped]) = self.watched(t, q, u, wrenches)?;
+        let (kinetic, _) = self.energy(t, q, u)?;
+        Ok(Account { stored: [kinetic, gravity, spring], driven, damped })
+    }
+
+    /// The powers of its account alone: what its drives and actuators give, what its dampers take (W).
+    ///
+    /// # Errors
+    /// The engine's.
+    pub fn powers(&mut self, t: S, q: &[S], u: &[S], wrenches: &[Wrench<S>]) -> Result<[S; 2], Fault> {
+        self.watched(t, q, u, wrenches).map(|(_, powers)| powers)
+    }
+
+    /// Energies of weight and springs, and powers.
+    fn watched(&mut self, t: S, q: &[S], u: &[S], wrenches: &[Wrench<S>]) -> Result<([S; 2], [S; 2]), Fault> {
         self.command(t, q, u, wrenches)?;
         let watched = self.observer.outputs(t, q, u, &self.inputs[..self.own])?;
         let [gravity, spring, actuator, damping, external]: [S; LEDGER.len()] =
             watched.try_into().map_err(|_| Fault::Shape)?;
         let drive = self.engine.drive(t, q, u, &self.inputs)?;
-        let (kinetic, _) = self.energy(t, q, u)?;
-        Ok(Account {
-            stored: [kinetic, gravity, spring],
-            driven: actuator + external + drive,
-            damped: damping,
-        })
+        Ok(([gravity, spring], [actuator + external + drive, damping]))
     }
 
     /// Its origin and points, axes of bodies, inertias and lengths of shapes, in N.
