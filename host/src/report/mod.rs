@@ -37,7 +37,7 @@ pub mod work_precision;
 pub mod world;
 
 pub use arguments::Arguments;
-pub use gather::check_name;
+pub use gather::{check_name, section};
 
 use crate::failure::Failure;
 use crate::output;
