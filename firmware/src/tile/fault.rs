@@ -111,6 +111,11 @@ impl Faults {
         Self(bits & ((1 << Fault::ALL.len()) - 1))
     }
 
+    /// Names of its faults, in the order of [`Fault::ALL`].
+    pub fn names(self) -> impl Iterator<Item = &'static str> {
+        Fault::ALL.into_iter().filter(move |fault| self.has(*fault)).map(Fault::name)
+    }
+
     /// Its bits.
     #[must_use]
     pub const fn bits(self) -> u32 {

@@ -6,7 +6,7 @@ use smartbed_firmware::plant::Tile;
 use smartbed_firmware::tile::board::Sensors;
 use smartbed_firmware::tile::controller::Controller;
 use smartbed_firmware::tile::drive::{DRIVE, Drive};
-use smartbed_firmware::tile::fault::{Fault, Faults};
+use smartbed_firmware::tile::fault::Faults;
 use smartbed_firmware::tile::mode::Mode;
 use smartbed_firmware::tile::motion::pose;
 
@@ -83,7 +83,6 @@ impl Bench {
     }
 
     pub fn faults(&self) -> Vec<&'static str> {
-        let latched = self.controller.latched();
-        Fault::ALL.into_iter().filter(|f| latched.has(*f)).map(Fault::name).collect()
+        self.controller.latched().names().collect()
     }
 }

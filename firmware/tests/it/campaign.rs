@@ -11,7 +11,7 @@ use crate::wire::Wire;
 use smartbed_firmware::link::message::{Command, Outcome, Target};
 use smartbed_firmware::plant::{Defect, Tile};
 use smartbed_firmware::tile::drive::DRIVE;
-use smartbed_firmware::tile::fault::{Fault, Faults};
+use smartbed_firmware::tile::fault::Faults;
 use smartbed_firmware::tile::mode::Mode;
 use smartbed_firmware::tile::motion::pose;
 use std::fmt::Write;
@@ -270,6 +270,6 @@ detection, from the first tick to the last: 1 mm, 1 degree, 12 kPa, 150 N.
 ";
 
 fn names(faults: Faults) -> String {
-    let names: Vec<&str> = Fault::ALL.into_iter().filter(|f| faults.has(*f)).map(Fault::name).collect();
+    let names: Vec<&str> = faults.names().collect();
     names.join(", ")
 }

@@ -11,7 +11,7 @@ use smartbed_firmware::link::message::{Command, Outcome, Refusal, Report, read};
 use smartbed_firmware::link::serial::BYTES;
 use smartbed_firmware::link::tag::Key;
 use smartbed_firmware::supervisor::Peer;
-use smartbed_firmware::tile::fault::{Fault, Faults};
+use smartbed_firmware::tile::fault::Faults;
 use smartbed_firmware::tile::mode::Mode;
 use smartbed_firmware::turns::KEY;
 use std::collections::VecDeque;
@@ -200,18 +200,12 @@ impl Bus {
             self.run(BATCH, listen)?;
         }
         let (tile, state) = (self.current, self.tiles[self.current].1.state());
-        match state.map(|state| Faults::from_bits(state.faults)).filter(|faults| !faults.is_empty()) {
-            None => Ok(()),
-            Some(faults) => {
-                let names: Vec<&str> =
-                    Fault::ALL.into_iter().filter(|f| faults.has(*f)).map(Fault::name).collect();
-                output::say(&format!(
-                    "warning: tile {tile}: the motion ended by a fault: {}; see `status`",
-                    names.join(", ")
-                ));
-                Ok(())
-            }
+        let faults = state.map_or_else(Faults::default, |state| Faults::from_bits(state.faults));
+        if !faults.is_empty() {
+            let names = faults.names().collect::<Vec<_>>().join(", ");
+            output::say(&format!("warning: tile {tile}: the motion ended by a fault: {names}; see `status`"));
         }
+        Ok(())
     }
 
     fn is_moving(&self) -> bool {

@@ -4,7 +4,7 @@ use super::bus::Received;
 use serde_json::{Value, json};
 use smartbed_firmware::link::message::{Event, Outcome, Refusal, Report, State};
 use smartbed_firmware::tile::design::STROKE;
-use smartbed_firmware::tile::fault::{Fault, Faults};
+use smartbed_firmware::tile::fault::Faults;
 use smartbed_firmware::tile::mode::Mode;
 use smartbed_firmware::tile::motion::pose;
 
@@ -147,8 +147,7 @@ fn faults(bits: u32) -> String {
 }
 
 fn names(bits: u32) -> Vec<&'static str> {
-    let set = Faults::from_bits(bits);
-    Fault::ALL.into_iter().filter(|f| set.has(*f)).map(Fault::name).collect()
+    Faults::from_bits(bits).names().collect()
 }
 
 #[cfg(test)]
