@@ -220,29 +220,21 @@ impl CarriedWorld {
 
     /// Refuses contacts between parts that no force moves.
     fn refuse_immovable_pairs(&self) -> Result<(), String> {
-        let still = self.carriers.iter().flat_map(|own| std::iter::repeat_n(own.n_u() == 0, own.n_ports()));
-        let still: Vec<bool> = still.collect();
+        let [ports, held] = self.immovable();
         let is_immovable = |part: usize| match &self.places[part] {
             Place::Carrier(number, _) => self.carriers[*number].n_u() == 0,
-            Place::Shape(port, ..) => still[*port],
-            Place::Nodes(nodes, ..) => {
-                let held = |node: usize| self.fixed.attachments.iter().find(|held| held.node == node);
-                nodes
-                    .clone()
-                    .all(|node| self.fixed.held[node] && held(node).is_none_or(|held| still[held.port]))
-            }
+            Place::Shape(port, ..) => ports[*port],
+            Place::Nodes(nodes, ..) => held[nodes.clone()].iter().all(|held| *held),
         };
         let parts = self.touching.as_ref().map_or(&[][..], |touching| &touching.parts);
-        match parts.iter().find(|parts| parts.iter().all(|part| is_immovable(*part))) {
-            None => Ok(()),
-            Some(parts) => {
-                let [one, other] = parts.map(|part| &self.names[part]);
-                Err(format!(
-                    "contacts: `{one}` and `{other}` are both fixed or follow commands, so that no force keeps them apart; \
-                     leave the pair out, or let one of them move"
-                ))
-            }
-        }
+        let Some(parts) = parts.iter().find(|parts| parts.iter().all(|part| is_immovable(*part))) else {
+            return Ok(());
+        };
+        let [one, other] = parts.map(|part| &self.names[part]);
+        Err(format!(
+            "contacts: `{one}` and `{other}` are both fixed or follow commands, so that no force keeps them apart; \
+             leave the pair out, or let one of them move"
+        ))
     }
 
     /// Frames of the ports of mechanisms whose motion is completely prescribed.

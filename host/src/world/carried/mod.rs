@@ -299,14 +299,19 @@ impl<S: Scalar> CarriedWorld<S> {
         self.carriers.iter().map(Carrier::n_q).sum::<usize>() + 3 * self.free()
     }
 
-    /// Finds the parts that space or a commanded port holds.
-    fn find_restrained(&mut self) {
+    /// By port and by node: is it fixed in space, or does it follow commands?
+    fn immovable(&self) -> [Vec<bool>; 2] {
         let still = self.carriers.iter().flat_map(|own| std::iter::repeat_n(own.n_u() == 0, own.n_ports()));
-        let still: Vec<bool> = still.collect();
-        let mut held = self.fixed.held.clone();
+        let (still, mut held): (Vec<bool>, _) = (still.collect(), self.fixed.held.clone());
         for attachment in &self.fixed.attachments {
             held[attachment.node] = still[attachment.port];
         }
+        [still, held]
+    }
+
+    /// Finds the parts that space or a commanded port holds.
+    fn find_restrained(&mut self) {
+        let [_, held] = self.immovable();
         let parts = self.places.iter().filter_map(|place| match place {
             Place::Nodes(nodes, ..) if held[nodes.clone()].contains(&true) => Some([nodes.start, nodes.end]),
             _ => None,
