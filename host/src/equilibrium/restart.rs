@@ -130,20 +130,16 @@ impl Search<'_> {
             around(&ranges).into_iter().map(named).collect()
         };
         // At one place a slope may vanish, as by a symmetry of the first, which is the middle of all ranges.
-        let mut counts = vec![false; self.state.len()];
-        let mut probes = 0;
-        for place in places(self, &moved) {
-            if probes < PROBES
-                && self.go_to(start, &place)
-                && let Ok(Rates { slopes, .. }) = self.rates()
-            {
-                let largest = slopes.a.amax();
-                moved.iter().for_each(|&i| counts[i] |= slopes.a.column(i).amax() > NO_SLOPE * largest);
-                probes += 1;
-            }
-        }
-        if probes > 0 {
-            moved.retain(|&i| counts[i]);
+        let all = places(self, &moved);
+        let reached =
+            all.iter().filter_map(|place| if self.go_to(start, place) { self.rates().ok() } else { None });
+        let probes: Vec<Rates> = reached.take(PROBES).collect();
+        let counts = |i: usize| {
+            let slopes = probes.iter().map(|rates| &rates.slopes.a);
+            slopes.into_iter().any(|a| a.column(i).amax() > NO_SLOPE * a.amax())
+        };
+        if !probes.is_empty() {
+            moved.retain(|&i| counts(i));
         }
         if moved.is_empty() { Vec::new() } else { places(self, &moved) }
     }
