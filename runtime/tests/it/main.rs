@@ -3,6 +3,7 @@
 mod by_blocks;
 mod conserve;
 mod conserving;
+mod constrained_carriers;
 mod damped;
 mod double_double;
 mod flexible;
