@@ -122,6 +122,9 @@ fn every_refusal_of_a_scene_has_its_cause_and_cure() {
             "{GROUND}{}[[contacts]]\nbetween = [\"cube\", \"ground\"]\nimpact = \"moreau\"",
             CUBE.replace("height = 1", "height = -0.01")
         ),
+        format!(
+            "{GROUND}[parts.pad]\nrigid = \"sphere\"\nradius = 1\nfixed = true\n{HIGH}[[contacts]]\nbetween = [\"pad\", \"ground\"]\nimpact = \"moreau\""
+        ),
         format!("{CUBE}air_drag = 1\n[parts.other]\nshape = \"cube\"\nstart = {{ height = 3 }}"),
         // Gas and controllers.
         format!("{BLADDER}, supply = {{ gauge = \"-200_kPa\", conductance = 1e-8 }} }}"),
