@@ -130,7 +130,6 @@ impl<'a, S: Scalar, O: Ode<S>> Flow<'a, S, O> {
             Moving::Coordinates => 0..n_q,
             Moving::All => 0..n,
         };
-        let still = S::EPSILON * self.trial.x.iter().take(n_q).fold(S::ZERO, |most, q| most.max(q.abs()));
         let is_exact = moving == Moving::Speeds && !self.system.is_damped();
         self.change.fill(S::ZERO);
         // Changes made by the last two iterations: errors pass between coordinates and speeds, so that only every
@@ -145,9 +144,11 @@ impl<'a, S: Scalar, O: Ode<S>> Flow<'a, S, O> {
             let settled = step <= S::from_f64(SETTLED) * S::EPSILON * size;
             // A change that no longer shrinks is rounding noise below the root of the rounding unit, and where it moves
             // no coordinate by more than its rounding: balanced forces leave noise at rest, too.
-            let is_small =
-                step <= S::EPSILON.sqrt() * size || moving == Moving::Speeds && h.abs() * step <= still;
-            let is_rounding = step >= before[0] && is_small;
+            let is_small = || {
+                step <= S::EPSILON.sqrt() * size
+                    || moving == Moving::Speeds && h.abs() * step <= self.rounding_of_coordinates()
+            };
+            let is_rounding = step >= before[0] && is_small();
             if is_exact || settled || is_rounding {
                 self.advance();
                 return Ok(());
@@ -158,6 +159,12 @@ impl<'a, S: Scalar, O: Ode<S>> Flow<'a, S, O> {
             before = [before[1], step];
         }
         Err(Fault::Unsettled)
+    }
+
+    /// Rounding of the largest coordinate.
+    fn rounding_of_coordinates(&self) -> S {
+        let coordinates = self.trial.x.iter().take(self.system.n_q());
+        S::EPSILON * coordinates.fold(S::ZERO, |most, q| most.max(q.abs()))
     }
 
     /// Rates at the midpoint x + d/2.
