@@ -1,25 +1,17 @@
 //! The cost of a step is proportional to the number of moving parts and contacts.
 
-use super::support::{ELSEWHERE, parse, rubbing};
+use super::support::{ELSEWHERE, least_times, parse, rubbing};
 use smartbed::world::run::engine;
 use std::time::{Duration, Instant};
 
 /// Any two bladders may touch.
 const NEIGHBOURS: &str = "[[contacts]]\nbetween = [\"bladder\", \"bladder\"]\nimpact = \"moreau\"\n";
 
-/// Least time of a step of the bed with so many tiles, and more in its text (s).
-fn step([columns, rows]: [usize; 2], more: &str) -> f64 {
+/// The bed with so many tiles, and more in its text.
+fn bed([columns, rows]: [usize; 2], more: &str) -> String {
     let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../models/scenes/bed.toml");
     let text = std::fs::read_to_string(path).expect("the scene");
-    let text = text.replace("count = [7, 4]", &format!("count = [{columns}, {rows}]")) + more;
-    let mut world = engine(&parse(&text).expect("a world")).expect("an engine");
-    let mut least = Duration::MAX;
-    for _ in 0..30 {
-        let start = Instant::now();
-        world.step(1e-3, &mut Vec::new()).expect("a step");
-        least = least.min(start.elapsed());
-    }
-    least.as_secs_f64()
+    text.replace("count = [7, 4]", &format!("count = [{columns}, {rows}]")) + more
 }
 
 /// A closed sheet of so many nodes a side, one step long.
@@ -79,14 +71,16 @@ fn memory_is_linear_in_the_nodes_of_a_sheet() {
 #[test]
 fn a_step_costs_in_proportion_to_the_tiles() {
     for more in ["", NEIGHBOURS] {
-        let each = [[2, 1], [2, 2], [4, 4], [7, 4]].map(|count| {
-            let tiles = (count[0] * count[1]) as f64;
-            let each = step(count, more) / tiles;
-            println!("{tiles} tiles: {:.1} us a step and tile", 1e6 * each);
-            each
-        });
+        let counts = [[2, 2], [4, 4], [7, 4]];
+        let each = |times: &[f64; 3]| [0, 1, 2].map(|k| times[k] / (counts[k][0] * counts[k][1]) as f64);
         // A cost by pairs of tiles would be seven times that of four at 28.
-        assert!(each[3] < 2.0 * each[1] && each[2] < 2.0 * each[1], "{each:?}");
+        let proportional = |times: &[f64; 3]| {
+            let [four, sixteen, all] = each(times);
+            sixteen < 2.0 * four && all < 2.0 * four
+        };
+        let times = least_times(counts.map(|count| bed(count, more)), 0, proportional);
+        println!("4, 16, 28 tiles: {:?} s a step and tile", each(&times));
+        assert!(proportional(&times), "{times:?}");
     }
 }
 

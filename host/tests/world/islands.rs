@@ -1,9 +1,7 @@
 //! Separate parts are stepped separately; slow parts stand still, if the scene says so.
 
-use super::support::{json, number, parse, rows, scene, settled};
-use smartbed::world::run::engine;
+use super::support::{json, least_times, number, rows, scene, settled};
 use std::fmt::Write as _;
-use std::time::Instant;
 
 /// A cube of springs that falls from so high (m) at this place, with a floor of its own under it.
 fn cube(name: &str, [x, height]: [f64; 2], law: &str) -> String {
@@ -59,20 +57,6 @@ fn parts_that_are_apart_step_as_they_do_alone_bit_for_bit() {
     }
 }
 
-/// Time of a step (s), the least of a few.
-fn step(text: &str) -> f64 {
-    let mut world = engine(&parse(text).expect("a world")).expect("an engine");
-    for _ in 0..800 {
-        world.step(1e-3, &mut Vec::new()).expect("a step");
-    }
-    let times = (0..40).map(|_| {
-        let start = Instant::now();
-        world.step(1e-3, &mut Vec::new()).expect("a step");
-        start.elapsed().as_secs_f64()
-    });
-    times.fold(f64::INFINITY, f64::min)
-}
-
 /// Steps cost in proportion to moving parts: of 28 tiles one rises, then four, then all; the others are at rest.
 #[test]
 fn a_step_costs_what_moves_of_28_tiles() {
@@ -84,14 +68,15 @@ fn a_step_costs_what_moves_of_28_tiles() {
     let still = |count: usize| {
         tiles("still", "5_mm", &format!("grid = {{ count = [{count}, 1], pitch = [0.3, 0.3] }}"))
     };
-    let alone = step(&format!("format = 2\n{}{}", tiles("mover", RISING, ""), run("")));
-    let one = step(&format!("format = 2\n{}{}{sleep}", tiles("mover", RISING, ""), still(27)));
-    let four = step(&format!("format = 2\n{}{}{sleep}", mover(4), still(24)));
-    let all = step(&format!("format = 2\n{}{}", mover(28), run("")));
+    let alone = format!("format = 2\n{}{}", tiles("mover", RISING, ""), run(""));
+    let one = format!("format = 2\n{}{}{sleep}", tiles("mover", RISING, ""), still(27));
+    let four = format!("format = 2\n{}{}{sleep}", mover(4), still(24));
+    let all = format!("format = 2\n{}{}", mover(28), run(""));
+    let proportional =
+        |&[alone, one, four, all]: &[f64; 4]| one < 1.5 * alone && four < 6.0 * alone && all > 5.0 * one;
+    let least @ [alone, one, four, all] = least_times([alone, one, four, all], 800, proportional);
     println!("steps: alone {alone:.2e} s, one of 28 {one:.2e}, four {four:.2e}, all {all:.2e}");
-    assert!(one < 1.5 * alone, "{one:e} and {alone:e} alone");
-    assert!(four < 6.0 * alone, "{four:e} and {alone:e} alone");
-    assert!(all > 5.0 * one, "{all:e} for all, {one:e} for one");
+    assert!(proportional(&least), "{least:?}");
 }
 
 /// A ball falls on a cube that sleeps: it wakes before they meet, and both move as if it had never slept.

@@ -1,8 +1,10 @@
 //! Runs the program at the root of the workspace, and reads what it says.
 
+use smartbed::world::run::engine;
 use smartbed::world::{Assembly, read};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
+use std::time::Instant;
 
 /// The program at the root of the workspace.
 pub fn smartbed(arguments: &[&str]) -> Output {
@@ -99,4 +101,29 @@ pub fn rows(arguments: &[&str]) -> (Vec<String>, Vec<Vec<f64>>) {
     let names = fields(lines.next().expect("a header"));
     let row = |line: &str| line.split(',').map(|x| x.parse().expect("a number")).collect();
     (names, lines.map(row).collect())
+}
+
+/// The least time of a step of 1 ms of each of these worlds (s), after `settled` steps of each. They take turns, so that
+/// a machine that slows down slows all of them: 30 turns, then more until the times are as `enough` asks, at most 2000.
+pub fn least_times<const N: usize>(
+    texts: [String; N],
+    settled: usize,
+    enough: impl Fn(&[f64; N]) -> bool,
+) -> [f64; N] {
+    let mut worlds = texts.map(|text| engine(&parse(&text).expect("a world")).expect("an engine"));
+    let mut least = [f64::INFINITY; N];
+    for turn in 0..settled + 2000 {
+        if turn >= settled + 30 && enough(&least) {
+            break;
+        }
+        for (world, least) in worlds.iter_mut().zip(&mut least) {
+            let start = Instant::now();
+            world.step(1e-3, &mut Vec::new()).expect("a step");
+            let took = start.elapsed().as_secs_f64();
+            if turn >= settled {
+                *least = least.min(took);
+            }
+        }
+    }
+    least
 }
