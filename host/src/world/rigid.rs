@@ -312,7 +312,7 @@ pub(super) const JAMMED: &str = "friction jams a sliding body (Painleve's parado
     impact = \"moreau\"";
 /// The same where they were not found.
 pub(super) const UNBALANCED: &str = "the forces of redundant contacts were not found: the sweeps over them do not converge, as where \
-    much friction jams; take less friction, or impact = \"moreau\"";
+    much friction jams; take a smaller step, less friction, or impact = \"moreau\"";
 
 fn message(fault: Fault) -> String {
     match fault {

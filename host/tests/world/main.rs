@@ -18,6 +18,7 @@ mod rigid;
 mod runs;
 mod single;
 mod sliding;
+mod stacks;
 mod support;
 mod touching;
 mod woven;

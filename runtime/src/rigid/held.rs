@@ -102,12 +102,14 @@ impl<S: Scalar, T: AsMut<Held<S>>> Swept<S> for T {
 }
 
 /// What forces are sought.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub struct Sought {
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Sought<S> {
     /// Whether normal forces may be negative, for callers that locate the time of release.
     pub pulls: bool,
     /// Whether redundant contacts may contradict one another somewhat, because their accelerations are differences.
     pub rough: bool,
+    /// Acceleration (m/s^2) that counts as zero.
+    pub least: S,
 }
 
 /// One sweep: whether friction turns, whether contacts pull, how much they yield. Returns its largest change relative to
@@ -183,6 +185,11 @@ impl<S: Scalar> Held<S> {
             self.set([normal, x, y], inertia, accelerations);
         }
         Ok(())
+    }
+
+    /// Yields no more to its present force.
+    pub(super) fn keep(&mut self) {
+        self.unyielded = self.contact.impulse;
     }
 
     /// Relative acceleration along n, t1, t2.

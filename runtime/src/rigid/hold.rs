@@ -16,7 +16,7 @@ use super::contact::{Inertia, Twist};
 pub(crate) use super::held::CORNERS;
 use super::held::sweep;
 pub use super::held::{Held, Slip, Sought, Unheld};
-use super::share::share;
+use super::share::{share, soften};
 use super::sweeps::{PLAIN, Patience, fine};
 use crate::real::Scalar;
 use crate::vec3;
@@ -34,7 +34,7 @@ const TURNS: usize = 300;
 /// [`Unheld`]; forces and accelerations are then those of the last sweep.
 pub fn hold<S: Scalar>(
     held: &mut [impl AsMut<Held<S>>],
-    Sought { pulls, rough }: Sought,
+    Sought { pulls, rough, least }: Sought<S>,
     inertia: &(impl Inertia<S> + ?Sized),
     accelerations: &mut [Twist<S>],
 ) -> Result<(), Unheld> {
@@ -42,13 +42,17 @@ pub fn hold<S: Scalar>(
     let mut scale = S::ZERO;
     for h in held.iter_mut().map(AsMut::as_mut) {
         let acceleration = vec3::norm(h.contact.relative(accelerations)) + vec3::norm(h.bias);
-        scale = scale.max(acceleration / h.inverse_mass[0][0]);
+        scale = scale.max(acceleration.max(least) / h.inverse_mass[0][0]);
     }
     for h in held.iter_mut().map(AsMut::as_mut) {
         h.contact.push(inertia, accelerations, h.contact.impulse);
     }
+    // Redundant contacts that may pull could pull and push against one another without an end.
+    if pulls && held.len() > 1 {
+        return found(soften(held, pulls, scale, inertia, accelerations)?);
+    }
     // One sweep without yielding then gives contacts that do not touch one another their exact forces.
-    let shared = share(held, Sought { pulls, rough }, scale, inertia, accelerations)?;
+    let shared = share(held, (pulls, rough), scale, inertia, accelerations)?;
     let (mut left, mut ahead, mut patience) = (S::ZERO, Ahead::new(), Patience::of_forces(rough));
     for number in 0..SWEEPS {
         left = sweep(held, (number < TURNS, pulls, S::ZERO), scale, inertia, accelerations)?;
@@ -61,5 +65,17 @@ pub fn hold<S: Scalar>(
             ahead.go_on(held, inertia, accelerations);
         }
     }
-    if patience.iter().any(|patience| patience.accepts(left)) { Ok(()) } else { Err(Unheld::Unbalanced) }
+    let accepted = patience.iter().any(|patience| patience.accepts(left));
+    found(accepted || soften(held, pulls, scale, inertia, accelerations)?)
+}
+
+/// Whether forces were found.
+fn found(found: bool) -> Result<(), Unheld> {
+    if found { Ok(()) } else { Err(Unheld::Unbalanced) }
+}
+
+/// The acceleration (m/s^2) that counts as zero in a step of h, where this speed does: below it are rounding errors and
+/// those of the differences from which accelerations are computed.
+pub(crate) fn negligible<S: Scalar>(rate: S, h: S) -> S {
+    S::from_f64(1e-3) * rate / h
 }

@@ -8,12 +8,13 @@
 //! slip in different ones: the pattern + - + - at the corners of a box that turns is a torque of friction. Contacts that
 //! yield have one solution, in whatever order and from whatever forces they are swept. In the limit of the repetitions they
 //! yield no more, and D lambda fits one motion of the bodies: under a box, the normal forces are a plane over its corners,
-//! as on springs of one stiffness. Nor do contacts whose accelerations contradict one another by rounding
-//! drive the forces away: each repetition moves them by that rounding over D only.
+//! as on springs of one stiffness. Nor do contacts whose accelerations contradict one another
+//! drive the forces away: each repetition moves them by that contradiction over D only. A large D takes few sweeps a
+//! repetition and moves them least: forces that plain sweeps did not find are found so (`soften`).
 
 use super::anderson::Ahead;
 use super::contact::{Inertia, Twist};
-use super::held::{Held, Slip, Sought, Unheld, sweep};
+use super::held::{Held, Slip, Unheld, sweep};
 use super::sweeps::{Patience, accepted, fine};
 use crate::real::Scalar;
 use crate::vec3;
@@ -22,6 +23,16 @@ use crate::vec3;
 const YIELDS: f64 = 1e-3;
 /// Fewest contacts whose normal forces fit in more than one way.
 const REDUNDANT: usize = 4;
+/// D of contacts that contradict one another, as the share above.
+const SOFT: f64 = 0.1;
+/// Most repetitions with it, and those within which what is left halves at least.
+const SOFT_TIMES: [usize; 2] = [80, 8];
+/// Most sweeps of each, which end where one changes the forces by less than this share of what the repetition does.
+const SOFT_SWEEPS: usize = 400;
+const INEXACT: f64 = 0.1;
+/// What contradictions may leave, relative to the largest acceleration without contact forces: contacts that stick move by
+/// the error of a step's middle, and redundant ones contradict one another by it.
+const CONTRADICTION: f64 = 1e-3;
 /// Directions of slip that differ by more (rad) are different.
 const TURNED: f64 = 1e-6;
 /// Most repetitions.
@@ -40,7 +51,7 @@ const PLAIN: usize = 4;
 /// force (N) that counts as large.
 pub(super) fn share<S: Scalar>(
     held: &mut [impl AsMut<Held<S>>],
-    Sought { pulls, rough }: Sought,
+    (pulls, rough): (bool, bool),
     scale: S,
     inertia: &(impl Inertia<S> + ?Sized),
     accelerations: &mut [Twist<S>],
@@ -54,16 +65,50 @@ pub(super) fn share<S: Scalar>(
         if !settle(held, pulls, scale, inertia, accelerations)? {
             return Ok(false);
         }
-        let left = yielded(held, scale);
-        if left <= fine::<S>(SWEEPS) {
+        let [left, largest] = yielding(held, YIELDS, scale);
+        held.iter_mut().for_each(|h| h.as_mut().keep());
+        if left <= fine::<S>(SWEEPS) * largest {
             return Ok(true);
         }
+        let left = left / largest;
         if left > S::from_f64(STAYS) * before {
             return Ok(rough && left <= accepted(rough));
         }
         before = left;
     }
     Ok(false)
+}
+
+/// Finds forces of contacts that contradict one another, or that plain sweeps do not find; returns whether it did.
+pub(super) fn soften<S: Scalar>(
+    held: &mut [impl AsMut<Held<S>>],
+    pulls: bool,
+    scale: S,
+    inertia: &(impl Inertia<S> + ?Sized),
+    accelerations: &mut [Twist<S>],
+) -> Result<bool, Unheld> {
+    for h in held.iter_mut().map(AsMut::as_mut) {
+        h.contact.push(inertia, accelerations, vec3::scale(h.contact.impulse, -S::ONE));
+        (h.contact.impulse, h.unyielded) = (vec3::zero(), vec3::zero());
+    }
+    let (soft, [times, within]) = (S::from_f64(SOFT), SOFT_TIMES);
+    let mut patience = Patience::new(within, S::from_f64(CONTRADICTION));
+    let mut left = S::ZERO;
+    for number in 0..times {
+        let mut largest = scale;
+        for _ in 0..SOFT_SWEEPS {
+            let moved = sweep(held, (true, pulls, soft), scale, inertia, accelerations)?;
+            [left, largest] = yielding(held, SOFT, scale);
+            if moved * largest <= S::from_f64(INEXACT) * left {
+                break;
+            }
+        }
+        held.iter_mut().for_each(|h| h.as_mut().keep());
+        if left <= fine::<S>(SWEEPS) * largest || patience.ends(number, left / scale) {
+            return Ok(true);
+        }
+    }
+    Ok(patience.accepts(left / scale))
 }
 
 /// Whether contacts slip in different directions: else all forces that fit give the same accelerations.
@@ -107,14 +152,13 @@ fn settle<S: Scalar>(
     Ok(false)
 }
 
-/// What contacts have yielded to, relative to the largest force; they do not yield to it again.
-fn yielded<S: Scalar>(held: &mut [impl AsMut<Held<S>>], scale: S) -> S {
+/// The largest force (N) by which a contact yields, and the largest of all forces.
+fn yielding<S: Scalar>(held: &mut [impl AsMut<Held<S>>], yields: f64, scale: S) -> [S; 2] {
     let (mut most, mut largest) = (S::ZERO, scale);
     for h in held.iter_mut().map(AsMut::as_mut) {
         let force = h.contact.impulse;
         most = most.max(vec3::norm(vec3::sub(force, h.unyielded)));
         largest = largest.max(vec3::norm(force));
-        h.unyielded = force;
     }
-    if most > S::ZERO { S::from_f64(YIELDS) * most / largest } else { S::ZERO }
+    [S::from_f64(yields) * most, largest]
 }

@@ -52,13 +52,19 @@ impl<S: Scalar> RigidScene<'_, S> {
             let slides = speed > rounding.rate && t.held.contact.friction > S::ZERO;
             t.held.slip = slides.then_some(Slip::new([x, y], speed, h, S::from_f64(CORNERS)));
         }
-        self.find_forces(memory, 0, held)?;
+        self.find_forces(memory, 0, held, rounding)?;
         Ok(Start { held, known })
     }
 
     /// Computes the forces of the first `count` contacts of `touching` (stage 0, at the start) or `along` (stage 1, in
     /// the middle).
-    fn find_forces(&self, memory: &mut Memory<S>, stage: usize, count: usize) -> Result<(), Fault> {
+    fn find_forces(
+        &self,
+        memory: &mut Memory<S>,
+        stage: usize,
+        count: usize,
+        rounding: Rounding<S>,
+    ) -> Result<(), Fault> {
         let Memory { states: [now, _, middle], twists, spare, mobilities, touching, along, .. } = memory;
         let (states, list) = if stage == 0 { (now, touching) } else { (middle, along) };
         // Accelerations without contacts: free fall, and m' = 0 with m = J omega: J omega' = -omega x m.
@@ -72,7 +78,8 @@ impl<S: Scalar> RigidScene<'_, S> {
             };
         }
         let list = list.get_mut(..count).ok_or(Fault::TooManyContacts)?;
-        Ok(hold(list, Sought { pulls: false, rough: false }, &**mobilities, spare)?)
+        let sought = Sought { pulls: false, rough: false, least: rounding.acceleration };
+        Ok(hold(list, sought, &**mobilities, spare)?)
     }
 
     /// Advances the states so far by a length of time into the trial states; returns the number of contacts in `along`.
@@ -86,7 +93,7 @@ impl<S: Scalar> RigidScene<'_, S> {
         let half = S::from_f64(0.5) * length;
         self.move_by(memory, 0, held, half)?;
         let count = self.meet_again(memory, held, rounding)?;
-        self.find_forces(memory, 1, count)?;
+        self.find_forces(memory, 1, count, rounding)?;
         self.move_by(memory, 1, count, length)?;
         Ok(count)
     }

@@ -3,7 +3,7 @@
 use crate::real::Scalar;
 use crate::rigid::attitude::Attitude;
 use crate::rigid::contact::Contact;
-use crate::rigid::hold::Unheld;
+use crate::rigid::hold::{Unheld, negligible};
 use crate::rigid::law::Law;
 use crate::rigid::{RigidBody, RigidState};
 use crate::surface::{Frame, Shape};
@@ -87,7 +87,7 @@ impl<S: Scalar> Part<S> {
     }
 }
 
-/// Tolerances: lengths and speeds that count as zero.
+/// Tolerances: lengths, speeds and accelerations that count as zero.
 #[derive(Clone, Copy)]
 pub(super) struct Rounding<S> {
     /// Gap (m).
@@ -96,6 +96,8 @@ pub(super) struct Rounding<S> {
     pub(super) drift: S,
     /// Speed (m/s).
     pub(super) rate: S,
+    /// Acceleration (m/s^2).
+    pub(super) acceleration: S,
 }
 
 impl<S: Scalar> RigidScene<'_, S> {
@@ -108,8 +110,9 @@ impl<S: Scalar> RigidScene<'_, S> {
         })
     }
 
-    /// Tolerances: gaps from the size of the moving parts, speeds from the present ones and from the lowest bounce.
-    pub(super) fn rounding(&self, states: &[RigidState<S>]) -> Rounding<S> {
+    /// Tolerances for a step of h: gaps from the size of the moving parts, speeds from the present ones and from the lowest
+    /// bounce.
+    pub(super) fn rounding(&self, states: &[RigidState<S>], h: S) -> Rounding<S> {
         let (mut size, mut speed) = (S::ZERO, S::ZERO);
         for (part, state) in self.parts.iter().zip(states) {
             let Some(body) = &part.body else { continue };
@@ -126,11 +129,13 @@ impl<S: Scalar> RigidScene<'_, S> {
         let eps = S::EPSILON;
         // The speed whose bounce is as high as the rounding of lengths: v^2/(2 g) = 8 epsilon size.
         let lowest = S::from_f64(4.0) * (eps * vec3::norm(self.gravity) * size).sqrt();
+        let rate = lowest + S::from_f64(64.0) * eps * speed;
         // epsilon^(2/3): between the rounding unit and 1, and far above sums of rounding errors.
         Rounding {
             gap: (S::from_f64(2.0 / 3.0) * eps.ln()).exp() * size,
             drift: S::from_f64(0.01) * size,
-            rate: lowest + S::from_f64(64.0) * eps * speed,
+            rate,
+            acceleration: negligible(rate, h),
         }
     }
 

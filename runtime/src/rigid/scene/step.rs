@@ -83,7 +83,7 @@ impl<S: Scalar> RigidScene<'_, S> {
         let (mut left, mut rest) = (h, PIECES);
         for split in 0..SPLITS + PIECES as usize {
             let last = split >= SPLITS;
-            let rounding = self.rounding(memory.states[0]);
+            let rounding = self.rounding(memory.states[0], h);
             self.strike(memory, rounding, last, report, |strike| {
                 strikes(Strike { time: h - left, ..strike })
             })?;

@@ -5,7 +5,7 @@ use crate::mechanism::Fault;
 use crate::ode::Ode;
 use crate::real::Scalar;
 use crate::rigid::contact::Twist;
-use crate::rigid::hold::{Sought, hold};
+use crate::rigid::hold::{Sought, hold, negligible};
 use crate::vec3;
 use crate::world::carrier::Carrier;
 use crate::world::detect::Touch;
@@ -84,7 +84,8 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         let list = way.pressing.get_mut(..way.held).unwrap_or_default();
         // The foot of a deep overlap may be another one than was detected: keep the gap that projections will measure.
         list.iter_mut().filter(|own| own.kept < S::ZERO).for_each(|own| own.kept = own.gap.min(S::ZERO));
-        hold(list, Sought { pulls: false, rough: true }, &*inertias, gained)?;
+        let sought = Sought { pulls: false, rough: true, least: negligible(rate, way.h) };
+        hold(list, sought, &*inertias, gained)?;
         let largest = list.iter().fold(S::ZERO, |most, own| most.max(own.held.contact.impulse[0]));
         let mut held = 0;
         for k in 0..list.len() {

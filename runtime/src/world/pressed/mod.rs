@@ -22,7 +22,7 @@ use crate::mechanism::Fault;
 use crate::ode::Ode;
 use crate::real::Scalar;
 use crate::rigid::contact::Twist;
-use crate::rigid::hold::{CORNERS, Held, Slip, Sought, Unheld, hold};
+use crate::rigid::hold::{CORNERS, Held, Slip, Sought, Unheld, hold, negligible};
 use crate::vec3::{self, Vec3};
 
 /// Half the interval of central differences relative to the step: balances errors of rounding and of curvature.
@@ -268,19 +268,25 @@ impl<S: Scalar, C: Carrier<S>> Pressed<'_, '_, '_, S, C> {
     }
 
     /// Forces that keep every contact closed. They pull only where pushing cannot do it, because the caller locates the
-    /// time of release; those of redundant contacts could pull and push against one another without an effect.
+    /// time of release; those of redundant contacts could pull and push against one another without an effect. Where
+    /// these contradict one another no forces keep all of them closed, and one opens.
     fn balance(&mut self) -> Result<(), Fault> {
-        let StepMemory { twists: [gained, ..], inertias, .. } = &mut *self.memory;
-        for pulls in [false, true] {
-            gained.fill(Twist::zero());
-            hold(self.list, Sought { pulls, rough: true }, &*inertias, gained)?;
-            let largest = self.list.iter().fold(S::ZERO, |most, own| most.max(own.held.contact.impulse[0]));
-            let opens = |own: &Pressing<S>| own.held.opens(gained) > S::from_f64(MISSING_OF_ALL) * largest;
-            if !self.list.iter().any(opens) {
-                break;
-            }
+        self.find_forces(false)?;
+        let gained = &*self.memory.twists[0];
+        let largest = self.list.iter().fold(S::ZERO, |most, own| most.max(own.held.contact.impulse[0]));
+        let opens = |own: &Pressing<S>| own.held.opens(gained) > S::from_f64(MISSING_OF_ALL) * largest;
+        if self.list.iter().any(opens) && self.find_forces(true) == Err(Unheld::Unbalanced) {
+            self.find_forces(false)?;
         }
         Ok(())
+    }
+
+    /// Finds the forces of all contacts, which may pull or not, and the accelerations by them.
+    fn find_forces(&mut self, pulls: bool) -> Result<(), Unheld> {
+        let StepMemory { twists: [gained, ..], inertias, .. } = &mut *self.memory;
+        gained.fill(Twist::zero());
+        let sought = Sought { pulls, rough: true, least: negligible(self.rounding[1], self.h) };
+        hold(self.list, sought, &*inertias, gained)
     }
 
     /// Adds the contact forces to those on the nodes and to the wrenches on the ports.
