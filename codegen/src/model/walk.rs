@@ -99,7 +99,8 @@ impl Model {
             all.extend(velocity.iter().map(|e| (Role::StatedVelocity(id), e)));
         }
         for (id, body) in bodies.enumerate() {
-            let Body { mass, inertia, name: _, centre: _, frame: _, weight: _, span: _ } = body;
+            // The lengths of its shape are in its mass or inertia already.
+            let Body { mass, inertia, lengths: _, name: _, centre: _, frame: _, weight: _, span: _ } = body;
             all.extend(mass.iter().map(|e| (Role::Mass(id), e)));
             all.extend(inertia.iter().flatten().map(|e| (Role::Inertia(id), e)));
         }

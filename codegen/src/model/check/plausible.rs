@@ -1,4 +1,4 @@
-//! Finds numbers that no mechanism has: negative masses, moments of inertia that violate the triangle inequality,
+//! Finds numbers that no mechanism has: negative masses and lengths, moments of inertia that violate the triangle inequality,
 //! nominal values outside their ranges.
 //!
 //! In: a model and the values of its parameters. Out: errors where the equations would be meaningless, warnings for
@@ -26,6 +26,15 @@ impl Model {
                     Diagnostic::error(format!("the mass of `{}` is negative", body.name))
                         .label(span, format!("{mass} kg"))
                         .help("a mass is 0 or more: correct the expression or its parameters"),
+                );
+            }
+            let mut lengths = body.lengths.iter().map(|length| (constants.value(length), length.span));
+            if let Some((length, span)) = lengths.find(|(length, _)| *length < 0.0) {
+                found.push(
+                    Diagnostic::error(format!("a length of the shape of `{}` is negative", body.name))
+                        .label(span, format!("{} m", (1e12 * length).round() / 1e12))
+                        .help("lengths of a shape are 0 or more, and the outer radius of a hollow one comes first: correct the \
+                               expression or its parameters"),
                 );
             }
             let entries: [Option<f64>; 6] =

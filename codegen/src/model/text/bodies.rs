@@ -32,10 +32,20 @@ impl Builder<'_> {
             let centre = centre.unwrap_or(PointId::from_index(0));
             let name = key.name.clone();
             let id = BodyId::from_index(self.draft.model.bodies.len());
+            let lengths = solid.as_ref().map(|solid| solid.lengths.clone()).unwrap_or_default();
             if let Some((kind, sizes, axis)) = solid.and_then(|solid| solid.picture) {
                 self.draft.model.view.shapes.push((id, Shape { kind, sizes, axis, at: None }));
             }
-            self.draft.model.bodies.push(Body { name, centre, mass, frame, inertia, weight, span: key.span });
+            self.draft.model.bodies.push(Body {
+                name,
+                centre,
+                mass,
+                frame,
+                inertia,
+                lengths,
+                weight,
+                span: key.span,
+            });
         }
         self.draft.model.gravity = self
             .sections

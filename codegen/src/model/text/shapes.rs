@@ -21,6 +21,8 @@ pub(super) struct Solid {
     pub density: Unit,
     /// Moments of inertia per unit of mass about x, y, z; `None` where 0.
     pub moments: [Option<Expr>; 3],
+    /// Its lengths, and the difference of the radii of a hollow one.
+    pub lengths: Vec<Expr>,
     /// The shape for pictures: its kind, its lengths, its axis.
     pub picture: Option<(ShapeKind, Vec<Expr>, Axis)>,
 }
@@ -87,6 +89,7 @@ fn of(word: &str, sizes: Vec<Expr>, axis: Axis, span: Span) -> Solid {
             amount,
             density: per_length(3),
             moments,
+            lengths: sizes.clone(),
             picture: Some((ShapeKind::Box, sizes, axis)),
         };
     }
@@ -139,5 +142,7 @@ fn of(word: &str, sizes: Vec<Expr>, axis: Axis, span: Span) -> Solid {
     } else {
         3
     });
-    Solid { amount, density, moments, picture }
+    let wall = matches!(word, "shell" | "tube").then(|| s(0) - s(1));
+    let lengths = sizes.iter().cloned().chain(wall).collect();
+    Solid { amount, density, moments, lengths, picture }
 }
