@@ -34,10 +34,11 @@ const TURNS: usize = 300;
 /// [`Unheld`]; forces and accelerations are then those of the last sweep.
 pub fn hold<S: Scalar>(
     held: &mut [impl AsMut<Held<S>>],
-    Sought { pulls, rough, least }: Sought<S>,
+    sought: Sought<S>,
     inertia: &(impl Inertia<S> + ?Sized),
     accelerations: &mut [Twist<S>],
 ) -> Result<(), Unheld> {
+    let Sought { pulls, rough, least } = sought;
     // Scale of the forces, even where they nearly cancel: those that would stop the initial accelerations.
     let mut scale = S::ZERO;
     for h in held.iter_mut().map(AsMut::as_mut) {
@@ -49,10 +50,10 @@ pub fn hold<S: Scalar>(
     }
     // Redundant contacts that may pull could pull and push against one another without an end.
     if pulls && held.len() > 1 {
-        return found(soften(held, pulls, scale, inertia, accelerations)?);
+        return soften(held, pulls, scale, inertia, accelerations);
     }
     // One sweep without yielding then gives contacts that do not touch one another their exact forces.
-    let shared = share(held, (pulls, rough), scale, inertia, accelerations)?;
+    let shared = share(held, sought, scale, inertia, accelerations)?;
     let (mut left, mut ahead, mut patience) = (S::ZERO, Ahead::new(), Patience::of_forces(rough));
     for number in 0..SWEEPS {
         left = sweep(held, (number < TURNS, pulls, S::ZERO), scale, inertia, accelerations)?;
@@ -65,13 +66,10 @@ pub fn hold<S: Scalar>(
             ahead.go_on(held, inertia, accelerations);
         }
     }
-    let accepted = patience.iter().any(|patience| patience.accepts(left));
-    found(accepted || soften(held, pulls, scale, inertia, accelerations)?)
-}
-
-/// Whether forces were found.
-fn found(found: bool) -> Result<(), Unheld> {
-    if found { Ok(()) } else { Err(Unheld::Unbalanced) }
+    if patience.iter().any(|patience| patience.accepts(left)) {
+        return Ok(());
+    }
+    soften(held, pulls, scale, inertia, accelerations)
 }
 
 /// The acceleration (m/s^2) that counts as zero in a step of h, where this speed does: below it are rounding errors and

@@ -14,7 +14,7 @@
 
 use super::anderson::Ahead;
 use super::contact::{Inertia, Twist};
-use super::held::{Held, Slip, Unheld, sweep};
+use super::held::{Held, Slip, Sought, Unheld, sweep};
 use super::sweeps::{Patience, accepted, fine};
 use crate::real::Scalar;
 use crate::vec3;
@@ -51,7 +51,7 @@ const PLAIN: usize = 4;
 /// force (N) that counts as large.
 pub(super) fn share<S: Scalar>(
     held: &mut [impl AsMut<Held<S>>],
-    (pulls, rough): (bool, bool),
+    Sought { pulls, rough, .. }: Sought<S>,
     scale: S,
     inertia: &(impl Inertia<S> + ?Sized),
     accelerations: &mut [Twist<S>],
@@ -65,7 +65,7 @@ pub(super) fn share<S: Scalar>(
         if !settle(held, pulls, scale, inertia, accelerations)? {
             return Ok(false);
         }
-        let [left, largest] = yielding(held, YIELDS, scale);
+        let [left, largest] = yielding(held, S::from_f64(YIELDS), scale);
         held.iter_mut().for_each(|h| h.as_mut().keep());
         if left <= fine::<S>(SWEEPS) * largest {
             return Ok(true);
@@ -79,14 +79,14 @@ pub(super) fn share<S: Scalar>(
     Ok(false)
 }
 
-/// Finds forces of contacts that contradict one another, or that plain sweeps do not find; returns whether it did.
+/// Finds forces of contacts that contradict one another, or that plain sweeps do not find, from no forces.
 pub(super) fn soften<S: Scalar>(
     held: &mut [impl AsMut<Held<S>>],
     pulls: bool,
     scale: S,
     inertia: &(impl Inertia<S> + ?Sized),
     accelerations: &mut [Twist<S>],
-) -> Result<bool, Unheld> {
+) -> Result<(), Unheld> {
     for h in held.iter_mut().map(AsMut::as_mut) {
         h.contact.push(inertia, accelerations, vec3::scale(h.contact.impulse, -S::ONE));
         (h.contact.impulse, h.unyielded) = (vec3::zero(), vec3::zero());
@@ -98,17 +98,17 @@ pub(super) fn soften<S: Scalar>(
         let mut largest = scale;
         for _ in 0..SOFT_SWEEPS {
             let moved = sweep(held, (true, pulls, soft), scale, inertia, accelerations)?;
-            [left, largest] = yielding(held, SOFT, scale);
+            [left, largest] = yielding(held, soft, scale);
             if moved * largest <= S::from_f64(INEXACT) * left {
                 break;
             }
         }
         held.iter_mut().for_each(|h| h.as_mut().keep());
         if left <= fine::<S>(SWEEPS) * largest || patience.ends(number, left / scale) {
-            return Ok(true);
+            return Ok(());
         }
     }
-    Ok(patience.accepts(left / scale))
+    if patience.accepts(left / scale) { Ok(()) } else { Err(Unheld::Unbalanced) }
 }
 
 /// Whether contacts slip in different directions: else all forces that fit give the same accelerations.
@@ -153,12 +153,12 @@ fn settle<S: Scalar>(
 }
 
 /// The largest force (N) by which a contact yields, and the largest of all forces.
-fn yielding<S: Scalar>(held: &mut [impl AsMut<Held<S>>], yields: f64, scale: S) -> [S; 2] {
+fn yielding<S: Scalar>(held: &mut [impl AsMut<Held<S>>], yields: S, scale: S) -> [S; 2] {
     let (mut most, mut largest) = (S::ZERO, scale);
     for h in held.iter_mut().map(AsMut::as_mut) {
         let force = h.contact.impulse;
         most = most.max(vec3::norm(vec3::sub(force, h.unyielded)));
         largest = largest.max(vec3::norm(force));
     }
-    [S::from_f64(yields) * most, largest]
+    [yields * most, largest]
 }
