@@ -135,8 +135,8 @@ impl Search<'_> {
             all.iter().filter_map(|place| if self.go_to(start, place) { self.rates().ok() } else { None });
         let probes: Vec<Rates> = reached.take(PROBES).collect();
         let counts = |i: usize| {
-            let slopes = probes.iter().map(|rates| &rates.slopes.a);
-            slopes.into_iter().any(|a| a.column(i).amax() > NO_SLOPE * a.amax())
+            let mut slopes = probes.iter().map(|rates| &rates.slopes.a);
+            slopes.any(|a| a.column(i).amax() > NO_SLOPE * a.amax())
         };
         if !probes.is_empty() {
             moved.retain(|&i| counts(i));

@@ -1,5 +1,5 @@
-//! Finds numbers that no mechanism has: negative masses and lengths, moments of inertia that violate the triangle inequality,
-//! nominal values outside their ranges.
+//! Finds numbers that no mechanism has: negative masses and lengths, moments of inertia that violate the triangle
+//! inequality, nominal values outside their ranges.
 //!
 //! In: a model and the values of its parameters. Out: errors where the equations would be meaningless, warnings for
 //! probable slips. Only constants are judged, nothing that depends on the state.
