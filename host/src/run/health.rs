@@ -59,8 +59,8 @@ pub struct Health {
     outside: BTreeMap<String, Outside>,
     /// By column: the first time at which it was not finite, and its value then.
     infinite: BTreeMap<String, (f64, f64)>,
-    /// Smallest pivot so far, relative to nominal.
-    pivot: f64,
+    /// Smallest pivot so far, relative to nominal, and the part that has it, if it is one of several.
+    pivot: (f64, Option<String>),
     imbalance: f64,
     moved: f64,
     size: f64,
@@ -83,7 +83,7 @@ impl Health {
     #[must_use]
     pub fn new(ranges: BTreeMap<String, Range>, epsilon: f64) -> Self {
         let (outside, infinite) = (BTreeMap::new(), BTreeMap::new());
-        Self { ranges, outside, infinite, pivot: 1.0, imbalance: 0.0, moved: 0.0, size: 0.0, epsilon }
+        Self { ranges, outside, infinite, pivot: (1.0, None), imbalance: 0.0, moved: 0.0, size: 0.0, epsilon }
     }
 
     /// Observes a coordinate at a time.
@@ -103,10 +103,10 @@ impl Health {
         }
     }
 
-    /// Observes the worst pivot of a step, relative to nominal.
-    pub fn pivot(&mut self, pivot: f64) {
-        if pivot.is_nan() || pivot < self.pivot {
-            self.pivot = pivot;
+    /// Observes the worst pivot of a step, or that of a part so far, relative to nominal.
+    pub fn pivot(&mut self, part: Option<&str>, pivot: f64) {
+        if pivot.is_nan() || pivot < self.pivot.0 {
+            self.pivot = (pivot, part.map(str::to_owned));
         }
     }
 
@@ -175,12 +175,13 @@ impl Health {
     }
 
     fn singular(&self) -> Option<String> {
-        let is_regular = self.pivot >= NEARLY_SINGULAR;
+        let (pivot, part) = &self.pivot;
+        let is_regular = *pivot >= NEARLY_SINGULAR;
         (!is_regular).then(|| {
+            let of = part.as_ref().map(|part| format!(" of `{part}`")).unwrap_or_default();
             format!(
-                "the motion passed a configuration that is nearly singular (a pivot of {:.1e} of nominal): near it \
-                 the equations hardly determine the motion; `smartbed check` finds such configurations",
-                self.pivot
+                "the motion{of} passed a configuration that is nearly singular (a pivot of {pivot:.1e} of nominal): near \
+                 it the equations hardly determine the motion; `smartbed check` finds such configurations"
             )
         })
     }
@@ -204,7 +205,7 @@ mod tests {
         health.place("crank", -4.126, 1.0);
         health.place("crank", 63.0, 1.0);
         health.place("crank", 3.12, 1.0);
-        health.pivot(0.5);
+        health.pivot(None, 0.5);
         health.energies(Energies { stored: &[2.0, -50.0], moved: &[2.0], imbalance: 1e-3 });
         assert_eq!(health.findings(), [""; 0]);
     }
@@ -213,7 +214,7 @@ mod tests {
     fn the_worst_of_each_kind_is_told() {
         let mut health = health();
         [(0.3, 1.0), (1.2, 2.0), (0.4, 3.0)].iter().for_each(|(x, t)| health.place("h", *x, *t));
-        health.pivot(1e-6);
+        health.pivot(None, 1e-6);
         health.energies(Energies { stored: &[2.0], moved: &[], imbalance: f64::NAN });
         health.energies(Energies { stored: &[2.0], moved: &[], imbalance: 0.0 });
         let found = health.findings();

@@ -150,7 +150,7 @@ impl<S: EngineScalar, F: FnMut(&Row) -> Result<(), Failure>> Recorder<'_, S, F> 
     fn took(&mut self, report: Report<S>, t: f64, x: &[S]) {
         self.summary.steps += 1;
         self.summary.pivot = self.summary.pivot.min(report.pivot.to_f64());
-        self.summary.health.pivot(report.pivot.to_f64());
+        self.summary.health.pivot(None, report.pivot.to_f64());
         for (quantity, value) in self.program.q.iter().zip(x) {
             self.summary.health.place(&quantity.name, value.to_f64(), t);
         }

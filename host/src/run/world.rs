@@ -117,7 +117,8 @@ fn record(arguments: &Arguments, assembly: &Assembly) -> Result<Done, Failure> {
     warnings.append(&mut passed);
     warnings.extend(from.iter().flat_map(|from| changed(from, assembly, &method)));
     let method = if arguments.scalar == ScalarKind::F32 { method + ", in f32" } else { method };
-    let (kept, film) = records.finish(arguments, &note, &events)?;
+    let (mut kept, film) = records.finish(arguments, &note, &events)?;
+    engine.pivots().into_iter().for_each(|(part, pivot)| kept.health.pivot(Some(part), pivot));
     Ok(Done { method, events, film, warnings, kept })
 }
 

@@ -171,6 +171,10 @@ pub trait Engine {
     fn largest_term(&self) -> f64 {
         0.0
     }
+    /// Names of the mechanisms, and the smallest pivot of each so far, relative to nominal.
+    fn pivots(&self) -> Vec<(&str, f64)> {
+        Vec::new()
+    }
     /// Warnings to be shown at the end.
     fn warnings(&self) -> Vec<String> {
         Vec::new()

@@ -59,6 +59,8 @@ pub struct Ported<S = f64> {
     pub(super) name: String,
     /// Times between which no command has a kink.
     pub(super) smooth: [S; 2],
+    /// Smallest pivot of all rates so far, relative to nominal.
+    pub(super) pivot: S,
     /// Names and units of the coordinates in closed form, commanded ones among them.
     pub closed: Vec<(String, String)>,
 }
@@ -141,6 +143,7 @@ impl<S: Scalar> Ported<S> {
             has_switches: observers.switches > 0,
             name: model.name.clone(),
             smooth: [f64::NEG_INFINITY, f64::INFINITY].map(S::from_f64),
+            pivot: S::ONE,
             closed: observers.closed,
         };
         Ok((ported, start))
@@ -297,7 +300,9 @@ impl<S: Scalar> Ported<S> {
     ) -> Result<S, Fault> {
         self.remember(t, q, u);
         self.command(t, q, u, wrenches)?;
-        self.engine.rates(t, q, u, &self.inputs, q_dot, u_dot)
+        let pivot = self.engine.rates(t, q, u, &self.inputs, q_dot, u_dot)?;
+        self.pivot = self.pivot.min(pivot.abs());
+        Ok(pivot)
     }
 
     /// J M^-1 J': for one port as derived; for two ports, the twist at one of them due to a unit impulse at the other.

@@ -203,16 +203,28 @@ fn parts_that_no_force_moves_are_no_pair() {
 
 #[test]
 fn what_a_mechanism_warns_of_alone_it_warns_of_in_a_scene() {
-    let file =
-        scene("runs_ranges", "format = 2\n[parts.m]\nmechanism = \"parallelogram\"\n[run]\nseconds = 0.4\n");
-    let alone = json(&["parallelogram", "--seconds", "0.4"]);
-    let ranges = |done: &serde_json::Value| {
-        let said =
-            done["warnings"].as_array().expect("warnings").iter().filter_map(serde_json::Value::as_str);
-        said.filter(|text| text.contains("left the ranges")).count()
+    let part = "[parts.m]\nmechanism = \"parallelogram\"\n";
+    let text = |others: &str| format!("format = 2\n{part}{others}[run]\nseconds = 0.5\n");
+    let single = scene("runs_ranges", &text(""));
+    // Stepped apart from another mechanism.
+    let apart = scene("runs_ranges_apart", &text("[parts.other]\nmechanism = \"fourbar\"\n"));
+    let said = |arguments: &[&str], warning: &str| {
+        let done = json(arguments);
+        let all = done["warnings"].as_array().expect("warnings");
+        all.iter().filter(|text| text.as_str().is_some_and(|text| text.contains(warning))).count()
     };
-    assert_eq!([ranges(&alone), ranges(&json(&[&file]))], [1, 1]);
-    assert!(fails(&["run", &file, "--strict"]).contains("`m.q3` = "));
+    for warning in ["left the ranges", "nearly singular (a pivot of 3.3e-4 of nominal)"] {
+        assert_eq!(said(&["parallelogram", "--seconds", "0.5"], warning), 1, "{warning}");
+    }
+    for file in [&single, &apart] {
+        for warning in [
+            "left the ranges",
+            "motion of `m` passed a configuration that is nearly singular (a pivot of 3.3e-4",
+        ] {
+            assert_eq!(said(&[file], warning), 1, "{file}: {warning}");
+        }
+    }
+    assert!(fails(&["run", &single, "--strict"]).contains("`m.q3` = "));
 }
 
 #[test]

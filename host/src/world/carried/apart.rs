@@ -83,6 +83,10 @@ impl Engine for Apart {
         Ok(())
     }
 
+    fn pivots(&self) -> Vec<(&str, f64)> {
+        self.world.pivots()
+    }
+
     fn warnings(&self) -> Vec<String> {
         self.world.warnings()
     }

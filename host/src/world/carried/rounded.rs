@@ -90,6 +90,10 @@ impl Engine for Single {
         ScalarKind::F32
     }
 
+    fn pivots(&self) -> Vec<(&str, f64)> {
+        self.own.pivots()
+    }
+
     fn warnings(&self) -> Vec<String> {
         self.own.warnings()
     }

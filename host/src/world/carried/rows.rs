@@ -275,6 +275,17 @@ impl<S: Settle> Engine for CarriedWorld<S> {
         self.fixed.cells.iter().map(of).fold(0.0, f64::max)
     }
 
+    fn pivots(&self) -> Vec<(&str, f64)> {
+        let of = |(name, place)| match place {
+            &Place::Carrier(number, _) => match &self.carriers[number] {
+                HostCarrier::Mechanism(ported) => Some((name, ported.pivot.to_f64())),
+                _ => None,
+            },
+            _ => None,
+        };
+        self.names.iter().map(String::as_str).zip(&self.places).filter_map(of).collect()
+    }
+
     fn warnings(&self) -> Vec<String> {
         let steps = |count: usize| smartbed_codegen::words::count(count, "step");
         let mut said = self.bars_between_nodes();

@@ -108,6 +108,13 @@ impl Subset {
             let to = &mut whole.airs[*number];
             (to.volume, to.account) = (air.volume, air.account);
         }
+        for (carrier, number) in own.carriers.iter().zip(&self.carriers) {
+            if let (HostCarrier::Mechanism(own), HostCarrier::Mechanism(to)) =
+                (carrier, &mut whole.carriers[*number])
+            {
+                to.pivot = to.pivot.min(own.pivot);
+            }
+        }
         whole.drive += own.drive;
         whole.damping += own.damping;
         whole.impact += own.impact;
