@@ -71,6 +71,8 @@ pub struct Controller {
     watch: Watch,
     servo: Servo,
     following: Following,
+    /// Flatten was ordered during a retreat, and begins at its end.
+    flattens: bool,
     /// Heights when the drives were switched off.
     rest: Heights,
     /// Forces of the screws (N) along the motion, by the derived equations.
@@ -98,6 +100,7 @@ impl Controller {
             watch: Watch::default(),
             servo: Servo::default(),
             following: Following::None,
+            flattens: false,
             rest: [0.0; 3],
             loads: [0.0; 3],
             bladder: Bladder::default(),
@@ -253,12 +256,11 @@ impl Controller {
                 self.begin(Mode::Moving, Aim::To(heights(pose)?, factor));
             }
             Command::Pressure(wanted) => self.wanted_pressure = Some(commanded(*wanted)?),
-            Command::Flatten => {
-                // A low supply voltage cannot give full speed.
-                let factor = FLATTEN_FACTOR * Real::min(self.sense.measured.supply / DRIVE.supply, 1.0);
-                self.wanted_pressure = None;
-                self.begin(Mode::Flatten, Aim::To([-STROKE; 3], factor));
+            // Who is in the way is released first.
+            Command::Flatten if self.mode == Mode::Retreat => {
+                (self.flattens, self.wanted_pressure) = (true, None);
             }
+            Command::Flatten => self.flatten(),
             Command::Calibrate(trim) => {
                 let (height, pressure) = TRIM;
                 let fits = trim.height.iter().all(|h| Real::abs(*h) <= height);
@@ -271,6 +273,14 @@ impl Controller {
             }
         }
         Ok(())
+    }
+
+    /// Lowers the tile, and lets the air out.
+    fn flatten(&mut self) {
+        // A low supply voltage cannot give full speed.
+        let factor = FLATTEN_FACTOR * Real::min(self.sense.measured.supply / DRIVE.supply, 1.0);
+        self.wanted_pressure = None;
+        self.begin(Mode::Flatten, Aim::To([-STROKE; 3], factor));
     }
 
     /// Clears faults. After a fault that switched the tile off, heights are taken from the displacement sensors again.
@@ -344,7 +354,13 @@ impl Controller {
                 self.found.set(Fault::Settling, true);
                 self.stop(Mode::Hold);
             }
-            Mode::Retreat => self.stop(Mode::Hold),
+            Mode::Retreat => {
+                let flattens = self.flattens;
+                self.stop(Mode::Hold);
+                if flattens {
+                    self.flatten();
+                }
+            }
             // Level and at the bottom; the vent stays open.
             Mode::Flatten => (),
             Mode::Homing => {
@@ -374,6 +390,7 @@ impl Controller {
             }
             Mode::Off | Mode::Boot | Mode::SelfTest => self.bladder.force(Valves::Shut, pressure),
             Mode::Flatten => self.bladder.force(Valves::Vent, pressure),
+            Mode::Retreat if self.flattens => self.bladder.force(Valves::Vent, pressure),
             _ => self.bladder.regulate(self.wanted_pressure, pressure),
         };
         let watched = self.bladder.watch(pressure, !outputs.enable);
@@ -430,7 +447,7 @@ impl Controller {
 
     /// Switches the drives off and withdraws the permission to move; off also withdraws the pressure that was ordered.
     fn stop(&mut self, mode: Mode) {
-        self.following = Following::None;
+        (self.following, self.flattens) = (Following::None, false);
         self.permission = Guarded::new([0]);
         self.rest = self.sense.heights;
         if mode == Mode::Off {

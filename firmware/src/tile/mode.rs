@@ -91,7 +91,7 @@ impl Mode {
             Command::Clear(_) => Err(Refusal::Mode),
             Command::Flatten => match latched.response() {
                 Some(Response::Off) => Err(Refusal::Faulted),
-                _ if matches!(self, Self::Off | Self::Retreat | Self::Flatten) => Err(Refusal::Mode),
+                _ if matches!(self, Self::Off | Self::Flatten) => Err(Refusal::Mode),
                 _ => Ok(()),
             },
             Command::Calibrate(_) if is_armed => Err(Refusal::Busy),
@@ -149,7 +149,9 @@ mod tests {
     fn resuscitation_is_allowed_while_held_but_not_when_off() {
         let mut faults = Faults::default();
         faults.set(Fault::Obstruction, true);
-        assert_eq!(Mode::Hold.allows(&Command::Flatten, (false, false), faults), Ok(()));
+        for mode in [Mode::Hold, Mode::Retreat] {
+            assert_eq!(mode.allows(&Command::Flatten, (false, false), faults), Ok(()));
+        }
         faults.set(Fault::Runaway, true);
         assert_eq!(Mode::Off.allows(&Command::Flatten, (false, false), faults), Err(Refusal::Faulted));
         assert_eq!(

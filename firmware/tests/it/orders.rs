@@ -39,6 +39,55 @@ fn resuscitation_may_begin_at_any_moment_of_a_motion() {
 }
 
 #[test]
+fn resuscitation_during_a_retreat_begins_at_its_end() {
+    let (leg, height, above) = (1_u8, -0.004, false);
+    let retreating = || {
+        let mut bench = Bench::homed(25.0, [0.03, 0.0], DRIVE);
+        bench.tile.air.fill(4000.0);
+        bench.order(target(0.0, 0.0, 0.0));
+        bench.until(Mode::Ready, 30_000);
+        bench.tile.set_defect(Some(Defect::Block { leg, height, above }));
+        bench.order(target(-0.012, 0.0, 0.0));
+        bench.until(Mode::Retreat, 30_000);
+        bench.run(500);
+        bench
+    };
+    let mut bench = retreating();
+    let lowest = bench.tile.heights()[usize::from(leg)];
+    bench.order(Command::Flatten);
+    // Neither stopped nor hurried, and the air goes at once.
+    assert_eq!((bench.controller.mode(), bench.controller.outputs().vent), (Mode::Retreat, true));
+    let mut back = 0.0_f32;
+    let mut ticks = 0;
+    while bench.controller.mode() == Mode::Retreat {
+        bench.tick(None);
+        back = back.max(bench.tile.heights()[usize::from(leg)] - lowest);
+        ticks += 1;
+    }
+    assert!(back > 4e-3, "{back} m");
+    bench.tile.set_defect(None);
+    assert_eq!(bench.controller.mode(), Mode::Flatten);
+    bench.run(30_000 - ticks);
+    let down = (bench.pose().zc + STROKE).abs() < 1e-4;
+    assert!(
+        down && bench.tile.air.pressure() < 100.0,
+        "{:?}, {} Pa",
+        bench.pose(),
+        bench.tile.air.pressure()
+    );
+    assert_eq!(bench.faults(), ["Obstruction"]);
+    // Nothing else moves before the fault is cleared and motion is allowed again.
+    assert_eq!(bench.tick(Some(&target(0.0, 0.0, 0.0))), Some(Outcome::Refused(Refusal::Faulted)));
+
+    // Stop takes it back.
+    let mut bench = retreating();
+    bench.order(Command::Flatten);
+    bench.order(Command::Stop);
+    bench.run(10_000);
+    assert_eq!((bench.controller.mode(), bench.controller.outputs().enable), (Mode::Hold, false));
+}
+
+#[test]
 fn a_motion_right_after_a_stop_waits_until_the_legs_stand() {
     for pause in [0, 1, 3, 6, 20] {
         let mut bench = on_its_way_down(1500, None);
