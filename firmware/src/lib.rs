@@ -6,7 +6,8 @@
 //! model at build time) advance by one step ([`simulation`]). Every state goes into a [`digest`], by
 //! which host and chip are compared.
 //!
-//! The image of a flexible scene uses only the digest: with the feature `scene` nothing is derived.
+//! The image of a mechanism is compiled without the controller (`link`); that of a flexible scene uses only the digest:
+//! with the feature `scene` nothing is derived.
 //!
 //! Invariants: single precision only, no panic, no heap, no recursion, no fused multiply-add; so
 //! the host's trajectory is the chip's, bit for bit. A module imports only from those above it.
@@ -27,19 +28,25 @@ pub mod command;
 #[cfg(not(target_os = "none"))]
 pub mod console;
 pub mod control;
-pub mod defect;
 pub mod digest;
-pub mod link;
 pub mod names;
 #[cfg(all(feature = "model", not(feature = "scene")))]
 pub mod simulation;
+
+#[cfg(feature = "link")]
+pub mod defect;
+#[cfg(feature = "link")]
+pub mod link;
+#[cfg(feature = "link")]
 pub mod tile;
+#[cfg(feature = "link")]
 pub mod turns;
 
 #[cfg(all(feature = "controller", not(feature = "scene")))]
 pub mod node;
 #[cfg(all(feature = "controller", not(feature = "scene")))]
 pub mod station;
+#[cfg(feature = "link")]
 pub mod supervisor;
 
 #[cfg(all(feature = "plant", not(feature = "scene")))]

@@ -130,7 +130,11 @@ fn tiles(value: &Value, layout: &Layout, found: &mut Diagnostics) -> Option<Vec<
             for item in items {
                 match item {
                     Value::Number(n, _) if n.fract() == 0.0 && (1.0..=most as f64).contains(n) => {
-                        tiles.push(*n as usize - 1);
+                        let tile = *n as usize - 1;
+                        if tiles.contains(&tile) {
+                            return refuse(item.span(), format!("tile {n} is named twice"));
+                        }
+                        tiles.push(tile);
                     }
                     other => return refuse(other.span(), "there is no such tile".to_owned()),
                 }

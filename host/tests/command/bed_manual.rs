@@ -193,6 +193,7 @@ fn every_refusal_of_a_plan_has_its_cause_and_cure() {
         moved("over = 1"),
         moved("tilt = [\"60_deg\", 0]"),
         "[[move]]\ntiles = [29]\nheave = 0".to_owned(),
+        "[[move]]\ntiles = [2, 3, 2]\nheave = 0".to_owned(),
         "[[move]]\ntiles = \"some\"\nheave = 0".to_owned(),
         moved("heave = \"40_mm\"\nover = 20"),
         moved("heave = \"20_mm\"\nover = 1"),
