@@ -73,13 +73,27 @@ pub fn derive(
     choice: &ParameterChoice,
     optimise: Optimise,
 ) -> Result<(Algebra, Kinematics), Diagnostics> {
+    derive_along(model, choice, optimise, false)
+}
+
+/// As [`derive`]; `as_written`: every point by the route that the model writes, for what shows the equations before
+/// elimination, else by the shortest one.
+///
+/// # Errors
+/// As [`derive`].
+pub(crate) fn derive_along(
+    model: &Model,
+    choice: &ParameterChoice,
+    optimise: Optimise,
+    as_written: bool,
+) -> Result<(Algebra, Kinematics), Diagnostics> {
     choice.check(model)?;
     let mut alg = Algebra::default();
     let k = lower::symbols(&mut alg, model, choice);
     alg.dag.unrounded_differences = optimise == Optimise::Accuracy;
     let k = position::derive(&mut alg, model, k);
     let k = speed_map::derive(&mut alg, model, k)?;
-    let k = velocity::derive(&mut alg, model, k);
+    let k = velocity::derive(&mut alg, model, k, as_written);
     let k = constraint::derive(&mut alg, model, k);
     let k = configurations::derive(&mut alg, model, k)?;
     let k = constraint::complete(&mut alg, model, k);

@@ -16,7 +16,7 @@ use crate::vector::{Algebra, TriadId, Vector};
 use std::collections::BTreeSet;
 
 /// Adds angular velocities, velocities, and the definitions that depend on them.
-pub(super) fn derive(alg: &mut Algebra, model: &Model, mut k: Kinematics) -> Kinematics {
+pub(super) fn derive(alg: &mut Algebra, model: &Model, mut k: Kinematics, as_written: bool) -> Kinematics {
     k.angular = (0..alg.triads.len()).map(|_| Motion::default()).collect();
     k.velocities = model.points.iter().map(|_| Motion::default()).collect();
     k.term_derivatives.take();
@@ -27,7 +27,7 @@ pub(super) fn derive(alg: &mut Algebra, model: &Model, mut k: Kinematics) -> Kin
             k.angular[triad] = angular_velocity(alg, &k, triad);
         }
     }
-    let loops = route::loops(alg, model, &k);
+    let loops = if as_written { Vec::new() } else { route::loops(alg, model, &k) };
     let stated = model.points.iter().filter_map(|point| point.velocity.as_ref());
     let reads_definitions = stated.into_iter().any(|velocity| lower::needs_definitions(&k, velocity));
     for entity in &model.order {

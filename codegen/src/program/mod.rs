@@ -105,7 +105,10 @@ fn derive_stages(
     let model = &*choice.applied(model)?;
     let model = &*answer::with_wrenches(model, requests)?;
     stage::begin(Stage::Kinematics);
-    let (mut alg, k) = kinematics::derive(model, choice, optimise)?;
+    let with = |answer: &str| requests.iter().any(|request| request.kind.name == answer);
+    // Multipliers are those of the equations before elimination: mass and forces stay where the model has them.
+    let as_written = with("augmented") || with("multipliers");
+    let (mut alg, k) = kinematics::derive_along(model, choice, optimise, as_written)?;
     let mut warnings = match masses {
         Masses::Read => implausible(model, &k)?,
         Masses::Unread => Diagnostics::new(model.source.clone()),
@@ -118,10 +121,9 @@ fn derive_stages(
     // The values of the rows are not needed any more; their memory is reused.
     table.clear();
     stage::begin(Stage::Dynamics);
-    let with_augmented = requests.iter().any(|request| request.kind.name == "augmented");
     let dynamics = match masses {
         Masses::Read => {
-            dynamics::derive(&mut alg, model, &k, &solution, &mut table, (optimise, with_augmented))?
+            dynamics::derive(&mut alg, model, &k, &solution, &mut table, (optimise, with("augmented")))?
         }
         Masses::Unread => dynamics::without_mass(&mut alg, model, &k, &solution, &mut table),
     };

@@ -411,6 +411,31 @@ fn multipliers_are_those_of_the_equations_before_the_elimination() {
     }
 }
 
+/// A rod without mass passes on a force along itself only: the bob's weight is borne by the rod on which the model puts it,
+/// although both ends are one place.
+#[test]
+fn multipliers_leave_a_mass_on_the_rod_that_carries_it() {
+    let text = |centre: &str| {
+        format!(
+            "format = 1\nname = \"bob\"\ngravity = \"-10_m/1_s/1_s*N.y\"\n[coordinates]\n\
+             s = {{ unit = \"m\", independent = true, nominal = 0.7, range = [0.5, 0.75] }}\n\
+             a = {{ unit = \"rad\", nominal = 0.9, range = [0.2, 1.8] }}\nb = {{ unit = \"rad\", nominal = 2.5, range = [1.6, 3] }}\n\
+             [frames]\nla = {{ rotations = [[\"z\", \"a\"]] }}\nlb = {{ rotations = [[\"z\", \"b\"]] }}\n\
+             [points]\nP = \"0.3_m*la.x\"\nS = \"s*N.x\"\nQ = \"S + 0.5_m*lb.x\"\n[constraints.configuration]\nloop = \"P - Q\"\n\
+             [bodies]\nbob = {{ centre = \"{centre}\", mass = 1 }}\nslider = {{ centre = \"S\", mass = 2 }}\n"
+        )
+    };
+    let found = ["P", "Q"].map(|centre| {
+        let model = smartbed_codegen::model::parse("bob.toml", &text(centre)).expect("it is read");
+        let mut asking = Asking::of(&model, &["multipliers"]);
+        let state = asking.state.clone();
+        asking.part(&state, "multipliers", "multipliers")
+    });
+    let [[on_a, along_b], [along_a, on_b]] = found.each_ref().map(|of| [of[0], of[1]]);
+    assert!(on_a.abs() < 1e-12 && on_b.abs() < 1e-12, "{found:?}");
+    assert!(along_a.abs() > 1.0 && along_b.abs() > 1.0, "{found:?}");
+}
+
 #[test]
 fn every_multiplier_has_a_name_of_its_own() {
     for name in ["fourbar", "tile", "tile_minimal", "slider_crank", "bicycle"] {
