@@ -63,13 +63,14 @@ fn blocks(a: &DMatrix<f64>) -> Vec<Vec<usize>> {
     blocks
 }
 
-fn of_block(mut block: DMatrix<f64>, errors: DMatrix<f64>) -> Option<Vec<Eigenvalue>> {
+fn of_block(block: DMatrix<f64>, errors: DMatrix<f64>) -> Option<Vec<Eigenvalue>> {
     if block.len() == 1 {
         return Some(vec![Eigenvalue { value: Complex::new(block[0], 0.0), bound: errors[0] }]);
     }
-    let scales = balancing::balance_parlett_reinsch(&mut block);
-    let errors =
-        DMatrix::from_fn(block.nrows(), block.nrows(), |i, j| errors[(i, j)] * scales[j] / scales[i]);
+    // With its errors: an entry far below those of its row must not make them large.
+    let scales = balancing::balance_parlett_reinsch(&mut block.zip_map(&errors, |x, error| x.abs() + error));
+    let scaled = |of: &DMatrix<f64>| of.map_with_location(|i, j, x| x * scales[j] / scales[i]);
+    let [block, errors] = [&block, &errors].map(scaled);
     let schur = Schur::try_new(block.clone(), f64::EPSILON, SWEEPS)?;
     let values = schur.complex_eigenvalues();
     Some(values.iter().map(|&value| Eigenvalue { value, bound: bound(&block, &errors, value) }).collect())
@@ -131,6 +132,34 @@ mod tests {
 
     fn exact(rows: &[f64], n: usize) -> Vec<Eigenvalue> {
         of(&DMatrix::from_row_slice(n, n, rows), &DMatrix::zeros(n, n)).expect("eigenvalues")
+    }
+
+    #[test]
+    fn an_entry_far_below_the_errors_of_its_row_hides_no_eigenvalue() {
+        // x' = u, u' = 4 x + y + z, y' = v, v' = e x + 0 z, z' = w, w' = y - 9 z: the 0 is a difference of two 3.
+        for small in [1e-12, 1e-20, 1e-26, 1e-34] {
+            let (mut a, mut errors) = (DMatrix::zeros(6, 6), DMatrix::zeros(6, 6));
+            for (row, column, x) in [
+                (0, 1, 1.0),
+                (1, 0, 4.0),
+                (1, 2, 1.0),
+                (1, 4, 1.0),
+                (2, 3, 1.0),
+                (3, 0, small),
+                (4, 5, 1.0),
+                (5, 2, 1.0),
+                (5, 4, -9.0),
+            ] {
+                (a[(row, column)], errors[(row, column)]) = (x, x.abs() * 1e-16);
+            }
+            errors[(3, 4)] = 1e-15;
+            let all = of(&a, &errors).expect("eigenvalues");
+            let is_found = |value: Complex<f64>| {
+                all.iter().any(|own| (own.value - value).modulus() < 1e-10 && own.bound < 1e-6)
+            };
+            let exact = [(2.0, 0.0), (-2.0, 0.0), (0.0, 3.0), (0.0, -3.0)];
+            assert!(exact.iter().all(|(re, im)| is_found(Complex::new(*re, *im))), "{small}: {all:?}");
+        }
     }
 
     #[test]
