@@ -55,12 +55,12 @@ impl<S: Scalar> Switch<S> {
         Switch { closes, hysteresis, chatter, source: Noise::new(seed), closed: false, changed: None }
     }
 
-    /// Updates it with the position at a tick; returns whether it reads closed.
+    /// Updates it with the position at a tick; returns whether it reads closed. Before tick 0 all stood as it does then.
     pub fn observe(&mut self, tick: u64, place: S) -> bool {
         let threshold = if self.closed { self.closes - self.hysteresis } else { self.closes };
         let closed = place >= threshold;
         if closed != self.closed {
-            (self.closed, self.changed) = (closed, Some(tick));
+            (self.closed, self.changed) = (closed, (tick > 0).then_some(tick));
         }
         let chatters = self.changed.is_some_and(|at| tick.saturating_sub(at) < u64::from(self.chatter));
         if chatters { self.source.bits(tick) & 1 == 1 } else { self.closed }

@@ -159,7 +159,9 @@ fn transducers_do_what_their_makers_say() {
     let mut chattered = false;
     for seed in 0..20 {
         let mut switch = Switch::new(1.0, 0.1, 5, seed);
-        chattered |= (0..5).any(|k| !switch.observe(k, 2.0));
+        chattered |= (1..6).any(|k| !switch.observe(k, 2.0));
+        let mut closed = Switch::new(1.0, 0.1, 5, seed);
+        assert!((0..9).all(|k| closed.observe(k, 2.0)), "closed from the start: nothing changes");
     }
     assert!(chattered);
     // A membrane: the step response of first order.
