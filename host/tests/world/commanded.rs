@@ -299,3 +299,52 @@ fn a_command_whose_value_jumps_is_refused_by_name_and_time() {
     let said = fails(&["run", &scene("leaps", &text), "--csv", "-"]);
     assert!(said.contains("the command of `piston.s` jumps at t = 0.0503"), "{said}");
 }
+
+/// A pole on a cart that moves as commanded, without gravity; the cart weighs 1 kg, the pole hangs on it.
+fn pole(name: &str, command: &str, run: &str) -> String {
+    let set = "k_angle = 0, k_rate = 0, k_place = 0, k_speed = 0";
+    let part = format!(
+        "mechanism = \"cart_pole\"\nset = {{ {set} }}\ncommand = {{ x = \"{command}\" }}\nstart = {{ q = 0 }}"
+    );
+    scene(name, &format!("format = 2\n[parts.m]\n{part}\n[run]\n{run}\n"))
+}
+
+/// From time 0 on all of them are the same function: nothing is struck.
+#[test]
+fn a_command_with_a_kink_at_the_start_moves_as_from_then_on() {
+    let run = "seconds = 0.05\nstep = \"1_ms\"";
+    let smooth = rows(&[&pole("from_start_0", "0.5_m/1_s*t", run)]);
+    for (n, command) in
+        ["0.5_m/1_s*max(t, 0)", "0.5_m/1_s*abs(t)", "0.5_m*max(t/1_s, -t/1_s)"].iter().enumerate()
+    {
+        for more in [vec![], vec!["--method", "verlet"], vec!["--scalar", "f32"]] {
+            let file = pole(&format!("from_start_{}", n + 1), command, run);
+            let least = if more.contains(&"f32") { 1e-6 } else { 1e-14 };
+            let found = rows(&[&[file.as_str()], &more[..]].concat());
+            for name in ["m.q", "m.u_q", "m.x", "kinetic", "drive"] {
+                let pairs = column(&found, name).into_iter().zip(column(&smooth, name));
+                let off = pairs.map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+                assert!(off < least, "{command}, {more:?}: {name} differs by {off}");
+            }
+        }
+    }
+    let scenes = find("scenes/tile_with_bladder").expect("a scene");
+    let bladder = std::fs::read_to_string(scenes).expect("its text");
+    let own = "hA = \"0.005_m*(1 - cos(2*pi*t/1_s))\"";
+    assert!(bladder.contains(own));
+    let kinked = bladder.replace(own, "hA = \"0.1_m/1_s*abs(t)\"") + "start = \"settled\"\n";
+    let said = fails(&["run", &scene("from_start_settled", &kinked)]);
+    assert!(said.contains("moves as commanded at the start"), "{said}");
+}
+
+/// The cart turns round within nothing: u_q = -m l/2 dv/I = -2.5 1/s; the drive's impulse does no work.
+#[test]
+fn a_row_at_the_time_of_a_kink_shows_the_motion_behind_it() {
+    for method in ["rk4", "verlet", "energy_momentum"] {
+        let run = format!("seconds = 0.25\nstep = 0.00390625\nmethod = \"{method}\"");
+        let found = rows(&[&pole(&format!("at_row_{method}"), "0.5_m/1_s*abs(t - 0.25_s)", &run)]);
+        let last = |name: &str| *column(&found, name).last().expect("a row");
+        let off = [last("m.u_q") + 2.5, last("kinetic") - 0.15, last("drive"), last("imbalance")];
+        assert!(off.iter().all(|off| off.abs() < 1e-12), "{method}: {off:?}");
+    }
+}

@@ -79,9 +79,15 @@ impl<S: Scalar> CarriedWorld<S> {
         let (now, x) = (self.t, self.x.clone());
         let (back, ahead) = ((now - BEYOND * h).max(0.0), end + BEYOND * h);
         let mut first: Option<[f64; 2]> = None;
-        self.each_mechanism(self.of_carriers(&x), |_, ported, q, u, _| {
-            let mut sides = |t: S| ported.sides(t, q, u);
-            let (last, next) = (kink(&mut sides, now, back)?, kink(&mut sides, now, ahead)?);
+        self.each_mechanism(self.of_carriers(&x), |_, ported, _, _, _| {
+            let mut sides = |t: S| ported.sides(t);
+            let (mut last, next) = (kink(&mut sides, now, back)?, kink(&mut sides, now, ahead)?);
+            let begins =
+                now < BEYOND * h && sides(S::from_f64(now - BEYOND * h))? != sides(S::from_f64(0.0))?;
+            if begins {
+                // The motion before time 0 is none of the world's.
+                last = last.or(Some([0.0; 2]));
+            }
             let cuts = sides(S::from_f64(end))? != sides(S::from_f64(now))?;
             if let Some([before, after]) =
                 next.filter(|next| cuts && first.is_none_or(|first| next[0] < first[0]))
@@ -101,7 +107,7 @@ impl<S: Scalar> CarriedWorld<S> {
         let [early, late] = [before, after].map(S::from_f64);
         let (mut changes, mut jumped, old) = (Vec::new(), None, self.x.clone());
         self.each_mechanism(self.of_carriers(&old), |number, ported, q, u, _| {
-            if ported.sides(early, q, u)? == ported.sides(late, q, u)? {
+            if ported.sides(early)? == ported.sides(late)? {
                 return Ok(());
             }
             let ends = [ported.closed_forms(early, q, u)?, ported.closed_forms(late, q, u)?];
