@@ -83,8 +83,10 @@ pub struct Parameter {
     pub name: String,
     /// Description, for documentation.
     pub doc: String,
-    /// Unit as written, e.g. `kg m^2`.
+    /// Coherent SI unit, e.g. `kg m^2`.
     pub unit: String,
+    /// Unit as written, such as `mm`, and its value in `unit`.
+    pub written_unit: (String, f64),
     /// Value: a constant, or an expression of earlier parameters.
     pub value: Expr,
     /// A tunable parameter stays a field of the generated code; a fixed one is folded.
@@ -159,8 +161,10 @@ pub struct Input {
     pub name: String,
     /// Description.
     pub doc: String,
-    /// Unit as written.
+    /// Coherent SI unit.
     pub unit: String,
+    /// Unit as written, such as `kN`, and its value in `unit`.
+    pub written_unit: (String, f64),
     /// Where it is declared.
     pub span: Span,
 }

@@ -29,6 +29,7 @@ pub use read::{parse, parse_with, read, read_in};
 pub(crate) use release::COMPONENTS;
 pub(crate) use sides::Cut;
 pub use text::amount::marks;
+pub use text::entry::is_plain;
 pub use text::scope::RESERVED;
 pub use text::syntax::is_keyword;
 pub use text::{document, fields::Fields};

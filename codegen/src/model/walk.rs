@@ -86,7 +86,8 @@ impl Model {
         } = self;
         let mut all = Vec::new();
         for (id, parameter) in parameters.enumerate() {
-            let Parameter { value, name: _, doc: _, unit: _, tunable: _, range: _, span: _ } = parameter;
+            let Parameter { value, name: _, doc: _, unit: _, written_unit: _, tunable: _, range: _, span: _ } =
+                parameter;
             all.push((Role::Parameter(id), value));
         }
         for (id, Definition { value, name: _, span: _ }) in definitions.enumerate() {

@@ -25,7 +25,8 @@ impl Model {
             let terms = AXES.map(|(letter, axis)| {
                 let name = format!("{}_{of}_{letter}", port.name);
                 let doc = format!("{of} on the port {} along N.{letter}", port.name);
-                let input = Input { name, doc, unit: unit.to_owned(), span: port.span };
+                let written_unit = (unit.to_owned(), 1.0);
+                let input = Input { name, doc, unit: unit.to_owned(), written_unit, span: port.span };
                 let input = model.inputs.push(input);
                 let node = |kind| Expr { kind, span: port.span, unit: Unit::NONE };
                 let axis = node(ExprKind::Axis(FrameId::from_index(0), axis));

@@ -97,3 +97,33 @@ fn quotes_leave_plain_numbers_in_the_unit_of_the_coordinate() {
     assert_eq!(start("deg", "\"0.5*2_rad\""), 1.0);
     assert_eq!(start("deg", "\"atan2(1, 1)\""), std::f64::consts::FRAC_PI_4);
 }
+
+/// Plain numbers, quoted or not, are in the unit stated beside them, wherever a quantity states one.
+#[test]
+fn a_plain_number_is_in_the_unit_stated_beside_it() {
+    let model = |number: &str| {
+        let text = format!(
+            "format = 1\nname = \"plain\"\n[parameters]\np = {{ value = {number}, unit = \"deg\" }}\n\
+             [definitions]\nd = {{ value = {number}, unit = \"deg\" }}\nl = {{ value = {number}, unit = \"mm\" }}\n\
+             [coordinates]\na = {{ unit = \"deg\", closed_form = {number} }}\nb = {{ unit = \"mm\", closed_form = {number} }}\n\
+             s = {{ unit = \"m\", independent = true }}\n[points]\nP = \"s*N.x + b*N.y\"\n[bodies]\nm = {{ centre = \"P\", mass = 1 }}\n\
+             [outputs]\ny = {{ value = {number}, unit = \"deg\" }}\nz = {{ value = {number}, unit = \"mm\" }}\n\
+"
+        );
+        model::parse("plain.toml", &text).expect("it is read")
+    };
+    for number in ["60", "\"60\"", "\"2*30\""] {
+        let model = model(number);
+        let of = |expr: &model::Expr| match expr.kind {
+            model::expression::ExprKind::Number(number) => number,
+            _ => panic!("{number}: no number"),
+        };
+        let forms = model.coordinates.iter().filter_map(|c| c.closed_form.as_ref());
+        let mut found: Vec<f64> = forms.map(of).collect();
+        found.extend(model.definitions.iter().map(|d| of(&d.value)));
+        found.extend(model.outputs.iter().take(2).map(|o| of(&o.value)));
+        found.extend(model.parameters.iter().map(|p| of(&p.value)));
+        let (angle, length) = (60_f64.to_radians(), 0.06);
+        assert_eq!(found, [angle, length, angle, length, angle, length, angle], "{number}");
+    }
+}

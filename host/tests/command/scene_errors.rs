@@ -83,6 +83,7 @@ fn every_refusal_of_a_scene_has_its_cause_and_cure() {
         format!("{TILE}[parts.skin]\nrigid = \"sphere\"\nradius = 1\non = \"tile.top\""),
         format!("{BALL}{HIGH}[parts.skin]\nrigid = \"sphere\"\nradius = 1\non = \"ball\""),
         "[parts.a]\nmechanism = \"tyle\"".to_owned(),
+        "[parts.arm]\nmechanism = \"pendulum\"\nset = { l = 0.4 }".to_owned(),
         format!("{TILE}command = {{ hA = \"1_kg\" }}"),
         format!("{SHEET}corners = 3"),
         format!("{SHEET}K = true"),

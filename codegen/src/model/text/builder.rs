@@ -150,7 +150,8 @@ impl<'a> Builder<'a> {
                     let Some(fields) = Fields::new(key, value, self.found) else { continue };
                     let doc = fields.doc(self.found);
                     let (unit, scale) = self.unit(&fields);
-                    let scale = scale.unwrap_or(Scale { unit: Unit::NONE, factor: 1.0 });
+                    let scale = scale.unwrap_or(si(Unit::NONE));
+                    let written_unit = (Self::written_unit(&fields, &unit), scale.factor);
                     let value = match fields.need("value", "0.5", self.found) {
                         Some(value) => self.quantity(value, scale),
                         None => unreadable(key.span),
@@ -159,14 +160,24 @@ impl<'a> Builder<'a> {
                     let range = self.range(&fields, scale);
                     fields.finish(self.found);
                     self.draft.units.parameters.push(scale.unit);
-                    Parameter { name: key.name.clone(), doc, unit, value, tunable, range, span: key.span }
+                    Parameter {
+                        name: key.name.clone(),
+                        doc,
+                        unit,
+                        written_unit,
+                        value,
+                        tunable,
+                        range,
+                        span: key.span,
+                    }
                 }
                 bare => {
                     let value = self.expression(bare);
                     let (name, doc, unit) = (key.name.clone(), String::new(), "1".to_owned());
+                    let written_unit = (unit.clone(), 1.0);
                     self.draft.units.parameters.push(Unit::NONE);
                     let range = (f64::NEG_INFINITY, f64::INFINITY);
-                    Parameter { name, doc, unit, value, tunable: true, range, span: key.span }
+                    Parameter { name, doc, unit, written_unit, value, tunable: true, range, span: key.span }
                 }
             };
             self.draft.model.parameters.push(parameter);
@@ -202,9 +213,12 @@ impl<'a> Builder<'a> {
             let Some(fields) = Fields::new(key, value, self.found) else { continue };
             let doc = fields.doc(self.found);
             let (unit, scale) = self.unit(&fields);
+            let scale = scale.unwrap_or(si(Unit::NONE));
+            let written_unit = (Self::written_unit(&fields, &unit), scale.factor);
             fields.finish(self.found);
-            self.draft.units.inputs.push(scale.unwrap_or(si(Unit::NONE)));
-            self.draft.model.inputs.push(Input { name: key.name.clone(), doc, unit, span: key.span });
+            self.draft.units.inputs.push(scale);
+            let input = Input { name: key.name.clone(), doc, unit, written_unit, span: key.span };
+            self.draft.model.inputs.push(input);
         }
     }
 
@@ -217,7 +231,11 @@ impl<'a> Builder<'a> {
         fields.doc(self.found);
         let (_, scale) = self.unit(&fields);
         let value = fields.need("value", "\"...\"", self.found);
-        let value = value.map_or_else(|| unreadable(key.span), |value| self.expression(value));
+        let value = match (value, scale) {
+            (Some(value), Some(scale)) => self.quantity(value, scale),
+            (Some(value), None) => self.expression(value),
+            (None, _) => unreadable(key.span),
+        };
         fields.finish(self.found);
         Some((value, scale.map(|s| s.unit)))
     }

@@ -108,6 +108,14 @@ impl Builder<'_> {
         }
     }
 
+    /// The field `unit` as written; without it the coherent one.
+    pub(super) fn written_unit(fields: &Fields<'_>, unit: &str) -> String {
+        match fields.get("unit") {
+            Some(Value::Text(text)) => text.text.trim().to_owned(),
+            _ => unit.to_owned(),
+        }
+    }
+
     /// The name in a field, resolved.
     pub(super) fn name_of<T: Copy>(
         &mut self,
@@ -208,7 +216,8 @@ impl Builder<'_> {
 }
 
 /// Is the text a mere number: no name and no unit (`1e-3` has a letter, `2_m` a unit)?
-fn is_plain(text: &str) -> bool {
+#[must_use]
+pub fn is_plain(text: &str) -> bool {
     let is_digit = |c: Option<char>| c.is_some_and(|c| c.is_ascii_digit() || c == '.');
     let mut before = None;
     text.chars().all(|c| {

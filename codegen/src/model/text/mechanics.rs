@@ -67,11 +67,8 @@ impl Builder<'_> {
             let doc = fields.doc(self.found);
             let (unit, scale) = self.unit(&fields);
             let scale = scale.unwrap_or(si(Unit::NONE));
-            let written = match fields.get("unit") {
-                Some(Value::Text(text)) => text.text.trim().to_owned(),
-                _ => unit.clone(),
-            };
-            let closed_form = fields.get("closed_form").map(|value| self.expression(value));
+            let written = Self::written_unit(&fields, &unit);
+            let closed_form = fields.get("closed_form").map(|value| self.quantity(value, scale));
             let independent = fields.boolean("independent", self.found).unwrap_or(!constrained);
             let nominal = fields.get("nominal").map(|value| self.quantity(value, scale));
             let mut range = [None, None];

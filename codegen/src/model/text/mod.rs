@@ -9,7 +9,7 @@ pub mod amount;
 mod bodies;
 mod builder;
 pub mod document;
-mod entry;
+pub(super) mod entry;
 pub mod expression;
 pub mod extend;
 pub mod fields;

@@ -7,7 +7,7 @@ use super::value::{list, one_of};
 use crate::world::assembly::Mechanism;
 use smartbed_codegen::diagnostic::{Diagnostic, Diagnostics, Severity};
 use smartbed_codegen::model::document::{Value, wrong_kind};
-use smartbed_codegen::model::{self, Fields, Model, Speed, SpeedMeaning};
+use smartbed_codegen::model::{self, CoordinateId, Fields, Model, Speed, SpeedMeaning, is_plain};
 use smartbed_codegen::source::Span;
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
@@ -69,6 +69,7 @@ fn changes(fields: &Fields<'_>, base: &Model, found: &mut Diagnostics) -> Option
                 found.push(error.help("for example \"0.005_m*(1 - cos(2*pi*t/20_s))\""));
                 return None;
             };
+            refuse_without_unit(name, value, &coordinate.written_unit, found);
             commanded += usize::from(coordinate.independent);
             let _ = writeln!(text, "{name} = {{ closed_form = {:?}, independent = false }}", law.text);
         }
@@ -85,6 +86,9 @@ fn changes(fields: &Fields<'_>, base: &Model, found: &mut Diagnostics) -> Option
         let mut lines = String::new();
         // The position of the whole mechanism is not a coordinate of the model.
         for (key, value) in entries.filter(|(key, _)| section != "start" || key.name != PLACE) {
+            if let Some(unit) = unit_of(base, section, &key.name) {
+                refuse_without_unit(&key.name, value, unit, found);
+            }
             let written = match value {
                 Value::Text(text) => format!("{:?}", text.text),
                 Value::Number(number, _) => format!("{number:?}"),
@@ -105,6 +109,43 @@ fn changes(fields: &Fields<'_>, base: &Model, found: &mut Diagnostics) -> Option
     let dof = base.dof.map(|(dof, _)| dof).filter(|_| commanded > 0);
     let dof = dof.map_or(String::new(), |dof| format!("dof = {}\n", dof.saturating_sub(commanded)));
     Some(if text.is_empty() { text } else { dof + &text })
+}
+
+/// The unit in which a model reads plain numbers of a parameter, an input's law, or the start of a coordinate or its
+/// rate, and its value in SI.
+fn unit_of<'m>(base: &'m Model, section: &str, name: &str) -> Option<&'m (String, f64)> {
+    let of = |id: CoordinateId| &base.coordinates[id].written_unit;
+    match section {
+        "parameters" => base.parameters.iter().find(|p| p.name == name).map(|p| &p.written_unit),
+        "law" => base.inputs.iter().find(|input| input.name == name).map(|input| &input.written_unit),
+        _ => match base.coordinates.iter().find(|c| c.name == name) {
+            Some(coordinate) => Some(&coordinate.written_unit),
+            None => match base.speeds.iter().find(|s| s.name == name)?.meaning {
+                SpeedMeaning::RateOf(id) => Some(of(id)),
+                SpeedMeaning::Combination(_) => None,
+            },
+        },
+    }
+}
+
+/// Refuses a number without unit where the model would read it in another unit than the scene.
+fn refuse_without_unit(name: &str, value: &Value, (unit, factor): &(String, f64), found: &mut Diagnostics) {
+    let is_zero = |text: &str| text.trim().parse() == Ok(0.0);
+    let (is_plain, shown) = match value {
+        Value::Number(number, _) => (*number != 0.0, number.to_string()),
+        Value::Text(text) => (is_plain(&text.text) && !is_zero(&text.text), text.text.trim().to_owned()),
+        _ => return,
+    };
+    if is_plain && *factor != 1.0 {
+        let error = Diagnostic::error(format!(
+            "`{name}` needs a unit: numbers of a scene are in SI units, those of its model in {unit}"
+        ));
+        let example = match unit.chars().all(char::is_alphabetic) {
+            true => format!("for example \"{shown}_{unit}\""),
+            false => "give it in quotes with its units, as in \"0.2_N*1_s/1_m\"".to_owned(),
+        };
+        found.push(error.label(value.span(), "without unit").help(example));
+    }
 }
 
 /// Marks what remains independent beside commanded coordinates: in a model without constraints all coordinates are
