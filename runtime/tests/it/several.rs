@@ -265,7 +265,7 @@ fn without_friction_impulses_are_shared_as_equal_springs_share_them() {
         let (mut other, _) = balls();
         let impulses = by_springs(&mut other, &contacts, 1e-5);
         for (s, p) in struck.iter().zip(impulses) {
-            assert!((s.contact.impulse[0] - p).abs() <= 2e-3 * p, "{e}: {} {p}", s.contact.impulse[0]);
+            assert!((s.contact.impulse[0] - p).abs() <= 3e-4 * p, "{e}: {} {p}", s.contact.impulse[0]);
         }
     }
     // Equal springs: the third ball leaves first, the first falls back a little (no chain of two-body impacts gives that).
@@ -273,5 +273,8 @@ fn without_friction_impulses_are_shared_as_equal_springs_share_them() {
     let mut struck = scene.struck(&[contact(0, 1.0), contact(1, 1.0)]);
     scene.strike(&mut struck);
     let [a, b, c] = [0, 1, 2].map(|k| scene.twists[k].velocity[0]);
-    assert!(a < -0.05 && b > 0.0 && c > 0.9 && (a * a + b * b + c * c - 1.0).abs() < 1e-12, "{a} {b} {c}");
+    // v_a = 1/3 + cos(t)/2 + cos(3^(1/2) t)/6 until its force ends; then the other two follow one spring.
+    let exact = [-0.130_261_7, 0.150_229_6, 0.980_032_1];
+    let off = [a, b, c].iter().zip(exact).map(|(v, exact)| (v - exact).abs()).fold(0.0, f64::max);
+    assert!(off < 2e-4 && (a * a + b * b + c * c - 1.0).abs() < 1e-12, "{a} {b} {c}");
 }
