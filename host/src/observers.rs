@@ -30,8 +30,8 @@ pub struct Observers {
     pub outputs: Vec<Option<String>>,
     /// See `outputs`.
     pub inputs: Vec<String>,
-    /// Number of arguments by which functions of time alone switch.
-    pub switches: usize,
+    /// Number of arguments by which functions of time alone switch: in closed forms, and in laws and loads.
+    pub switches: [usize; 2],
 }
 
 impl Observers {
@@ -45,12 +45,13 @@ impl Observers {
         let laws = model.laws.iter().map(|(_, law)| law.clone());
         let switches = switches(model);
         let seen = laws.chain(ledger(model)).chain(closed_forms(model));
-        watched.outputs = seen.chain(switches.iter().cloned()).chain(places(model)).map(output).collect();
+        watched.outputs =
+            seen.chain(switches.iter().flatten().cloned()).chain(places(model)).map(output).collect();
         let closed = model.coordinates.iter().filter(|c| c.closed_form.is_some());
         let closed = closed.map(|c| (c.name.clone(), c.unit.clone())).collect();
         let (outputs, inputs) = told_apart(model);
         let program = program::derive(&watched, choice)?;
-        Ok(Self { program, law_inputs, closed, outputs, inputs, switches: switches.len() })
+        Ok(Self { program, law_inputs, closed, outputs, inputs, switches: switches.map(|own| own.len()) })
     }
 
     /// A program whose outputs are the laws.
@@ -75,7 +76,7 @@ impl Observers {
     /// arguments of `abs` and `sign`, the differences of those of `min` and `max`.
     #[must_use]
     pub fn switches(&self) -> Program {
-        self.part(self.law_inputs.len() + LEDGER.len() + 2 * self.closed.len(), self.switches)
+        self.part(self.law_inputs.len() + LEDGER.len() + 2 * self.closed.len(), self.switches.iter().sum())
     }
 
     /// A program whose outputs are the data of a picture of the mechanism: x, y, z of every point; for every body with
@@ -83,7 +84,8 @@ impl Observers {
     /// shapes in `[view]`.
     #[must_use]
     pub fn places(&self) -> Program {
-        let first = self.law_inputs.len() + LEDGER.len() + 2 * self.closed.len() + self.switches;
+        let switches: usize = self.switches.iter().sum();
+        let first = self.law_inputs.len() + LEDGER.len() + 2 * self.closed.len() + switches;
         self.part(first, self.program.outputs.len() - first)
     }
 
@@ -148,13 +150,21 @@ fn closed_forms(model: &Model) -> impl Iterator<Item = Expr> + '_ {
     closed.flat_map(|(id, _)| [node(ExprKind::Coordinate(id)), node(ExprKind::Rate(id))])
 }
 
-/// Functions of time alone at whose zeros the closed form of a coordinate may have a kink or a jump.
-fn switches(model: &Model) -> Vec<Expr> {
-    let mut found = Vec::new();
-    let forms = model.coordinates.iter().filter_map(|c| c.closed_form.as_ref());
-    forms.for_each(|form| switches_of(model, form, &mut found));
-    found.retain(|argument| !mentions(model, argument, &|e| is_state(model, e)));
-    found
+/// Functions of time alone at whose zeros the closed form of a coordinate may have a kink or a jump; those at whose zeros a
+/// law or a load may that reads the time itself.
+fn switches(model: &Model) -> [Vec<Expr>; 2] {
+    let of = |expressions: &mut dyn Iterator<Item = &Expr>| {
+        let mut found = Vec::new();
+        expressions.for_each(|expr| switches_of(model, expr, &mut found));
+        found.retain(|argument| !mentions(model, argument, &|e| is_state(model, e)));
+        found
+    };
+    let laws = model.laws.iter().map(|(_, law)| law);
+    let loads = model.loads.iter().flat_map(|load| load.kind.expressions()).map(|(_, e)| e);
+    let forms = &mut model.coordinates.iter().filter_map(|c| c.closed_form.as_ref());
+    let [commands, mut others] = [of(forms), of(&mut laws.chain(loads))];
+    others.retain(|argument| mentions(model, argument, &|e| matches!(e.kind, ExprKind::Time)));
+    [commands, others]
 }
 
 /// Those of an expression and of the definitions that it reads.

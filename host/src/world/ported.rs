@@ -57,8 +57,10 @@ pub struct Ported<S = f64> {
     pub names: Vec<(String, String)>,
     closed_forms: Interpreted<S>,
     switches: Interpreted<S>,
-    /// Whether a function of time alone that commands a coordinate may have kinks or jumps.
+    /// Whether a function of time alone that commands a coordinate, gives an input or loads may have kinks or jumps.
     pub(super) has_switches: bool,
+    /// Whether one that commands a coordinate may: its speed may change at once.
+    pub(super) may_leap: bool,
     /// Name of the model, which is that of the part where that commands coordinates.
     pub(super) name: String,
     /// Times between which no command has a kink.
@@ -144,7 +146,8 @@ impl<S: Scalar> Ported<S> {
             names: quantities.map(|x| (x.name.clone(), x.unit.clone())).collect(),
             closed_forms: Interpreted::new(&observers.closed_forms()),
             switches: Interpreted::new(&observers.switches()),
-            has_switches: observers.switches > 0,
+            has_switches: observers.switches.iter().sum::<usize>() > 0,
+            may_leap: observers.switches[0] > 0,
             name: model.name.clone(),
             smooth: [f64::NEG_INFINITY, f64::INFINITY].map(S::from_f64),
             pivot: S::ONE,

@@ -348,3 +348,34 @@ fn a_row_at_the_time_of_a_kink_shows_the_motion_behind_it() {
         assert!(off.iter().all(|off| off.abs() < 1e-12), "{method}: {off:?}");
     }
 }
+
+/// A mass on a damped spring, whose force turns round within a step: errors fall by 2^4 when the step is halved.
+#[test]
+fn a_law_that_jumps_at_a_time_keeps_the_order_of_the_method() {
+    let point = "[points]\nP = \"x*N.x\"\n[bodies]\nb = { centre = \"P\", mass = \"0.5_kg\" }\n";
+    let spring = "stiffness = \"200_N/1_m\", rest_length = 0, damping = \"8_N*1_s/1_m\"";
+    let loads = |force: &str| {
+        format!(
+            "[springs]\ns = {{ between = [\"P\", \"O\"], {spring} }}\n[forces]\nf = {{ point = \"P\", force = \"({force})*N.x\" }}\n"
+        )
+    };
+    let inputs = "[inputs]\nF = { unit = \"N\" }\n[coordinates]\nx = { unit = \"m\" }\n";
+    let jump = "5_N*sign(t - 0.2003_s)";
+    for (name, force, law) in
+        [("by_law", "F", format!("law = {{ F = \"{jump}\" }}\n")), ("by_load", jump, String::new())]
+    {
+        scene(
+            &format!("jumps_{name}_model"),
+            &format!("format = 1\nname = \"jumps\"\n{inputs}{point}{}", loads(force)),
+        );
+        let part = format!("[parts.m]\nmechanism = \"jumps_{name}_model\"\nstart = {{ x = 0.1 }}\n{law}");
+        let file = scene(
+            &format!("jumps_{name}"),
+            &format!("format = 2\ngravity = [0, 0, 0]\n{part}[run]\nseconds = 0.4\n"),
+        );
+        let at = |step: &str| number(&json(&[&file, "--step", step])["last"]["m.x"]);
+        let exact = at("1e-5");
+        let [coarse, fine] = ["2e-3", "1e-3"].map(|step| (at(step) - exact).abs());
+        assert!(fine < 1e-10 && coarse > 12.0 * fine, "{name}: {coarse} {fine}");
+    }
+}

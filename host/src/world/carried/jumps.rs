@@ -1,7 +1,8 @@
-//! Commands whose speed jumps: a step is cut there, so that equations are smooth in each part and what touches is struck.
+//! Commands whose speed jumps, laws and loads that do: a step is cut there, so that equations are smooth in each part and
+//! what touches is struck.
 //!
-//! In: a world and the length of a step. Out: the world after it. A command may have a kink where an argument of `abs` or
-//! `sign`, or the difference of those of `min` or `max`, changes sign; that time is found by bisection, up to the
+//! In: a world and the length of a step. Out: the world after it. A function of time may have a kink where an argument of
+//! `abs` or `sign`, or the difference of those of `min` or `max`, changes sign; that time is found by bisection, up to the
 //! rounding of times. The drive's impulse there leaves the momenta of all speeds that are not commanded,
 //! ```text
 //! dT/du (q, u+, t+) = dT/du (q, u, t-)     T quadratic in u: differences of T over 2 are exact
@@ -65,7 +66,7 @@ impl<S: Scalar> CarriedWorld<S> {
             self.pass(kink)?;
         }
         Err(format!(
-            "commands have more than {MOST} kinks (of abs, sign, min, max) in a step; take a smaller one"
+            "commands, laws and loads have more than {MOST} kinks (of abs, sign, min, max) in a step; take a smaller one"
         ))
     }
 

@@ -92,8 +92,8 @@ impl CarriedWorld {
         };
         if let Some(part) = (0..self.places.len()).find(kinks) {
             return Err(format!(
-                "`{}`: a command with abs, sign, min or max may change its speed at once, where the chip cuts no step; write \
-                 a smooth one",
+                "`{}`: a command, law or load with abs, sign, min or max of the time may change at once, where the chip cuts no \
+                 step; write a smooth one",
                 self.names[part]
             ));
         }
