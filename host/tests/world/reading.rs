@@ -124,6 +124,11 @@ fn what_is_wrong_in_a_world_is_said_with_its_place() {
         ),
         (format!("{TILE}{SHEET}corners = 3"), "part `bladder` has no key `corners`", 9),
         (
+            "format = 2\n[parts.cart]\nmechanism = \"cart_pole\"\nstart = { u_q = 5 }".to_owned(),
+            "`u_q` needs a unit: numbers of a scene are in SI units, those of its model in deg/s",
+            4,
+        ),
+        (
             format!(
                 "{TILE}[parts.bladder]\nshape = \"sheet\"\nrows = 3\ncolumns = 3\ngas = {{ gauge = \"4_kPa\" }}"
             ),

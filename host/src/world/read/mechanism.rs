@@ -7,7 +7,7 @@ use super::value::{list, one_of};
 use crate::world::assembly::Mechanism;
 use smartbed_codegen::diagnostic::{Diagnostic, Diagnostics, Severity};
 use smartbed_codegen::model::document::{Value, wrong_kind};
-use smartbed_codegen::model::{self, CoordinateId, Fields, Model, Speed, SpeedMeaning, is_plain};
+use smartbed_codegen::model::{self, Fields, Model, Speed, SpeedMeaning, is_plain};
 use smartbed_codegen::source::Span;
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
@@ -87,7 +87,7 @@ fn changes(fields: &Fields<'_>, base: &Model, found: &mut Diagnostics) -> Option
         // The position of the whole mechanism is not a coordinate of the model.
         for (key, value) in entries.filter(|(key, _)| section != "start" || key.name != PLACE) {
             if let Some(unit) = unit_of(base, section, &key.name) {
-                refuse_without_unit(&key.name, value, unit, found);
+                refuse_without_unit(&key.name, value, &unit, found);
             }
             let written = match value {
                 Value::Text(text) => format!("{:?}", text.text),
@@ -113,19 +113,22 @@ fn changes(fields: &Fields<'_>, base: &Model, found: &mut Diagnostics) -> Option
 
 /// The unit in which a model reads plain numbers of a parameter, an input's law, or the start of a coordinate or its
 /// rate, and its value in SI.
-fn unit_of<'m>(base: &'m Model, section: &str, name: &str) -> Option<&'m (String, f64)> {
-    let of = |id: CoordinateId| &base.coordinates[id].written_unit;
-    match section {
-        "parameters" => base.parameters.iter().find(|p| p.name == name).map(|p| &p.written_unit),
-        "law" => base.inputs.iter().find(|input| input.name == name).map(|input| &input.written_unit),
+fn unit_of(base: &Model, section: &str, name: &str) -> Option<(String, f64)> {
+    let unit = match section {
+        "parameters" => &base.parameters.iter().find(|p| p.name == name)?.written_unit,
+        "law" => &base.inputs.iter().find(|input| input.name == name)?.written_unit,
         _ => match base.coordinates.iter().find(|c| c.name == name) {
-            Some(coordinate) => Some(&coordinate.written_unit),
-            None => match base.speeds.iter().find(|s| s.name == name)?.meaning {
-                SpeedMeaning::RateOf(id) => Some(of(id)),
-                SpeedMeaning::Combination(_) => None,
-            },
+            Some(coordinate) => &coordinate.written_unit,
+            None => {
+                let SpeedMeaning::RateOf(id) = base.speeds.iter().find(|s| s.name == name)?.meaning else {
+                    return None;
+                };
+                let (unit, factor) = &base.coordinates[id].written_unit;
+                return Some((format!("{unit}/s"), *factor));
+            }
         },
-    }
+    };
+    Some(unit.clone())
 }
 
 /// Refuses a number without unit where the model would read it in another unit than the scene.
