@@ -1,5 +1,5 @@
-//! Quantities observed beside the motion: laws, energies, powers of loads, coordinates in closed form, what commands
-//! switch by, positions of points and attitudes of bodies.
+//! Quantities observed beside the motion: laws, energies, powers of loads, coordinates in closed form, what functions of
+//! time switch by, positions of points and attitudes of bodies.
 //!
 //! In: a model. Out: the same model with these as its outputs, written in the model's own language and derived like any
 //! other output. The program that computes the motion is a different one and does not depend on them. Signs: `actuator`
