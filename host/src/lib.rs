@@ -44,6 +44,7 @@ pub mod limits;
 pub mod model_argument;
 pub mod observers;
 pub mod speeds;
+pub mod switches;
 
 pub mod plot;
 pub mod view;

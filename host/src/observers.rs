@@ -150,6 +150,12 @@ fn closed_forms(model: &Model) -> impl Iterator<Item = Expr> + '_ {
     closed.flat_map(|(id, _)| [node(ExprKind::Coordinate(id)), node(ExprKind::Rate(id))])
 }
 
+/// Whether the speed of a commanded coordinate may change at once: its command has abs, sign, min or max of the time.
+#[must_use]
+pub fn may_leap(model: &Model) -> bool {
+    !switches(model)[0].is_empty()
+}
+
 /// Functions of time alone at whose zeros the closed form of a coordinate may have a kink or a jump; those at whose zeros a
 /// law or a load may that reads the time itself.
 fn switches(model: &Model) -> [Vec<Expr>; 2] {

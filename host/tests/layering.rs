@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 /// Folders of the library.
 const LIBRARY: [&str; 4] = ["scene", "world", "engine", "plan"];
 /// What it may use of this crate; of `firmware` how it runs other programs.
-const ALLOWED: [&str; 14] = [
+const ALLOWED: [&str; 15] = [
     "configuration",
     "contact_force",
     "engine",
@@ -19,6 +19,7 @@ const ALLOWED: [&str; 14] = [
     "limits",
     "number",
     "observers",
+    "switches",
     "scene",
     "suggest",
     "world",

@@ -8,6 +8,7 @@ use super::fit::{Fitted, nanoseconds};
 use crate::failure::Failure;
 use crate::file_kind::FileKind;
 use crate::limits::check_numbers;
+use crate::observers;
 use crate::scene::read::Scene;
 use crate::scene::rest::Found;
 use crate::scene::{self, Simulation, tables, walk};
@@ -95,6 +96,7 @@ impl Settings {
             check_changes(&arguments.set)?;
             kind.among(&[FileKind::Model], &model)?;
             check_names(&model, &arguments.set)?;
+            check_commands(&model)?;
             (Subject::Mechanism, STEPS, STEP)
         };
         let steps = arguments.steps.unwrap_or(steps);
@@ -276,6 +278,19 @@ fn print_scene(path: &Path, scene: &Scene, arguments: &Arguments) -> Result<(Sub
         Subject::Scene(tables::rust(&simulation, scene.step as f32))
     };
     Ok((subject, u32::try_from(scene.steps()).unwrap_or(u32::MAX), nanoseconds(scene.step)))
+}
+
+/// Refuses commands at whose kinks a step would have to be cut, as those of worlds on the chip are.
+fn check_commands(model: &Path) -> Result<(), Failure> {
+    let leaps = smartbed_codegen::model::read(model).is_ok_and(|model| observers::may_leap(&model));
+    if !leaps {
+        return Ok(());
+    }
+    Err(Failure::Wrong(
+        "a command (closed_form) with abs, sign, min or max of the time may change its speed at once, where the chip cuts \
+         no step; write a smooth one, for example with smooth_step"
+            .to_owned(),
+    ))
 }
 
 /// Reads the model first, so that its errors are reported first, and looks up the names of the changes.

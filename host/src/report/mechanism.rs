@@ -68,6 +68,15 @@ impl Mechanism {
         let program = program::derive(&model, &settings.choice).map_err(wrong)?;
         let observers = Observers::derive(&model, &settings.choice).map_err(wrong)?;
         let start = start(&model, &program, &settings)?;
+        let mut plant: Plant64 = Plant::new(Box::new(Interpreted::new(&program)), &program, &observers);
+        let leap = plant.leap(&start, settings.seconds).map_err(|f| Failure::Wrong(explain(f).to_owned()))?;
+        if let Some((form, t)) = leap {
+            return Err(Failure::Wrong(format!(
+                "the command of `{}` changes its speed at once at t = {t:.6} s, an impact at which the methods compared \
+                 cut no step; write a smooth command, for example with smooth_step, or `run` it",
+                observers.closed[form].0
+            )));
+        }
         Ok(Self { name: name.to_owned(), model, settings, program, observers, start, engine })
     }
 

@@ -6,6 +6,7 @@
 
 use crate::columns::{ACCOUNTS, DRIVE};
 use crate::observers::{LEDGER, Observers};
+use crate::switches::Switches;
 use smartbed_codegen::{Interpreted, Program};
 use smartbed_runtime::mechanism::{Fault, Mechanism};
 
@@ -85,6 +86,7 @@ pub struct Ledger {
     observer: Interpreted<f64>,
     law: Interpreted<f64>,
     law_inputs: Vec<usize>,
+    switches: Switches<f64>,
     inputs: Vec<f64>,
     last: Moment,
     accounts: Accounts,
@@ -101,6 +103,7 @@ impl Ledger {
             observer: Interpreted::new(&observers.ledger()),
             law: Interpreted::new(&observers.laws()),
             law_inputs: observers.law_inputs.clone(),
+            switches: Switches::new(observers),
             inputs: vec![0.0; program.inputs.len()],
             last: Moment::default(),
             accounts: Accounts::default(),
@@ -140,6 +143,19 @@ impl Ledger {
         self.book(between, new)
     }
 
+    /// Books a state behind a kink of a command: what changes the energies at once is the work of the drive's impulse.
+    ///
+    /// # Errors
+    /// As [`Ledger::open`].
+    pub fn leap(&mut self, t: f64, x: &[f64]) -> Result<(), Fault> {
+        let before = self.accounts.total();
+        self.last = self.moment(t, x)?;
+        self.store();
+        let change = self.accounts.total() - before;
+        self.accounts.drive = self.accounts.drive.map(|work| work + change);
+        Ok(())
+    }
+
     /// Simpson's rule over the last state, the intermediate ones, and the new one.
     fn book(&mut self, between: &[Vec<f64>], new: Moment) -> Result<(), Fault> {
         let h = (new.t - self.last.t) / (between.len() + 1) as f64;
@@ -163,14 +179,15 @@ impl Ledger {
         [self.accounts.gravity, self.accounts.spring] = [self.last.entries[0], self.last.entries[1]];
     }
 
-    fn moment(&mut self, t: f64, x: &[f64]) -> Result<Moment, Fault> {
+    fn moment(&mut self, time: f64, x: &[f64]) -> Result<Moment, Fault> {
+        let t = self.switches.moment(time)?;
         let entries = self.entries(t, x)?;
         let (q, u) = x.split_at_checked(self.mechanism.n_q()).ok_or(Fault::Shape)?;
         let mut x_dot = vec![0.0; x.len()];
         let (q_dot, u_dot) = x_dot.split_at_mut(q.len());
         self.mechanism.rates(t, q, u, &self.inputs, q_dot, u_dot)?;
         let (kinetic, _) = self.mechanism.energy(q, u)?;
-        Ok(Moment { t, x: x.to_vec(), x_dot, kinetic, entries })
+        Ok(Moment { t: time, x: x.to_vec(), x_dot, kinetic, entries })
     }
 
     /// The observer's outputs and the power of the drive; leaves the inputs commanded at (t, x) in `inputs`.

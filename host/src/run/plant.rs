@@ -5,6 +5,7 @@
 
 use crate::engine::{Engine, EngineScalar};
 use crate::observers::Observers;
+use crate::switches::{self, Switches};
 use smartbed_codegen::{Interpreted, Program};
 use smartbed_runtime::mechanism::Fault;
 use smartbed_runtime::ode::Ode;
@@ -15,6 +16,9 @@ pub struct Plant<E, S> {
     pub(super) engine: E,
     law: Interpreted<S>,
     law_inputs: Vec<usize>,
+    closed_forms: Interpreted<S>,
+    /// Times at which commands, laws and loads switch.
+    pub(super) switches: Switches<S>,
     pub(super) inputs: Vec<S>,
     projections: u8,
     evaluations: u64,
@@ -29,6 +33,7 @@ impl<E: std::ops::DerefMut<Target = dyn Engine<S>>, S: EngineScalar> Ode<S> for 
     }
     fn rates(&mut self, t: S, x: &[S], x_dot: &mut [S]) -> Result<S, Fault> {
         self.evaluations += 1;
+        let t = self.switches.moment(t)?;
         self.command(t, x)?;
         let n_q = self.engine.n_q();
         let (q, u) = x.split_at_checked(n_q).ok_or(Fault::Shape)?;
@@ -36,7 +41,7 @@ impl<E: std::ops::DerefMut<Target = dyn Engine<S>>, S: EngineScalar> Ode<S> for 
         self.engine.rates(t, q, u, &self.inputs, q_dot, u_dot)
     }
     fn set_time(&mut self, t: S) {
-        self.engine.set_time(t);
+        self.engine.set_time(self.switches.moment(t).unwrap_or(t));
     }
     fn project(&mut self, x: &mut [S]) -> Result<S, Fault> {
         let n_q = self.engine.n_q();
@@ -57,6 +62,8 @@ impl<E: std::ops::DerefMut<Target = dyn Engine<S>>, S: EngineScalar> Plant<E, S>
             engine,
             law: Interpreted::new(&observers.laws()),
             law_inputs: observers.law_inputs.clone(),
+            closed_forms: Interpreted::new(&observers.closed_forms()),
+            switches: Switches::new(observers),
             inputs: vec![S::ZERO; program.inputs.len()],
             projections: u8::from(!program.correction.is_empty() || program.is_redundant()),
             evaluations: 0,
@@ -67,6 +74,34 @@ impl<E: std::ops::DerefMut<Target = dyn Engine<S>>, S: EngineScalar> Plant<E, S>
     #[must_use]
     pub fn evaluations(&self) -> u64 {
         self.evaluations
+    }
+
+    /// Values and rates of the coordinates in closed form.
+    ///
+    /// # Errors
+    /// [`Fault::Shape`] if the state has another length.
+    pub(super) fn closed_forms(&mut self, t: S, x: &[S]) -> Result<Vec<[S; 2]>, Fault> {
+        let (q, u) = x.split_at_checked(self.engine.n_q()).ok_or(Fault::Shape)?;
+        let t = self.switches.moment(t)?;
+        let values = self.closed_forms.outputs(t, q, u, &self.inputs)?;
+        Ok(values.chunks_exact(2).map(|both| [both[0], both[1]]).collect())
+    }
+
+    /// The first coordinate whose command changes its speed at once within so many seconds from t = 0, with the time.
+    ///
+    /// # Errors
+    /// [`Fault::Shape`] if the state has another length.
+    pub fn leap(&mut self, x: &[S], seconds: f64) -> Result<Option<(usize, f64)>, Fault> {
+        let mut t = 0.0;
+        while self.switches.may_leap && t < seconds {
+            let Some([before, after]) = self.switches.first(t, seconds)? else { break };
+            let [early, late] = [before, after].map(|t| self.closed_forms(S::from_f64(t), x));
+            if let Some(form) = switches::leaps([&early?, &late?]) {
+                return Ok(Some((form, after)));
+            }
+            t = after;
+        }
+        Ok(None)
     }
 
     /// Energies, all speeds and outputs of a state.

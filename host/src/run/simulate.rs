@@ -14,6 +14,7 @@ use crate::limits::{Angles, check_numbers};
 use crate::number::worst;
 use crate::observers::Observers;
 use crate::progress::Progress;
+use crate::switches::{self, rounding};
 use smartbed_codegen::{Interpreted, Program};
 use smartbed_runtime::mechanism::Fault;
 use smartbed_runtime::ode::Ode;
@@ -86,10 +87,9 @@ pub fn columns(program: &Program, observers: &Observers) -> Vec<String> {
 }
 
 /// Makes rows, and collects the summary.
-struct Recorder<'a, S, F> {
+struct Recorder<'a, F> {
     program: &'a Program,
     observers: &'a Observers,
-    closed_forms: Interpreted<S>,
     places: Interpreted<f64>,
     /// Of the equations and of the laws.
     angles: [Angles; 2],
@@ -98,27 +98,30 @@ struct Recorder<'a, S, F> {
     columns: Vec<String>,
 }
 
-impl<S: EngineScalar, F: FnMut(&Row) -> Result<(), Failure>> Recorder<'_, S, F> {
-    fn row<E>(&mut self, plant: &mut Plant<E, S>, t: f64, x: &[S], ledger: &Ledger) -> Result<(), Failure>
+impl<F: FnMut(&Row) -> Result<(), Failure>> Recorder<'_, F> {
+    fn row<E, S>(&mut self, plant: &mut Plant<E, S>, t: f64, x: &[S], ledger: &Ledger) -> Result<(), Failure>
     where
         E: std::ops::DerefMut<Target = dyn Engine<S>>,
+        S: EngineScalar,
     {
         let failure = |fault| Failure::Wrong(format!("t = {t} s: {}", explain(fault)));
         let n_q = self.program.q.len();
         let (q, u) = x.split_at(n_q);
-        plant.command(S::from_f64(t), x).map_err(failure)?;
-        plant.engine.set_time(S::from_f64(t));
+        let now = plant.switches.moment(S::from_f64(t)).map_err(failure)?;
+        plant.command(now, x).map_err(failure)?;
+        plant.engine.set_time(now);
         let speeds = plant.engine.speeds(q, u).map_err(failure)?;
-        let outputs = plant.engine.outputs(S::from_f64(t), q, u, &plant.inputs).map_err(failure)?;
+        let outputs = plant.engine.outputs(now, q, u, &plant.inputs).map_err(failure)?;
         let beyond = |why| Failure::Wrong(format!("t = {t:.6} s: {why}"));
         let inputs = widened(&plant.inputs);
         for angles in &mut self.angles {
             angles.check(t, &widened(q), &widened(u), &inputs).map_err(beyond)?;
         }
         let accounts = ledger.accounts();
-        let closed = self.closed_forms.outputs(S::from_f64(t), q, u, &plant.inputs).map_err(failure)?;
+        let closed = plant.closed_forms(S::from_f64(t), x).map_err(failure)?;
         let mut values = vec![t];
-        values.extend(q.iter().chain(closed.iter().step_by(2)).chain(&speeds).map(|x| x.to_f64()));
+        values
+            .extend(q.iter().chain(closed.iter().map(|[value, _]| value)).chain(&speeds).map(|x| x.to_f64()));
         values.extend(accounts.columns());
         for ((name, _), value) in self.program.outputs.iter().zip(&outputs) {
             self.summary.health.output(name, value.to_f64(), t);
@@ -128,7 +131,7 @@ impl<S: EngineScalar, F: FnMut(&Row) -> Result<(), Failure>> Recorder<'_, S, F> 
         let (wide_q, wide_u): (Vec<f64>, Vec<f64>) =
             (q.iter().map(|x| x.to_f64()).collect(), u.iter().map(|x| x.to_f64()).collect());
         let no_inputs = vec![0.0; plant.inputs.len()];
-        let places = self.places.outputs(t, &wide_q, &wide_u, &no_inputs).map_err(failure)?;
+        let places = self.places.outputs(now.to_f64(), &wide_q, &wide_u, &no_inputs).map_err(failure)?;
         self.summary.rows += 1;
         self.summary.imbalance = worst(self.summary.imbalance, accounts.imbalance());
         let stored = [accounts.kinetic, accounts.gravity, accounts.spring];
@@ -139,7 +142,7 @@ impl<S: EngineScalar, F: FnMut(&Row) -> Result<(), Failure>> Recorder<'_, S, F> 
             moved: &moved,
             imbalance: accounts.imbalance(),
         });
-        let coordinates = 1..1 + q.len() + closed.len() / 2;
+        let coordinates = 1..1 + q.len() + closed.len();
         for (name, value) in self.columns[coordinates.clone()].iter().zip(&values[coordinates]) {
             self.summary.health.place(name, *value, t);
         }
@@ -147,7 +150,7 @@ impl<S: EngineScalar, F: FnMut(&Row) -> Result<(), Failure>> Recorder<'_, S, F> 
         (self.sink)(&Row { values, places })
     }
 
-    fn took(&mut self, report: Report<S>, t: f64, x: &[S]) {
+    fn took<S: Scalar>(&mut self, report: Report<S>, t: f64, x: &[S]) {
         self.summary.steps += 1;
         self.summary.pivot = self.summary.pivot.min(report.pivot.to_f64());
         self.summary.health.pivot(None, report.pivot.to_f64());
@@ -175,7 +178,6 @@ pub fn simulate<S: EngineScalar>(
     let mut recorder = Recorder {
         program: setup.program,
         observers: setup.observers,
-        closed_forms: Interpreted::new(&setup.observers.closed_forms()),
         places: Interpreted::new(&setup.observers.places()),
         angles: [setup.program, &setup.observers.laws()].map(Angles::new::<S>),
         sink,
@@ -244,7 +246,7 @@ fn fixed<E, S, F>(
     plant: &mut Plant<E, S>,
     state: &mut State<'_, S>,
     mut ledger: Ledger,
-    recorder: &mut Recorder<'_, S, F>,
+    recorder: &mut Recorder<'_, F>,
 ) -> Result<(), Failure>
 where
     E: std::ops::DerefMut<Target = dyn Engine<S>>,
@@ -259,14 +261,25 @@ where
         let t = (n - 1) as f64 * step;
         let is_short = seconds - t < (1.0 - ROUNDING) * step;
         let (h, end) = if is_short { (seconds - t, seconds) } else { (step, n as f64 * step) };
-        let report = match state.x().is_empty() {
-            true => Report { pivot: S::ONE, residual: S::ZERO },
-            false => method
-                .step(plant, S::from_f64(t), S::from_f64(h), state, &mut scratch)
-                .map_err(|fault| refused(t, fault))?,
-        };
-        recorder.took(report, end, state.x());
-        ledger.step(end, &widened(state.x())).map_err(|fault| refused(end, fault))?;
+        let mut from = t;
+        loop {
+            let kink = plant.switches.first(from, end).map_err(|fault| refused(from, fault))?;
+            let to = kink.map_or(end, |[before, _]| before);
+            let part = if from == t && to == end { h } else { to - from };
+            if part > rounding::<S>(to) {
+                let report = match state.x().is_empty() {
+                    true => Report { pivot: S::ONE, residual: S::ZERO },
+                    false => method
+                        .step(plant, S::from_f64(from), S::from_f64(part), state, &mut scratch)
+                        .map_err(|fault| refused(from, fault))?,
+                };
+                recorder.took(report, to, state.x());
+                ledger.step(to, &widened(state.x())).map_err(|fault| refused(to, fault))?;
+            }
+            let Some(kink) = kink else { break };
+            pass(setup, plant, kink, state, &mut ledger)?;
+            from = kink[1];
+        }
         if n % every as u64 == 0 || n == steps {
             recorder.row(plant, end, state.x(), &ledger)?;
         }
@@ -281,7 +294,7 @@ fn adaptive<E, S, F>(
     plant: &mut Plant<E, S>,
     state: &mut State<'_, S>,
     mut ledger: Ledger,
-    recorder: &mut Recorder<'_, S, F>,
+    recorder: &mut Recorder<'_, F>,
 ) -> Result<(), Failure>
 where
     E: std::ops::DerefMut<Target = dyn Engine<S>>,
@@ -310,11 +323,22 @@ where
         if next_row > rows {
             return Ok(());
         }
-        let left = seconds - t;
+        let kink = plant.switches.first(t, seconds).map_err(|f| refused(t, f))?;
+        let to = kink.map_or(seconds, |[before, _]| before);
+        let left = to - t;
+        if let Some(kink) = kink.filter(|_| left <= rounding::<S>(to)) {
+            pass(setup, plant, kink, state, &mut ledger)?;
+            method.restart();
+            t = kink[1];
+            if seconds - t <= rounding::<S>(seconds) {
+                return recorder.row(plant, seconds, state.x(), &ledger);
+            }
+            continue;
+        }
         let taken =
             method.step(plant, S::from_f64(t), S::from_f64(left), state).map_err(|f| refused(t, f))?;
         let h = taken.h.to_f64();
-        let end = if h >= left * (1.0 - f64::from(f32::EPSILON)) { seconds } else { t + h };
+        let end = if h >= left * (1.0 - f64::from(f32::EPSILON)) { to } else { t + h };
         recorder.took(taken.report, end, state.x());
         // A step is booked in parts if rows lie inside it.
         let mut from = 0.0;
@@ -346,6 +370,47 @@ where
     Err(Failure::Wrong(format!(
         "t = {t:.6} s: {MOST_STEPS} steps were not enough; allow a larger --tolerance"
     )))
+}
+
+/// Passes a kink: sets the speeds behind it and books the work of the drive's impulse.
+fn pass<E, S>(
+    setup: Setup<'_>,
+    plant: &mut Plant<E, S>,
+    [before, after]: [f64; 2],
+    state: &mut State<'_, S>,
+    ledger: &mut Ledger,
+) -> Result<(), Failure>
+where
+    E: std::ops::DerefMut<Target = dyn Engine<S>>,
+    S: EngineScalar,
+{
+    let failed = |fault| refused(after, fault);
+    if plant.switches.may_leap {
+        let [early, late] = [before, after].map(S::from_f64);
+        let (q, u) = state.x().split_at(setup.program.q.len());
+        let ends = [early, late].map(|t| plant.closed_forms(t, state.x()));
+        let [old, new] = ends.map(|end| end.map_err(failed));
+        let (old, new) = (old?, new?);
+        let name = |form: usize| &setup.observers.closed[form].0;
+        if let Some(form) = switches::jumps([&old, &new], late - early) {
+            return Err(Failure::Wrong(switches::jumped(name(form), after)));
+        }
+        if let Some(form) = switches::leaps([&old, &new]).filter(|_| setup.program.is_redundant()) {
+            return Err(Failure::Wrong(format!(
+                "t = {after:.6} s: the command of `{}` changes its speed at once, which a mechanism that passes dead \
+                 points of its independent speeds does not follow; write a smooth command, for example with smooth_step",
+                name(form)
+            )));
+        }
+        let kinetic = |t, u: &[S]| {
+            plant.set_time(t);
+            Ok(plant.engine.energy(q, u)?.0)
+        };
+        let (u, _) = switches::pass(kinetic, [early, late], u).map_err(failed)?;
+        let x = [q, &u].concat();
+        state.set(&x).map_err(failed)?;
+    }
+    ledger.leap(after, &widened(state.x())).map_err(failed)
 }
 
 /// Books the part `from..to` (fractions) of a step, which ends at time `t` with `x`.

@@ -8,6 +8,7 @@ use super::assembly::Mechanism;
 use super::picture::{INERTIA, Picture};
 use crate::configuration::Configurations;
 use crate::observers::{LEDGER, Observers};
+use crate::switches::Switches;
 use smartbed_codegen::model::{Model, StartRef};
 use smartbed_codegen::{Asked, Function, Interpreted, ParameterChoice, Program, Request, program};
 use smartbed_runtime::mechanism::{Fault, Mechanism as _};
@@ -15,15 +16,10 @@ use smartbed_runtime::real::Scalar;
 use smartbed_runtime::surface::Frame;
 use smartbed_runtime::vec3;
 use smartbed_runtime::world::{InverseInertia, Wrench};
-use std::cmp::Ordering;
 use std::ops::Range;
 
 /// The answers needed for each port.
 const PARTS: [&str; 5] = ["position", "rotation", "twist", "inverse_inertia", "jacobian"];
-
-/// How far behind a kink it is evaluated: at least this time (s), and this many rounding units of the time.
-const BEHIND: f64 = 1e-30;
-const ROUNDING: f64 = 16.0;
 
 /// Equations with ports.
 #[derive(Clone, Debug)]
@@ -56,11 +52,8 @@ pub struct Ported<S = f64> {
     /// Names and units of q and u.
     pub names: Vec<(String, String)>,
     closed_forms: Interpreted<S>,
-    switches: Interpreted<S>,
-    /// Whether a function of time alone that commands a coordinate, gives an input or loads may have kinks or jumps.
-    pub(super) has_switches: bool,
-    /// Whether one that commands a coordinate may: its speed may change at once.
-    pub(super) may_leap: bool,
+    /// Times at which commands, laws and loads switch.
+    pub(super) switches: Switches<S>,
     /// Name of the model, which is that of the part where that commands coordinates.
     pub(super) name: String,
     /// Times between which no command has a kink.
@@ -145,9 +138,7 @@ impl<S: Scalar> Ported<S> {
             ],
             names: quantities.map(|x| (x.name.clone(), x.unit.clone())).collect(),
             closed_forms: Interpreted::new(&observers.closed_forms()),
-            switches: Interpreted::new(&observers.switches()),
-            has_switches: observers.switches.iter().sum::<usize>() > 0,
-            may_leap: observers.switches[0] > 0,
+            switches: Switches::new(&observers),
             name: model.name.clone(),
             smooth: [f64::NEG_INFINITY, f64::INFINITY].map(S::from_f64),
             pivot: S::ONE,
@@ -234,31 +225,9 @@ impl<S: Scalar> Ported<S> {
         Some(loaded.ok()? - free.ok()?)
     }
 
-    /// The time at which what a time commands is to be evaluated: just behind it where a command has a kink there, so
-    /// that it moves as from then on, not with the mean of both speeds.
-    fn moment(&mut self, t: S) -> Result<S, Fault> {
-        if !self.has_switches {
-            return Ok(t);
-        }
-        let here = self.signs(t)?;
-        if !here.contains(&Ordering::Equal) {
-            return Ok(t);
-        }
-        let later = t + S::from_f64(BEHIND).max(S::from_f64(ROUNDING) * S::EPSILON * t.abs());
-        Ok(if self.signs(later)? == here { t } else { later })
-    }
-
-    /// Signs of the functions of time at whose zeros a command may have a kink or a jump.
-    fn signs(&mut self, t: S) -> Result<Vec<Ordering>, Fault> {
-        // They read neither coordinates nor speeds.
-        let [q, u] = [self.n_q(), self.n_u()].map(|n| vec![S::ZERO; n]);
-        let values = self.switches.outputs(t, &q, &u, &self.inputs[..self.own])?;
-        Ok(values.iter().map(|value| value.partial_cmp(&S::ZERO).unwrap_or(Ordering::Equal)).collect())
-    }
-
     /// All answers of all ports.
     fn asked(&mut self, t: S, q: &[S], u: &[S]) -> Result<Vec<S>, Fault> {
-        let t = self.moment(t)?;
+        let t = self.switches.moment(t)?;
         self.engine.function(0, (t, q, u, &self.inputs, &self.u_dot))
     }
 
@@ -328,7 +297,7 @@ impl<S: Scalar> Ported<S> {
         wrenches: &[Wrench<S>],
         (q_dot, u_dot): (&mut [S], &mut [S]),
     ) -> Result<S, Fault> {
-        let t = self.moment(t)?;
+        let t = self.switches.moment(t)?;
         self.remember(t, q, u);
         self.command(t, q, u, wrenches)?;
         let pivot = self.engine.rates(t, q, u, &self.inputs, q_dot, u_dot)?;
@@ -386,7 +355,7 @@ impl<S: Scalar> Ported<S> {
     /// # Errors
     /// The engine's.
     pub fn energy(&mut self, t: S, q: &[S], u: &[S]) -> Result<(S, S), Fault> {
-        let t = self.moment(t)?;
+        let t = self.switches.moment(t)?;
         self.engine.set_time(t);
         self.engine.energy(q, u)
     }
@@ -399,15 +368,9 @@ impl<S: Scalar> Ported<S> {
         if self.closed.is_empty() {
             return Ok(Vec::new());
         }
-        let t = self.moment(t)?;
+        let t = self.switches.moment(t)?;
         let values = self.closed_forms.outputs(t, q, u, &self.inputs[..self.own])?;
         Ok(values.chunks_exact(2).map(|both| [both[0], both[1]]).collect())
-    }
-
-    /// Signs of the functions of time at whose zeros a command may have a kink or a jump; at a kink those behind it.
-    pub(super) fn sides(&mut self, t: S) -> Result<Vec<Ordering>, Fault> {
-        let t = self.moment(t)?;
-        self.signs(t)
     }
 
     /// Energies and powers at a state under wrenches.
@@ -430,7 +393,7 @@ impl<S: Scalar> Ported<S> {
 
     /// Energies of weight and springs, and powers.
     fn watched(&mut self, t: S, q: &[S], u: &[S], wrenches: &[Wrench<S>]) -> Result<([S; 2], [S; 2]), Fault> {
-        let t = self.moment(t)?;
+        let t = self.switches.moment(t)?;
         self.command(t, q, u, wrenches)?;
         let watched = self.observer.outputs(t, q, u, &self.inputs[..self.own])?;
         let [gravity, spring, actuator, damping, external]: [S; LEDGER.len()] =
@@ -444,7 +407,7 @@ impl<S: Scalar> Ported<S> {
     /// # Errors
     /// The engine's.
     pub fn picture(&mut self, t: S, q: &[S], u: &[S]) -> Result<Picture, Fault> {
-        let t = self.moment(t)?;
+        let t = self.switches.moment(t)?;
         let numbers = self.places.outputs(t, q, u, &self.inputs[..self.own])?;
         let (numbers, place): (Vec<f64>, _) =
             (numbers.into_iter().map(S::to_f64).collect(), self.place.map(S::to_f64));
@@ -475,7 +438,7 @@ impl<S: Scalar> Ported<S> {
 
     /// The time of the next correction.
     pub fn set_time(&mut self, t: S) {
-        let t = self.moment(t).unwrap_or(t);
+        let t = self.switches.moment(t).unwrap_or(t);
         self.engine.set_time(t);
     }
 

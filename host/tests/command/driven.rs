@@ -51,6 +51,111 @@ fn states_have_a_time() {
     assert!(done.message().contains("states[0].t: expected a number of seconds, found \"now\""), "{done:?}");
 }
 
+/// A bob on a cart that starts at once, at a time within a step, at its end or at the start of the run.
+pub const CART: &str = r#"
+format = 1
+name = "cart"
+dof = 1
+[parameters]
+l = { value = 2, unit = "m" }
+m = { value = 3, unit = "kg" }
+v = { value = 0.5, unit = "m/s" }
+T = { value = 0.5, unit = "s" }
+[coordinates]
+cart = { unit = "m", closed_form = "v*max(t - T, 0)" }
+theta = { unit = "rad", independent = true }
+[frames]
+rod = { rotations = [["z", "theta"]] }
+[points]
+pin = "cart*N.x"
+bob = "pin - l*rod.y"
+[bodies]
+bob = { centre = "bob", mass = "m" }
+[run]
+seconds = 1
+step = 1e-3
+"#;
+
+#[test]
+fn a_drive_that_starts_at_once_leaves_momenta_and_books_its_work() {
+    let path = written("driven_cart.toml", CART);
+    // No force acts on the bob across the rod: it stays, and the rod turns at v/l.
+    for (start, turned) in [(0.5, -0.125), (0.50037, -0.1249075), (1.0, 0.0)] {
+        for method in ["rk4", "euler", "semi-implicit", "dormand-prince"] {
+            for scalar in ["f32", "f64"] {
+                let set = format!("T={start}");
+                let run = ["run", &path, "--json", "--set", &set, "--method", method, "--scalar", scalar];
+                let (row, imbalance) = last(&run);
+                let number = |name: &str| row[name].as_f64().expect("a number");
+                let rounding = if scalar == "f32" { 2e-6 } else { 1e-12 };
+                assert!((number("u_theta") + 0.25).abs() < rounding, "{run:?}: {row}");
+                assert!((number("theta") - turned).abs() < rounding, "{run:?}: {row}");
+                assert!((number("drive") - number("kinetic")).abs() < 1e-2 * rounding, "{run:?}: {row}");
+                assert!(imbalance < 1e-2 * rounding, "{run:?}: {imbalance:e}");
+            }
+        }
+    }
+    let (row, _) = last(&["run", &path, "--json", "--set", "T=0"]);
+    assert_eq!(
+        (row["theta"].as_f64(), row["u_theta"].as_f64()),
+        (Some(0.0), Some(0.0)),
+        "it moves so from the start"
+    );
+}
+
+#[test]
+fn a_law_that_switches_at_a_time_costs_no_order() {
+    let text = r#"
+format = 1
+name = "push"
+dof = 1
+[parameters]
+m = { value = 1, unit = "kg" }
+F = { value = 1, unit = "N" }
+T = { value = 0.50037, unit = "s" }
+[coordinates]
+x = { unit = "m", independent = true }
+[inputs]
+f = { unit = "N" }
+[points]
+p = "x*N.x"
+[bodies]
+p = { centre = "p", mass = "m" }
+[forces]
+push = { point = "p", force = "f*N.x" }
+[law]
+f = "F*sign(T - t)"
+[run]
+seconds = 1
+step = 1e-2
+"#;
+    let path = written("driven_push.toml", text);
+    for method in ["rk4", "dormand-prince"] {
+        let (row, imbalance) = last(&["run", &path, "--json", "--method", method]);
+        let t = 0.50037_f64;
+        let exact = [t * t / 2.0 + t * (1.0 - t) - (1.0 - t) * (1.0 - t) / 2.0, 2.0 * t - 1.0];
+        let found = [row["x"].as_f64().expect("a number"), row["u_x"].as_f64().expect("a number")];
+        assert!(found.iter().zip(exact).all(|(a, b)| (a - b).abs() < 1e-13), "{method}: {found:?} {exact:?}");
+        assert!(imbalance < 1e-14, "{method}: {imbalance:e}");
+    }
+}
+
+#[test]
+fn commands_that_no_step_follows_are_refused() {
+    let path = written("driven_kink.toml", CART);
+    let done = smartbed(&["report", &path, "--quick", "--out", &format!("{path}.report")]);
+    assert!(
+        done.message().contains("the command of `cart` changes its speed at once at t = 0.500000 s"),
+        "{done:?}"
+    );
+    let done = smartbed(&["firmware", &path]);
+    assert!(done.message().contains("may change its speed at once, where the chip cuts no step"), "{done:?}");
+    let jumps = CART.replace("max(t - T, 0)", "sign(t - T)*T");
+    let path = written("driven_jump.toml", &jumps);
+    let done = smartbed(&["run", &path]);
+    assert!(done.message().contains("the command of `cart` jumps at t = 0.500000 s"), "{done:?}");
+}
+
 #[test]
 fn both_engines_agree_on_driven_models() {
     let states = "{\"states\": [{\"t\": 0.7, \"q\": {\"sway\": 0.02}, \"u\": {\"u_sway\": 0.1}},\

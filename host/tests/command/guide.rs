@@ -4,10 +4,12 @@
 //! error, one fenced as `sh says "words"` must say them; a block with `file=NAME` is written first. `new`,
 //! `completions` and `man` are tested here, too.
 
+use crate::driven::CART;
 use crate::support::{Done, command, file, finish, smartbed, written};
 use smartbed::engine::explain;
 use smartbed::scene::describe::describe;
 use smartbed::scene::run::no_number;
+use smartbed::switches::jumped;
 use smartbed_runtime::flexible::BodyError;
 use smartbed_runtime::mechanism::Fault;
 use std::path::{Path, PathBuf};
@@ -235,7 +237,10 @@ fn every_error_of_a_run_has_its_cause_and_cure() {
         }
     }
     let bodies = bodies.iter().map(describe);
-    let found: Vec<String> = faults.into_iter().chain(bodies).chain([no_number("spring")]).collect();
+    let cart = written("guide_cart.toml", CART);
+    let leaps = error_of(&["report", &cart, "--quick", "--out", &format!("{cart}.report")]);
+    let others = [no_number("spring"), jumped("cart", 0.5), leaps];
+    let found: Vec<String> = faults.into_iter().chain(bodies).chain(others).collect();
     same(&found, &messages("## While it runs", Some("## Scenes of format 2")));
 }
 

@@ -68,7 +68,7 @@ impl Islands {
         let mut leaps = vec![false; count];
         for (part, place) in world.places.iter().enumerate() {
             if let (Place::Carrier(own, _), Some(component)) = (place, component[part])
-                && matches!(&world.carriers[*own], HostCarrier::Mechanism(own) if own.may_leap)
+                && matches!(&world.carriers[*own], HostCarrier::Mechanism(own) if own.switches.may_leap)
             {
                 leaps[component] = true;
             }

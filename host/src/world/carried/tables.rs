@@ -88,7 +88,7 @@ impl CarriedWorld {
         }
         let kinks = |part: &usize| {
             let Place::Carrier(number, _) = self.places[*part] else { return false };
-            matches!(&self.carriers[number], HostCarrier::Mechanism(own) if own.has_switches)
+            matches!(&self.carriers[number], HostCarrier::Mechanism(own) if own.switches.any())
         };
         if let Some(part) = (0..self.places.len()).find(kinks) {
             return Err(format!(
