@@ -4,7 +4,7 @@
 //! ignored. `END_FRAME` and `START_FRAME` (default 1), if stated, give the number of frames: a movie with another one
 //! was cut short. Uncalibrated files (`UNITS RAW`) are refused, because their numbers are not pressures.
 
-use super::text::{FileError, Mapped, count, mapped, metres, number, pascal, row, row_text};
+use super::text::{FileError, Mapped, count, mapped, metres, number, pascal, row, row_text, seconds};
 use crate::map::{Frame, Grid};
 use std::fmt::Write as _;
 
@@ -30,16 +30,7 @@ impl Head {
             "COLS" => self.columns = Some(count(value, line)?),
             "ROW_SPACING" => self.row_pitch = Some(metres(value, line)?),
             "COL_SPACING" => self.column_pitch = Some(metres(value, line)?),
-            "SECONDS_PER_FRAME" => {
-                let seconds = number(value, line)?;
-                if seconds < 0.0 {
-                    return Err(FileError::at(
-                        line,
-                        format!("expected seconds >= 0, found `{}`", value.trim()),
-                    ));
-                }
-                self.seconds = Some(seconds);
-            }
+            "SECONDS_PER_FRAME" => self.seconds = Some(seconds(value, line)?),
             "UNITS" => self.unit = Some(pascal(value, line)?),
             "START_FRAME" => self.first_frame = Some(number(value, line)?),
             "END_FRAME" => self.last_frame = Some((number(value, line)?, line)),

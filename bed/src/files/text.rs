@@ -56,15 +56,23 @@ pub(super) fn pascal(unit: &str, line: usize) -> Result<f64, FileError> {
     }
 }
 
-/// A length with unit, such as `10.16 mm`, in metres.
+/// A length with unit, such as `10.16 mm` or `0.4"`, in metres.
 pub(super) fn metres(text: &str, line: usize) -> Result<f64, FileError> {
     let text = text.trim();
-    let split = text.find(|c: char| c.is_alphabetic() && !matches!(c, 'e' | 'E')).unwrap_or(text.len());
+    let is_unit = |c: char| c == '"' || c.is_alphabetic() && !matches!(c, 'e' | 'E');
+    let split = text.find(is_unit).unwrap_or(text.len());
     let scale = match text[split..].trim().to_ascii_lowercase().as_str() {
-        "mm" | "" => 1e-3,
+        "mm" => 1e-3,
         "cm" => 1e-2,
         "m" => 1.0,
-        "in" | "inch" => 0.0254,
+        "in" | "inch" | "inches" | "\"" => 0.0254,
+        "" => {
+            let what = format!(
+                "`{}` has no unit of length: expected mm, cm, m or in, as in `10 mm`",
+                shortened(text)
+            );
+            return Err(FileError::at(line, what));
+        }
         other => {
             return Err(FileError::at(line, format!("unit of length `{other}`: expected mm, cm, m or in")));
         }
@@ -81,6 +89,15 @@ pub(super) fn metres(text: &str, line: usize) -> Result<f64, FileError> {
 pub(super) fn number(text: &str, line: usize) -> Result<f64, FileError> {
     let value = text.trim().parse::<f64>().ok().filter(|x| x.is_finite());
     value.ok_or_else(|| FileError::at(line, format!("expected a number, found `{}`", shortened(text))))
+}
+
+/// A duration.
+pub(super) fn seconds(text: &str, line: usize) -> Result<f64, FileError> {
+    let value = number(text, line)?;
+    if value >= 0.0 {
+        return Ok(value);
+    }
+    Err(FileError::at(line, format!("expected seconds >= 0, found `{}`", text.trim())))
 }
 
 /// A count of at least 1.

@@ -5,7 +5,7 @@
 //! ignored, and later frames may omit what the first one states. All frames have the same sensels, but units of their
 //! own, and no frame lasts beyond the start of the next.
 
-use super::text::{FileError, Mapped, count, mapped, metres, number, pascal, row, row_text};
+use super::text::{FileError, Mapped, count, mapped, metres, number, pascal, row, row_text, seconds};
 use crate::map::{Frame, Grid};
 use std::fmt::Write as _;
 
@@ -22,14 +22,16 @@ struct Head {
     row_pitch: Option<f64>,
     column_pitch: Option<f64>,
     unit: Option<f64>,
-    time: Option<f64>,
+    /// Time, and the line that states it.
+    time: Option<(f64, usize)>,
     /// Duration, and the line that states it.
     seconds: Option<(f64, usize)>,
 }
 
 /// A frame as it is read.
 struct Block {
-    time: Option<f64>,
+    /// Time, and the line that states it.
+    time: Option<(f64, usize)>,
     /// Duration, and the line that states it.
     seconds: Option<(f64, usize)>,
     pressure: Vec<f64>,
@@ -39,15 +41,16 @@ impl Head {
     /// Takes a key; `first` are the sensels of the first frame.
     fn take(&mut self, text: &str, line: usize, first: Option<&Grid>) -> Result<(), FileError> {
         let (key, value) = text.split_once(',').unwrap_or((text, ""));
-        let value = value.trim().trim_end_matches(',').trim_matches('"');
+        let value = unquoted(value.trim().trim_end_matches(','));
+        let value = value.as_str();
         match key.trim().trim_matches('"').to_ascii_lowercase().as_str() {
             "rows" => self.rows = Some(count(value, line)?),
             "columns" => self.columns = Some(count(value, line)?),
             "row pitch" => self.row_pitch = Some(metres(value, line)?),
             "column pitch" => self.column_pitch = Some(metres(value, line)?),
             "units" => self.unit = Some(pascal(value, line)?),
-            "time (s)" => self.time = Some(number(value, line)?),
-            "duration (s)" => self.seconds = Some((number(value, line)?, line)),
+            "time (s)" => self.time = Some((number(value, line)?, line)),
+            "duration (s)" => self.seconds = Some((seconds(value, line)?, line)),
             _ => {}
         }
         let Some(first) = first else { return Ok(()) };
@@ -118,6 +121,12 @@ pub fn read(text: &str) -> Result<Mapped, FileError> {
     mapped(grid, timed(blocks)?)
 }
 
+/// A value without the quotes around it; within them two stand for one. A single one at its end means inches.
+fn unquoted(value: &str) -> String {
+    let inner = value.strip_prefix('"').and_then(|rest| rest.strip_suffix('"'));
+    inner.map_or_else(|| value.to_owned(), |inner| inner.replace("\"\"", "\""))
+}
+
 /// Whether a line is a row of pressures rather than a key.
 fn is_row(text: &str) -> bool {
     text.split(',').next().is_some_and(|value| value.trim().parse::<f64>().is_ok())
@@ -125,12 +134,18 @@ fn is_row(text: &str) -> bool {
 
 /// Frames with their times and durations.
 fn timed(blocks: Vec<Block>) -> Result<Vec<Frame>, FileError> {
-    let mut times = Vec::new();
+    let mut times: Vec<f64> = Vec::new();
     for (index, block) in blocks.iter().enumerate() {
         if block.time.is_none() && blocks.len() > 1 {
             return Err(FileError::at(0, format!("frame {index}: `Time (s)` is missing")));
         }
-        times.push(block.time.unwrap_or(0.0));
+        let (time, line) = block.time.unwrap_or_default();
+        if let Some(before) = times.last().filter(|before| time <= **before) {
+            let what =
+                format!("a time of {time} s, expected later than {before} s, that of the frame before");
+            return Err(FileError::at(line, what));
+        }
+        times.push(time);
     }
     let mut before = 0.0;
     let mut frames = Vec::new();
@@ -145,10 +160,10 @@ fn timed(blocks: Vec<Block>) -> Result<Vec<Frame>, FileError> {
     Ok(frames)
 }
 
-/// Checks that a frame ends before the next one begins; times that do not increase are refused elsewhere.
+/// Checks that a frame ends before the next one begins.
 fn fits(seconds: f64, till_next: f64, line: usize) -> Result<(), FileError> {
     let (most, share) = ROUNDING;
-    if till_next <= 0.0 || seconds <= till_next + most.min(share * till_next) {
+    if seconds <= till_next + most.min(share * till_next) {
         return Ok(());
     }
     Err(FileError::at(

@@ -100,6 +100,7 @@ fn refusals_name_the_line() {
         ("COLS 2\n", "", "line 7: `COLS` is missing before the data"),
         ("Frame 1\n", "", "line 9: expected a line `Frame` before the first row"),
         ("10.16 mm", "10.16 ft", "line 4: unit of length `ft`: expected mm, cm, m or in"),
+        ("10.16 mm", "0.4", "line 4: `0.4` has no unit of length: expected mm, cm, m or in, as in `10 mm`"),
         ("FRAME 0.1", "FRAME -1", "line 6: expected seconds >= 0, found `-1`"),
         (
             "UNITS mmHg\n",
@@ -186,6 +187,17 @@ fn refusals_of_blocks_name_the_line() {
             "Duration (s),1000",
             "line 3: a duration of 1000 s, expected at most 1 s, when the next frame begins".to_owned(),
         ),
+        ("Duration (s),1", "Duration (s),-1", "line 3: expected seconds >= 0, found `-1`".to_owned()),
+        (
+            "Time (s),1",
+            "Time (s),-1",
+            "line 14: a time of -1 s, expected later than 0 s, that of the frame before".to_owned(),
+        ),
+        (
+            "Row Pitch,10 mm",
+            "Row Pitch,0.5",
+            "line 6: `0.5` has no unit of length: expected mm, cm, m or in, as in `10 mm`".to_owned(),
+        ),
     ] {
         let text = BLOCKS.replacen(from, to, 1);
         assert_ne!(text, BLOCKS, "{from}");
@@ -194,6 +206,25 @@ fn refusals_of_blocks_name_the_line() {
     // The last frame's rows, and one more.
     let text = format!("{BLOCKS}5,6\n");
     assert_eq!(read(&text).expect_err("long").to_string(), "line 24: more than 2 rows in this frame");
+}
+
+#[test]
+fn a_time_that_goes_back_is_refused_at_its_own_frame() {
+    let later = BLOCKS.split_once("\n\n").expect("two").1.replace("Time (s),1\n", "Time (s),0.5\n");
+    let message = read(&format!("{BLOCKS}\n{later}")).expect_err("back").to_string();
+    assert_eq!(message, "line 26: a time of 0.5 s, expected later than 1 s, that of the frame before");
+}
+
+#[test]
+fn inches_are_written_out_or_as_a_quote() {
+    for inches in ["0.5\"", "0.5 \"", "\"0.5\"\"\"", "0.5 in", "\"0.5 in\"", "0.5 inch", "0.5\","] {
+        let text = BLOCKS.replacen("Row Pitch,10 mm", &format!("Row Pitch,{inches}"), 1);
+        let text = text.replacen("Row Pitch,1 cm", "Row Pitch,12.7 mm", 1);
+        let pitch = read(&text).unwrap_or_else(|why| panic!("{inches}: {why}")).grid.row_pitch;
+        assert!((pitch - 0.0127).abs() < 1e-15, "{inches}: {pitch}");
+    }
+    let movie = read(&MOVIE.replacen("10.16 mm", "0.4\"", 1)).expect("a movie");
+    assert!((movie.grid.row_pitch - 0.01016).abs() < 1e-15);
 }
 
 #[test]
