@@ -2,7 +2,7 @@
 //!
 //! In: a run, the instruments of a tile, a seed. Out: readings at each moment, with delay, hold and noise. Screws are
 //! assumed to stand at their orders; pressures are interpolated linearly between moments. Instruments are simulated for
-//! the last quarter of a second before each moment; a pressure sensor has no memory from before that.
+//! the last quarter of a second before each moment, a pressure sensor for as long as it remembers.
 
 use super::Plan;
 use super::history::History;
@@ -10,7 +10,7 @@ use crate::sensor::drive::{Instruments, Readings, TICKS, TileSensors};
 use crate::tile;
 use smartbed_runtime::sensor::ChannelFault;
 
-/// Number of ticks before a moment for which instruments are simulated.
+/// Number of ticks before a moment for which all instruments are simulated.
 const WATCHED: u64 = 250;
 
 /// A reading and the true values.
@@ -63,11 +63,18 @@ pub fn readings(
             let since = before.map_or(end, |(time, _)| (time * TICKS).round() as u64 + 1);
             let (then, old) = before.unwrap_or((moment.time, now));
             let mut last = None;
-            for tick in since.max(end.saturating_sub(WATCHED))..=end {
+            let watched = since.max(end.saturating_sub(WATCHED));
+            let at = |tick: u64| {
                 let time = tick as f64 / TICKS;
                 let share = if moment.time > then { (time - then) / (moment.time - then) } else { 1.0 };
+                (time, old + share * (now - old))
+            };
+            for tick in since.max(end.saturating_sub(instruments.memory()))..watched {
+                sensors.feel(tick, at(tick).1);
+            }
+            for tick in watched..=end {
+                let (time, gauge) = at(tick);
                 let heights = tile::heights(&told.order(tile, time).command, plan.layout.circle);
-                let gauge = old + share * (now - old);
                 let read = sensors.observe(tick, heights, gauge);
                 last = Some(Reading { time: moment.time, tile, read, heights, gauge });
             }

@@ -13,6 +13,9 @@ pub const APART: f64 = 0.5e-3;
 /// Ticks per second.
 pub const TICKS: f64 = 1000.0;
 
+/// Time constants after which the pressure sensor has forgotten.
+const LAGS: f64 = 20.0;
+
 /// Parameters of a tile's instruments.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Instruments {
@@ -48,6 +51,16 @@ impl Default for Instruments {
                 range: [-20e3, 40e3],
             },
         }
+    }
+}
+
+impl Instruments {
+    /// Number of ticks before a reading from which on the pressure sensor must follow the pressure: of what was before,
+    /// e^-20 remains in it.
+    #[must_use]
+    pub fn memory(&self) -> u64 {
+        let settled = (LAGS * self.lag * TICKS).ceil() as u64;
+        settled + u64::from(self.pressure.delay) + u64::from(self.pressure.period)
     }
 }
 
@@ -103,10 +116,15 @@ impl TileSensors {
         })
     }
 
-    /// Readings at a tick, for these true values.
-    pub fn observe(&mut self, tick: u64, heights: [f64; 3], gauge: f64) -> Readings {
+    /// Lets the pressure sensor alone follow the true gauge pressure (Pa) at a tick.
+    pub fn feel(&mut self, tick: u64, gauge: f64) {
         let felt = self.membrane.observe(tick, gauge);
         self.pressure.observe(tick, felt);
+    }
+
+    /// Readings at a tick, for these true values.
+    pub fn observe(&mut self, tick: u64, heights: [f64; 3], gauge: f64) -> Readings {
+        self.feel(tick, gauge);
         let Instruments { encoder, lvdt, lvdt_noise: [noise, step], .. } = self.instruments;
         let mut switches = [[false; 2]; 3];
         for ((own, height), closed) in self.switches.iter_mut().zip(heights).zip(&mut switches) {

@@ -59,6 +59,33 @@ fn a_pressure_that_falls_is_read_late_by_lag_and_delay() {
 }
 
 #[test]
+fn a_slow_sensor_reads_the_same_however_rarely_it_is_read() {
+    // From 3 kPa at 12 s to 4 kPa at 14 s, then constant.
+    let (mut plan, _) = plan();
+    let up = Move { at: 12.0, over: 2.0, pressure: Some(4000.0), heave: None, ..plan.moves[0].clone() };
+    (plan.moves, plan.pressure, plan.seconds) = (vec![up], 3000.0, 20.0);
+    for [lag, delay, period] in [[0.5, 0.2, 0.1], [0.0, 0.9, 0.3], [2.0, 0.0, 0.001]] {
+        let mut exact = Instruments { lag, ..Instruments::default() };
+        (exact.pressure.noise, exact.pressure.bias, exact.pressure.resolution) = (0.0, 0.0, 0.0);
+        let ticks = |seconds: f64| (seconds * 1e3).round() as u32;
+        (exact.pressure.delay, exact.pressure.period) = (ticks(delay), ticks(period));
+        // A ramp from 0 through a lag T: t - T (1 - e^(-t/T)); what is read was sampled last at a multiple of the period.
+        let ramp = |t: f64| if t > 0.0 { t - lag * (1.0 - (-t / lag.max(1e-9)).exp()) } else { 0.0 };
+        for every in [0.5, 2.0] {
+            plan.every = every;
+            let history = run(&plan, |_| true).expect("runs");
+            for reading in readings(&plan, &history, exact, 1).expect("instruments") {
+                let sampled = ((reading.time - delay) / period + 1e-9).floor() * period - 12.0;
+                let expected = 3000.0 + 500.0 * (ramp(sampled) - ramp(sampled - 2.0));
+                // Half a tick of the ramp.
+                let off = (reading.read.pressure - expected).abs();
+                assert!(off < 0.5, "{lag} {delay} {period}, every {every}: {expected} {reading:?}");
+            }
+        }
+    }
+}
+
+#[test]
 fn readings_are_the_same_from_the_same_seed_and_as_wrong_as_they_are_said_to_be() {
     let (plan, history) = plan();
     let of = |seed: u64| readings(&plan, &history, Instruments::default(), seed).expect("instruments");

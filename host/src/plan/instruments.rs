@@ -12,6 +12,9 @@ use smartbed_codegen::model::document::Table;
 /// Most samples of a pressure in transmission at the same time.
 const ON_THEIR_WAY: u32 = 3;
 
+/// Longest time (s) before a moment for which a pressure sensor is simulated.
+const LONGEST: f64 = 60.0;
+
 /// Instruments of all tiles.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Instrumented {
@@ -44,6 +47,15 @@ pub(super) fn read(table: &Table, found: &mut Diagnostics) -> Option<Instrumente
     channel.resolution = get("resolution", "Pa", Bound::NotNegative, channel.resolution);
     let is_late = channel.delay > ON_THEIR_WAY.saturating_mul(channel.period);
     fields.finish(found);
+    let memory = instruments.memory() as f64 / TICKS;
+    if memory > LONGEST {
+        let error = Diagnostic::error(format!(
+            "readings depend on the pressure of the last {memory} s, expected {LONGEST} s at most"
+        ));
+        let place = "20 times `lag`, `delay` and `period` together";
+        found.push(error.label(table.span, place).help("a shorter `lag`, `delay` or `period`"));
+        return None;
+    }
     if is_late {
         let error = Diagnostic::error(format!("`delay` is longer than {ON_THEIR_WAY} times `period`"));
         found.push(
