@@ -172,7 +172,7 @@ fn read(path: &str, table: &Table, found: &mut Diagnostics) -> Option<Read> {
     let thresholds = estimates::read(&fields, cycle, found);
     let governed = fields.table("policy", found);
     let policy = match governed {
-        Some(table) => Some(policy::read(table, [seconds, every], found)?),
+        Some(table) => Some(policy::read(table, [seconds, every], pressure, found)?),
         None => None,
     };
     // The controller supports tiles of one size: a plan with others that asks for supervision is refused.

@@ -158,8 +158,21 @@ fn alternating(
     let high = number(&fields, "high", "Pa", Bound::NotNegative, found).unwrap_or(pressure);
     let cycle = number(&fields, "cycle", "s", Bound::Positive, found).unwrap_or(600.0);
     fields.finish(found);
+    is_lower(low, high, table.span, found)?;
     cycles_are_few(cycle, [seconds, every], table.span, found)?;
     Some(Plan::alternating(layout, low, high, cycle, seconds))
+}
+
+/// Refuses a low pressure (Pa) above the high one.
+pub(super) fn is_lower(low: f64, high: f64, span: Span, found: &mut Diagnostics) -> Option<()> {
+    if low <= high {
+        return Some(());
+    }
+    let [low, high] = [low, high].map(|pressure| 1e-3 * pressure);
+    let error =
+        Diagnostic::error(format!("`low` is {low} kPa, expected at most the high pressure of {high} kPa"));
+    found.push(error.label(span, "low is to relieve").help("a lower `low`, or a higher `bed.pressure`"));
+    None
 }
 
 /// Keys and values of a sweep.

@@ -25,8 +25,8 @@ pub struct Chosen {
     pub bounds: Bounds,
 }
 
-/// Reads `[policy]` of a run of `seconds` with a moment `every`.
-pub(super) fn read(table: &Table, run: [f64; 2], found: &mut Diagnostics) -> Option<Chosen> {
+/// Reads `[policy]` of a run of `seconds` with a moment `every`, whose bladders begin at a pressure (Pa).
+pub(super) fn read(table: &Table, run: [f64; 2], pressure: f64, found: &mut Diagnostics) -> Option<Chosen> {
     let fields = Fields::of("policy", table.span, table);
     let (usual, bounds) = (Goal::default(), Bounds::default());
     let kind = fields.need("kind", "\"planner\"", found)?;
@@ -67,6 +67,7 @@ pub(super) fn read(table: &Table, run: [f64; 2], found: &mut Diagnostics) -> Opt
         Bounds { most_low: count(&fields, "most_low", 0, found).unwrap_or(bounds.most_low), ..bounds };
     fields.finish(found);
     let chosen = Chosen { name, goal, bounds };
+    moves::is_lower(goal.low, pressure, table.span, found)?;
     if chosen.relief().is_none() {
         moves::cycles_are_few(goal.cycle, run, table.span, found)?;
     }

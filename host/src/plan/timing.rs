@@ -87,7 +87,8 @@ fn wrong_times(
         return Some((what, of_run, "a longer `every`".to_owned()));
     }
     let count = (seconds / every).round();
-    if (seconds - count * every).abs() > 1e-6 * every {
+    // Of the shorter one: a long `every` must not hide a whole run in the tolerance.
+    if (seconds - count * every).abs() > 1e-6 * every.min(seconds) {
         let what = format!("`seconds` is {seconds} s, no multiple of `every`, {every} s");
         let help = format!("every = {}, or seconds = {}", seconds / count.max(1.0), count.max(1.0) * every);
         return Some((what, "of this run: its end would appear in no map", help));

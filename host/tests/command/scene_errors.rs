@@ -89,6 +89,7 @@ fn every_refusal_of_a_scene_has_its_cause_and_cure() {
         format!("{SHEET}K = true"),
         format!("{SHEET}gas = {{ gauge = \"4_kPa\" }}"),
         format!("{CUBE}gas = {{ gauge = \"-200_kPa\" }}"),
+        format!("{CUBE}gas = {{ gauge = 0, sealed = true, exponent = 1.5 }}"),
         "[parts.s]\nshape = \"sheet\"\nrows = 200\ncolumns = 200\ngrid = { count = [9, 9], pitch = [1, 1] }"
             .to_owned(),
         attached("[{ nodes = \"rim\", to = \"tille.platform\" }]"),

@@ -228,6 +228,14 @@ fn gas(table: &Table, lists: &Lists, found: &mut Diagnostics) -> Option<Filled> 
     let (mut supply, mut vent) = (None, None);
     let content = if sealed {
         let exponent = number(&fields, "exponent", "", Bound::Positive, found).unwrap_or(1.4);
+        let adiabatic = Gas::<f64>::air().heat_capacity_ratio;
+        if !(1.0..=adiabatic).contains(&exponent) {
+            let place = fields.get("exponent").map_or(table.span, Value::span);
+            let error = Diagnostic::error(format!("`exponent` is {exponent}, expected 1 to {adiabatic}"));
+            let label = "n of p V^n, from isothermal to adiabatic changes of air";
+            found.push(error.label(place, label).help("1 for slow changes, 1.4 for fast ones"));
+            return None;
+        }
         let temperature = number(&fields, "temperature", "K", Bound::Positive, found).unwrap_or(ROOM);
         let volume = given.unwrap_or(enclosed);
         supply = fields.table("supply", found).and_then(|table| line(table, true, ambient, found));
