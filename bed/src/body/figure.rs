@@ -371,6 +371,8 @@ fn usual(posture: Posture, joint: &str) -> Angles {
     match (posture, name) {
         (Posture::Sitting, "hip") => [80.0, 6.0, 0.0],
         (Posture::Sitting, "shoulder") => [20.0, 10.0, 0.0],
+        // Arms that hang down are longer than the trunk: hands would reach into the bed.
+        (Posture::Sitting, "elbow") => [90.0, 0.0, 0.0],
         (_, "hip") => [0.0, 6.0, 0.0],
         (_, "shoulder") => [0.0, 15.0, 0.0],
         _ => [0.0; 3],

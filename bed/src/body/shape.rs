@@ -55,6 +55,14 @@ impl Shape {
         })
     }
 
+    /// Points of the box without its round edges: its centre, corners, and the middles between them.
+    #[must_use]
+    pub fn core(&self) -> Vec<Vec3<f64>> {
+        let [xs, ys, zs] = self.half.map(|h| if h > 0.0 { vec![-h, 0.0, h] } else { vec![0.0] });
+        let row = |x: f64, y: f64| zs.iter().map(move |z| [x, y, *z]).collect::<Vec<_>>();
+        xs.iter().flat_map(|x| ys.iter().flat_map(move |y| row(*x, *y))).collect()
+    }
+
     /// Upper bound of the distance of its points from the centre (m).
     #[must_use]
     pub fn reach(&self) -> f64 {

@@ -71,6 +71,26 @@ impl Surface {
         }
     }
 
+    /// Some points well inside: of a round shape those of [`Shape::core`], of a mesh its centre and those halfway to its
+    /// farthest corners along its axes, as far as they lie inside.
+    #[must_use]
+    pub fn core(&self) -> Vec<Vec3<f64>> {
+        match self {
+            Surface::Round(shape) => shape.core(),
+            Surface::Mesh(solid) => {
+                let half = [0, 1, 2].map(|k| {
+                    let mut axis = [0.0; 3];
+                    axis[k] = 1.0;
+                    let out = self.extent(axis);
+                    axis[k] = -1.0;
+                    0.25 * (out + self.extent(axis))
+                });
+                let points = Shape { half, radius: 0.0 }.core();
+                points.into_iter().filter(|point| solid.distance(*point) < 0.0).collect()
+            }
+        }
+    }
+
     /// Upper bound of the distance of its points from the origin (m).
     #[must_use]
     pub fn reach(&self) -> f64 {

@@ -14,6 +14,7 @@ pub(crate) mod increment;
 mod link;
 mod lone;
 mod newton;
+pub mod passed;
 mod rub;
 pub(crate) mod scene;
 pub mod side_by_side;

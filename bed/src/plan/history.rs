@@ -8,6 +8,7 @@ use super::check::Refusal;
 use super::maps::{self, Map, SkinPoint};
 use super::{Move, Order, Plan};
 use crate::dynamics::impact::Blow;
+use crate::equilibrium::passed::{Passed, passed};
 use crate::equilibrium::{Bed, Fault, GRAVITY, Solution, State};
 use crate::map::{Frame, Grid, MapError, Recording, Site};
 use crate::metrics::spatial::load_error;
@@ -60,6 +61,9 @@ pub struct History {
     pub moves: Vec<Move>,
     /// Time (s) from which on decisions were asked for, because the load had come to rest; `None` if it never did.
     pub lay: Option<f64>,
+    /// Number of parts in which the load was laid on although the plan puts it down at once: so put down, a part of it
+    /// passed through a sheet, or no equilibrium was found.
+    pub parts: Option<usize>,
     /// Extremes between moments, in motion.
     pub watched: Option<Watched>,
 }
@@ -103,12 +107,22 @@ pub enum RunError {
     Fault(f64, Fault),
     /// At a time (s) the contact forces miss the weight by this share.
     Invalid(f64, f64),
+    /// At a time (s) a segment of this name lies below the sheet of a tile by a depth (m).
+    Passed(f64, String, usize, f64),
     /// The recording is not valid.
     Map(MapError),
     /// A decision during the run exceeds a limit.
     Refused(Refusal),
     /// The caller asked it to stop.
     Stopped,
+}
+
+impl RunError {
+    /// Names the segment that has passed through a sheet.
+    pub(super) fn of_passed(plan: &Plan, time: f64, found: Passed) -> RunError {
+        let Passed { segment, tile, depth } = found;
+        RunError::Passed(time, plan.load.body.segments[segment].name.clone(), tile, depth)
+    }
 }
 
 impl fmt::Display for RunError {
@@ -122,6 +136,14 @@ impl fmt::Display for RunError {
                     "at {time} s: contact forces miss the weight by {share:.1e} of it, expected {GATE:.0e}"
                 )
             }
+            RunError::Passed(time, segment, tile, depth) => write!(
+                f,
+                "at {time} s: {segment} has passed through the sheet of tile {} and lies {:.0} mm below it, expected \
+                 above; lay the load on in parts (`run.parts = 8`), let it fall (`run.fall`), take more `intervals` or \
+                 more pressure",
+                tile + 1,
+                1e3 * depth
+            ),
             RunError::Map(error) => write!(f, "{error}"),
             RunError::Refused(refusal) => write!(f, "{refusal}"),
             RunError::Stopped => f.write_str("stopped"),
@@ -140,6 +162,12 @@ pub struct Watched {
     pub peak_time: f64,
     /// Length of that interval (s): whole steps, the nearest to 10 ms; less at the start of a run.
     pub peak_window: f64,
+    /// Largest gauge pressure of a bladder (Pa).
+    pub pressed: f64,
+    /// Index of the tile of that bladder.
+    pub pressed_tile: usize,
+    /// When it had that pressure (s).
+    pub pressed_time: f64,
     /// Time (s) since which everything has been slower than 1 mm/s; `None` if it never was.
     pub still: Option<f64>,
     /// Largest kinetic energy (J).
@@ -213,6 +241,9 @@ impl Recorder {
         if solution.imbalance.is_nan() || solution.imbalance > GATE {
             return Err(RunError::Invalid(time, solution.imbalance));
         }
+        if let Some(found) = passed(bed, &plan.load.body, &solution.state) {
+            return Err(RunError::of_passed(plan, time, found));
+        }
         // Pressure is force over the present area of the sheet, which is larger where it bulges.
         let sites = maps::sensels(&plan.layout, bed, solution);
         let felt = maps::felt(&plan.layout, solution, &sites);
@@ -271,6 +302,7 @@ impl Recorder {
             moments: self.moments,
             moves: plan.moves.clone(),
             lay: self.lay,
+            parts: None,
             watched: None,
         })
     }

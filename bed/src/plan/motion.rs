@@ -4,7 +4,7 @@
 //! moments. Steps divide the time between two moments evenly.
 
 use super::history::{Decide, History, Recorder, RunError, Watched, seal};
-use super::start::laid;
+use super::start::{Laid, laid};
 use super::{Dynamics, Plan, Start};
 use crate::dynamics::{Motion, dropped};
 use crate::equilibrium::{Bed, GRAVITY};
@@ -34,9 +34,12 @@ pub(super) fn run(
     let mut bed = plan.bed(0.0).map_err(RunError::Sheet)?;
     let body = plan.load.body.clone();
     let fault = |time: f64| move |fault| RunError::Fault(time, fault);
-    let state = match dynamics.start {
-        Start::Dropped(height) => dropped(&bed, &body, &plan.load.poses, height).map_err(fault(0.0))?,
-        Start::AtRest => laid(plan, &bed, &mut at)?.state,
+    let (state, parts) = match dynamics.start {
+        Start::Dropped(height) => (dropped(&bed, &body, &plan.load.poses, height).map_err(fault(0.0))?, None),
+        Start::AtRest => {
+            let Laid { solution, parts } = laid(plan, &mut bed, &mut at)?;
+            (solution.state, parts)
+        }
     };
     seal(plan, &mut bed, &state);
     let count = (plan.every / dynamics.step - 1e-9).ceil().max(1.0);
@@ -67,7 +70,7 @@ pub(super) fn run(
         history.take(plan, &motion.bed, &motion.now, pair[1])?;
         history.decide(plan, lies(&motion), decide)?;
     }
-    Ok(History { watched: Some(watch.watched), ..history.finish(plan)? })
+    Ok(History { watched: Some(watch.watched), parts, ..history.finish(plan)? })
 }
 
 /// Lengths (s) of the steps from one moment to the next, each with whether a move begins or ends at its start. Steps
@@ -139,6 +142,11 @@ impl Watch {
         let mean = self.forces.iter().map(|[force, seconds]| force * seconds).sum::<f64>() / length;
         if mean > own.peak {
             (own.peak, own.peak_time, own.peak_window) = (mean, motion.time(), length);
+        }
+        for (tile, gauge) in motion.now.gauges.iter().enumerate() {
+            if *gauge > own.pressed {
+                (own.pressed, own.pressed_tile, own.pressed_time) = (*gauge, tile, motion.time());
+            }
         }
         own.still = if motion.fastest() >= STILL { None } else { own.still.or(Some(motion.time())) };
         own.left_over = own.left_over.max(motion.ledger.left_over().abs());

@@ -5,8 +5,9 @@
 use super::check::Refusal;
 use super::history::{Decide, History, Recorder, RunError, Seen, seal};
 use super::motion;
-use super::start::laid;
+use super::start::{Laid, laid};
 use super::{Clock, Move, Plan};
+use crate::equilibrium::passed::passed;
 use crate::equilibrium::{Bed, Solution, solve};
 
 /// Shortest increment of time, as a share of the time between two equilibria, before a run is given up.
@@ -41,7 +42,7 @@ fn equilibria(plan: &Plan, decide: Decide<'_>, mut at: impl FnMut(f64) -> bool) 
     let mut told = plan.clone();
     let plan = &mut told;
     let mut bed = plan.bed(0.0).map_err(RunError::Sheet)?;
-    let mut solution = laid(plan, &bed, &mut at)?;
+    let Laid { mut solution, parts } = laid(plan, &mut bed, &mut at)?;
     let mut history = Recorder::new(plan, &bed, &solution);
     history.take(plan, &bed, &solution, 0.0)?;
     history.decide(plan, true, decide)?;
@@ -54,10 +55,11 @@ fn equilibria(plan: &Plan, decide: Decide<'_>, mut at: impl FnMut(f64) -> bool) 
         history.take(plan, &bed, &solution, pair[1])?;
         history.decide(plan, true, decide)?;
     }
-    history.finish(plan)
+    Ok(History { parts, ..history.finish(plan)? })
 }
 
-/// The equilibrium at a later time: in one increment or, if that does not converge, in smaller ones.
+/// The equilibrium at a later time: in one increment or, if that does not converge or lets a part of the load pass
+/// through a sheet, in smaller ones.
 fn onwards(
     plan: &Plan,
     bed: Bed,
@@ -72,6 +74,9 @@ fn onwards(
         let mut ordered = plan.bed(next).map_err(RunError::Sheet)?;
         keep_sealed(plan, &bed, &mut ordered, now, next);
         match solve(&ordered, &plan.load.body, &solution.state) {
+            Ok(found) if share > SHORTEST && passed(&ordered, &plan.load.body, &found.state).is_some() => {
+                share *= 0.5;
+            }
             Ok(found) => {
                 seal(plan, &mut ordered, &found.state);
                 (bed, solution, now) = (ordered, found, next);

@@ -7,6 +7,7 @@ use super::history::{GATE, History, Moment};
 use super::{Move, Plan};
 use crate::metrics::report::Row;
 use crate::metrics::shear::differential_drag;
+use std::fmt;
 
 /// Largest error of sensed maps (%).
 pub const FELT: f64 = 1.0;
@@ -47,6 +48,45 @@ pub fn gate(history: &History, read: Option<f64>) -> Vec<Row> {
 #[must_use]
 pub fn is_valid(gate: &[Row]) -> bool {
     gate.iter().all(|row| row.value <= row.threshold)
+}
+
+/// A bladder under more pressure than it bears.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Over {
+    /// Index of the tile.
+    pub tile: usize,
+    /// When (s).
+    pub time: f64,
+    /// Gauge pressure (Pa).
+    pub gauge: f64,
+}
+
+impl fmt::Display for Over {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Over { tile, time, gauge } = self;
+        write!(f, "the sealed bladder of tile {} is at {:.2} kPa at {time:.4} s", tile + 1, 1e-3 * gauge)
+    }
+}
+
+/// The highest pressure of a run, if it is above the limit of the bladders. Orders keep to that limit; a load raises the
+/// pressure of sealed air beyond its order.
+#[must_use]
+pub fn over(plan: &Plan, history: &History) -> Option<Over> {
+    let watched =
+        history.watched.iter().map(|w| Over { tile: w.pressed_tile, time: w.pressed_time, gauge: w.pressed });
+    let of = |moment: &Moment| {
+        let time = moment.time;
+        moment
+            .gauges
+            .iter()
+            .enumerate()
+            .map(move |(tile, gauge)| Over { tile, time, gauge: *gauge })
+            .collect()
+    };
+    let all = history.moments.iter().flat_map(|moment| -> Vec<Over> { of(moment) }).chain(watched);
+    // The first of several that are equal.
+    let highest = all.reduce(|most, other| if other.gauge > most.gauge { other } else { most })?;
+    (highest.gauge > plan.layout.most_pressure * (1.0 + 1e-9)).then_some(highest)
 }
 
 /// Largest stretch of skin between two neighbours at any moment: relative displacement of their rims divided by the

@@ -1,13 +1,19 @@
 //! How a load is laid down: different histories give different pressures, and the only reason is friction.
 
 use crate::clocks::{indices, patient};
+use crate::plan::plan;
 use smartbed_bed::body::anthropometry::Table;
 use smartbed_bed::body::figure::{Figure, Posture};
+use smartbed_bed::body::{Body, Segment, Shape};
 use smartbed_bed::dynamics::{Matter, Method, Motion, dropped};
-use smartbed_bed::equilibrium::{Bed, Solution, lay_on};
+use smartbed_bed::equilibrium::passed::{deepest, passed};
+use smartbed_bed::equilibrium::{Bed, Solution, lay_on, put_down};
 use smartbed_bed::metrics::spatial;
+use smartbed_bed::plan::history::History;
 use smartbed_bed::plan::run::run;
+use smartbed_bed::plan::states::over;
 use smartbed_bed::plan::{Clock, Dynamics, Laying, Load, Plan, maps};
+use smartbed_bed::pose::Pose;
 
 /// Peak pressure index (Pa).
 fn index(p: &Plan, bed: &Bed, solution: &Solution) -> f64 {
@@ -37,14 +43,95 @@ fn who_fell_is_pressed_alike_by_both_clocks() {
 /// Tissue's curvature makes some of these far softer along the last steps than the Hessian, which leaves it out.
 #[test]
 fn a_sitting_patient_of_any_weight_comes_to_rest() {
-    for (mass, pressure) in [(75.0, 4000.0), (75.0, 5000.0), (50.0, 5000.0), (75.1, 5000.0), (85.0, 8000.0)] {
-        let figure = Figure::new(Table::DeLevaMale, mass, 1.75, Posture::Sitting, &[]).expect("a figure");
-        let load = Load { body: figure.body.clone(), poses: figure.poses.clone(), figure: Some(figure) };
-        let mut p = patient([8, 10]);
-        (p.load, p.pressure, p.seconds) = (load.placed([0.0, 0.0]), pressure, 0.0);
+    for (mass, pressure) in
+        [(75.0, 4000.0), (75.0, 5000.0), (50.0, 5000.0), (75.1, 5000.0), (85.0, 8000.0), (40.0, 8000.0)]
+    {
+        let p = sitting(mass, pressure);
         let history = run(&p, |_| true).unwrap_or_else(|why| panic!("{mass} kg, {pressure} Pa: {why}"));
         assert!(history.moments.iter().all(|m| m.imbalance < 1e-6), "{mass} kg, {pressure} Pa");
+        // Put down at once he sinks through the sheets; bladders are 100 mm deep.
+        assert!(history.parts.is_some(), "{mass} kg, {pressure} Pa");
+        let lowest = history.moments[0].segments.iter().map(|pose| pose.place[2]).fold(1.0, f64::min);
+        println!("{mass} kg, {pressure} Pa: in {:?} parts, lowest {:.0} mm", history.parts, 1e3 * lowest);
+        assert!(lowest > -0.02, "{mass} kg, {pressure} Pa: {lowest}");
     }
+}
+
+/// A patient who sits on 28 tiles.
+fn sitting(mass: f64, pressure: f64) -> Plan {
+    let figure = Figure::new(Table::DeLevaMale, mass, 1.75, Posture::Sitting, &[]).expect("a figure");
+    let load = Load { body: figure.body.clone(), poses: figure.poses.clone(), figure: Some(figure) };
+    let mut p = patient([8, 10]);
+    (p.load, p.pressure, p.seconds) = (load.placed([0.0, 0.0]), pressure, 0.0);
+    p
+}
+
+#[test]
+fn who_has_passed_through_a_sheet_is_named_and_laid_on_in_parts() {
+    let mut p = sitting(85.0, 8000.0);
+    let bed = p.bed(0.0).expect("a bed");
+    let start = bed.start(p.load.poses.clone());
+    // At once: contact forces balance the weight, but legs hang below the bed.
+    let down = put_down(&bed, &p.load.body, &start).expect("forces in balance");
+    let found = passed(&bed, &p.load.body, &down.state).expect("passed");
+    assert!(down.imbalance < 1e-6 && found.depth > 0.3, "{found:?}");
+    // The run lays him on in parts by itself, with the same result as if they were asked for.
+    let history = run(&p, |_| true).expect("rests");
+    p.laying = Laying::InParts(history.parts.expect("in parts"));
+    let asked = run(&p, |_| true).expect("rests");
+    assert_eq!((&history.moments, asked.parts), (&asked.moments, None));
+    // Too few parts are not valid.
+    let few = Plan { laying: Laying::InParts(8), ..sitting(75.0, 5000.0) };
+    let said = run(&few, |_| true).expect_err("below the sheets").to_string();
+    assert!(
+        said.contains(" has passed through the sheet of tile ") && said.contains("`run.parts = 8`"),
+        "{said}"
+    );
+}
+
+#[test]
+fn a_part_below_a_sheet_is_found_by_its_depth() {
+    // A ball that rests, then 100 mm lower, on a node, on an edge between triangles, and beside both.
+    let bed = plan(2, 2, Vec::new()).bed(0.0).expect("a bed");
+    let shape = Shape::ball(0.1).into();
+    let (name, centre, free) = ("ball".to_owned(), [0.0; 3], [true; 6]);
+    let body = Body::single(Segment { name, shape, mass: 10.0, centre, foundation: 1e7, free });
+    let down = put_down(&bed, &body, &bed.start(vec![Pose::at([0.0, 0.0, 0.14])])).expect("rests");
+    assert_eq!(deepest(&bed, &body, &down.state), None);
+    let tile = bed.tiles[0].pose;
+    for [x, y] in [[0.0, 0.0], [0.0, 0.013], [0.011, 0.007]] {
+        let mut state = down.state.clone();
+        state.sheets[0] = bed.lattice.flat();
+        state.segments[0].place = tile.outwards([x, y, -0.1]);
+        let found = passed(&bed, &body, &state).expect("below");
+        assert!((found.segment, found.tile) == (0, 0) && (found.depth - 0.1).abs() < 1e-12, "{found:?}");
+        state.segments[0].place = tile.outwards([x, y, 0.01]);
+        assert_eq!(deepest(&bed, &body, &state), None);
+    }
+}
+
+#[test]
+fn who_falls_on_sealed_bladders_finds_their_valves_shut() {
+    // What rests after a fall goes on in motion as if nothing had happened.
+    let mut p = plan(2, 2, Vec::new());
+    p.layout.is_sealed = true;
+    let fall = Dynamics { step: 10e-3, ..Dynamics::default() };
+    (p.seconds, p.every, p.laying) = (0.0, 1.0, Laying::Fallen(fall, 6.0));
+    let still = run(&p, |_| true).expect("rests");
+    (p.seconds, p.laying, p.clock) = (6.0, Laying::AtOnce, Clock::Dynamics(fall));
+    let moved = run(&p, |_| true).expect("moves");
+    let last = |history: &History| history.moments.last().expect("a moment").gauges.clone();
+    let (found, expected) = (last(&still), last(&moved));
+    println!("{found:.1?} Pa after a fall, {expected:.1?} Pa in motion");
+    for (one, other) in found.iter().zip(&expected) {
+        assert!(*one > p.pressure + 100.0 && (one / other - 1.0).abs() < 1e-3, "{found:?} {expected:?}");
+    }
+    // A limit between the order and what the load makes of it is said to be exceeded, by tile and time.
+    assert_eq!(over(&p, &moved), None);
+    p.layout.most_pressure = p.pressure + 50.0;
+    let told = over(&p, &moved).expect("too much");
+    assert!(told.gauge >= expected[told.tile] && told.time > 0.0, "{told:?}");
+    assert!(told.to_string().starts_with("the sealed bladder of tile "), "{told}");
 }
 
 #[test]

@@ -25,6 +25,7 @@ use rows::{csv, write};
 use smartbed_bed::files::Mapped;
 use smartbed_bed::plan::history::{History, RunError};
 use smartbed_bed::plan::readings::Reading;
+use smartbed_bed::plan::states;
 
 /// Run a plan of the bed, write a page of it, or evaluate recorded pressure maps.
 #[derive(clap::Args, Clone, Debug)]
@@ -154,10 +155,18 @@ fn history(read: &Read) -> Result<History, Failure> {
         progress.at(done);
         !interrupt::is_asked()
     };
-    read.run(on).map_err(|error| match error {
+    let history = read.run(on).map_err(|error| match error {
         RunError::Stopped => Failure::Wrong("interrupted: nothing is written".to_owned()),
         other => Failure::Wrong(format!("{}: {other}", read.plan.title)),
-    })
+    })?;
+    if let Some(over) = states::over(&read.plan, &history) {
+        let most = 1e-3 * read.plan.layout.most_pressure;
+        output::say(&format!(
+            "warning: {}: {over}, expected at most {most:.2} kPa, `bed.most_pressure`; a lower order, or regulated air",
+            read.plan.title
+        ));
+    }
+    Ok(history)
 }
 
 /// Readings of the tiles' instruments.

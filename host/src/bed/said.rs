@@ -53,7 +53,7 @@ pub(super) fn json(origin: &Origin, read: &Read, history: &History, report: &Run
     format!(
         "{{{}\"seeds\": {}, \"bed\": {}, \"moments\": {}, \"imbalance\": {}, \"sensed_error\": {}, \"valid\": {}, \
          \"sensors\": {sensors}, \"instruments\": {instruments}, \"policy\": {policy}, \"policy_from\": {}, \
-         \"supervised\": {}, \"moves\": {}, \"motion\": {}, \"braden\": {}, {}, \"note\": {}}}\n",
+         \"supervised\": {}, \"parts\": {}, \"over_pressure\": {}, \"moves\": {}, \"motion\": {}, \"braden\": {}, {}, \"note\": {}}}\n",
         origin.json(),
         seeds_json(read),
         json_string(&read.plan.title),
@@ -63,12 +63,20 @@ pub(super) fn json(origin: &Origin, read: &Read, history: &History, report: &Run
         states::is_valid(gate),
         null(asked),
         read.is_supervised,
+        history.parts.map_or_else(|| "null".to_owned(), |parts| parts.to_string()),
+        states::over(&read.plan, history).map_or_else(|| "null".to_owned(), over_json),
         history.moves.len(),
         history.watched.as_ref().map_or_else(|| "null".to_owned(), motion_json),
         read.braden.map_or_else(|| "null".to_owned(), braden_json),
         lists.join(", "),
         json_string(DISCLAIMER)
     )
+}
+
+/// The highest pressure, beyond the limit of the bladders.
+fn over_json(over: states::Over) -> String {
+    let [time, gauge] = [over.time, over.gauge].map(json_number);
+    format!("{{\"tile\": {}, \"time\": {time}, \"gauge\": {gauge}}}", over.tile + 1)
 }
 
 /// The nurse's scores, their sum and its band.
@@ -153,6 +161,13 @@ pub(super) fn text(read: &Read, history: &History, report: &RunReport) -> String
         read.plan.seconds,
         100.0 * felt
     );
+    if let Some(parts) = history.parts {
+        let _ = writeln!(
+            text,
+            "laid on in {parts} parts, as by run.parts = {parts}: put down at once, a part of the load would pass through \
+             a sheet, or no equilibrium was found"
+        );
+    }
     if let Some(watched) = &history.watched {
         text += &motion_text(watched);
     }

@@ -212,6 +212,10 @@ fn every_refusal_of_a_plan_has_its_cause_and_cure() {
         "[sensors]\nthickness = \"1_mm\"".to_owned(),
         "[sensors]\nmodulus = 1e30".to_owned(),
         "[instruments]\ndelay = 1".to_owned(),
+        "[instruments]\nlag = 4".to_owned(),
+        "[alternating]\nlow = 5000".to_owned(),
+        "[policy]\nkind = \"planner\"\nlow = 5000".to_owned(),
+        "[run]\nseconds = 20\nevery = 4e7".to_owned(),
         "[policy]\nkind = \"planner\"\nslots = 60".to_owned(),
         "[policy]\nkind = \"planner\"\n[run]\nseconds = 120\nevery = 60".to_owned(),
         "[alternating]\nlow = 1600\ncycle = 1\n[run]\nseconds = 60\nevery = 5".to_owned(),
@@ -225,7 +229,10 @@ fn every_refusal_of_a_plan_has_its_cause_and_cure() {
         Fault::NotFound(1.0, 2.0),
     ];
     let runs = faults.map(|fault| RunError::Fault(10.0, fault)).into_iter();
-    found.extend(runs.chain([RunError::Invalid(10.0, 1e-3)]).map(|error| error.to_string()));
+    found.extend(
+        runs.chain([RunError::Invalid(10.0, 1e-3), RunError::Passed(10.0, "left foot".to_owned(), 3, 0.1)])
+            .map(|error| error.to_string()),
+    );
     found.extend(crate::bed_mesh::refusals());
     let bounds =
         [(1, 1.2), (4, 9.0)].map(|(most_low, support)| Bounds { most_low, support, ..Bounds::default() });
