@@ -8,6 +8,7 @@ mod carried;
 mod commanded;
 mod conserving;
 mod costs;
+mod edges;
 mod friction;
 mod islands;
 mod moreau;

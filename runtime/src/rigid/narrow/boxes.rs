@@ -31,6 +31,9 @@ pub(super) fn push_features<S: Scalar>(found: &mut Features<S>, a: Standing<S>, 
     }
 }
 
+/// Of each side of a face, in the order of [`Plane::sides`], the number in the order of [`Plane::walls`].
+const SIDES: [u32; 4] = [3, 0, 2, 1];
+
 /// A face and the separation along its normal.
 struct Face<S> {
     /// Separation (m), < 0 where the boxes overlap.
@@ -130,7 +133,8 @@ fn push_face<S: Scalar>(found: &mut Features<S>, face: &Face<S>, a: Standing<S>,
             let normal = vec3::scale(face.normal, sense);
             let rate = vec3::cross(reference.1.angular_velocity, normal);
             let velocity = incident.1.velocity_at(place);
-            found.push(Feature { point: place, normal, gap, point_rate: velocity, normal_rate: rate, id });
+            let (point_rate, normal_rate, curved) = (velocity, rate, 0);
+            found.push(Feature { point: place, normal, gap, point_rate, normal_rate, id, curved });
         }
     };
     let of = |own: bool| if face.of_a == own { 0 } else { 8 };
@@ -151,8 +155,8 @@ fn push_face<S: Scalar>(found: &mut Features<S>, face: &Face<S>, a: Standing<S>,
             push(raised, of(true) + number);
         }
     }
-    // Sides of the incident face that cross sides of the reference face.
-    for (i, [p, q]) in (0..).zip(facing.sides()) {
+    // Sides of the incident face that cross sides of the reference face, numbered alike whichever of them is which.
+    for ([p, q], i) in facing.sides().into_iter().zip(SIDES) {
         for (j, side) in (0..).zip(plane.walls()) {
             let (from, to) = (plane.beyond(p, side), plane.beyond(q, side));
             if (from < S::ZERO) != (to < S::ZERO) {
@@ -161,7 +165,8 @@ fn push_face<S: Scalar>(found: &mut Features<S>, face: &Face<S>, a: Standing<S>,
                 let strict = S::from_f64(-RIM);
                 let clear = |x: Vec3<S>| plane.beyond(x, side).abs() > S::from_f64(RIM) * plane.size();
                 if plane.within(point, other, strict) && clear(p) && clear(q) {
-                    push(point, 16 + 4 * i + j);
+                    let (of_a, of_b) = if face.of_a { (j, i) } else { (i, j) };
+                    push(point, 16 + 4 * of_a + of_b);
                 }
             }
         }

@@ -69,7 +69,7 @@ pub(super) fn crossing<S: Scalar>(
     let left = vec3::sub(vec3::scale(normal_rate, gap), vec3::sub(v1, v2));
     let (run, _) = from_products(vec3::dot(a, left), vec3::dot(b, left));
     let point_rate = vec3::axpy(v1, run, a);
-    Some(Feature { point: x1, normal, gap, point_rate, normal_rate, id })
+    Some(Feature { point: x1, normal, gap, point_rate, normal_rate, id, curved: 2 })
 }
 
 /// The axis of a capsule.

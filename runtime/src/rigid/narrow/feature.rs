@@ -22,6 +22,9 @@ pub struct Feature<S> {
     pub normal_rate: Vec3<S>,
     /// Number of the feature within its pair: the same from step to step.
     pub id: u32,
+    /// In how many directions the surface below is curved (0 a face, 1 an edge or a side, 2 a corner or an end): where
+    /// this changes, so do the forces, at once.
+    pub curved: u8,
 }
 
 /// The features of a pair.

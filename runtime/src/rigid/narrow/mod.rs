@@ -99,7 +99,12 @@ fn core_feature<S: Scalar>(
     let rate = vec3::dot(normal, relative);
     let point_rate = vec3::axpy(vec3::axpy(velocity, -rate, normal), -near.gap, normal_rate);
     let point = other.frame.point(near.foot);
-    (Feature { point, normal, gap: near.gap - radius, point_rate, normal_rate, id }, near.feature)
+    let curved = match near.feature {
+        Core::Face => 0,
+        Core::Edge(_) => 1,
+        Core::Vertex => 2,
+    };
+    (Feature { point, normal, gap: near.gap - radius, point_rate, normal_rate, id, curved }, near.feature)
 }
 
 fn push_core<S: Scalar>(

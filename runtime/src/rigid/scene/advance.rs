@@ -22,6 +22,8 @@ pub(super) struct Start {
 
 /// Clearance to the first event; negative beyond it.
 pub(super) struct Clearance<S> {
+    /// Whether a contact that pushed has passed to another face, edge or end.
+    pub(super) lost: bool,
     /// Least gap of features that do not touch yet (m).
     pub(super) gap: S,
     /// Least speed of slip along its direction at the start (m/s).
@@ -102,7 +104,7 @@ impl<S: Scalar> RigidScene<'_, S> {
     fn meet_again(&self, memory: &mut Memory<S>, held: usize, rounding: Rounding<S>) -> Result<usize, Fault> {
         let Memory { states: [_, _, middle], twists, mobilities, touching, along, .. } = memory;
         let start = touching.get(..held).unwrap_or_default();
-        let same = |t: &Touching<S>| start.iter().find(|s| s.is(t.pair, t.id));
+        let same = |t: &Touching<S>| start.iter().find(|s| s.stays_as(t));
         let count = self.detect(middle, twists, mobilities, along, rounding.drift, |t| same(t).is_some())?;
         for t in along.iter_mut().take(count) {
             let Some(before) = same(t) else { continue };
@@ -146,8 +148,11 @@ impl<S: Scalar> RigidScene<'_, S> {
         let held = memory.touching.get(..start.held).unwrap_or_default();
         let parting = memory.touching.get(start.held..start.known).unwrap_or_default();
         let far = S::ONE / S::EPSILON;
-        let mut clear = Clearance { gap: rounding.drift, slip: far };
+        let (mut clear, mut stay) = (Clearance { lost: false, gap: rounding.drift, slip: far }, 0);
+        let pushes = |t: &Touching<S>| t.held.contact.impulse[0] > S::ZERO;
         self.visit(trial, rounding.drift, |pair, feature| {
+            let found = (feature.id, feature.curved, feature.normal);
+            stay += held.iter().filter(|t| pushes(t) && t.stays(pair, found)).count();
             if !held.iter().any(|t| t.is(pair, feature.id)) {
                 // An overlap that is opening counts as new only where it goes deeper.
                 let known = parting.iter().find(|t| t.is(pair, feature.id));
@@ -155,6 +160,7 @@ impl<S: Scalar> RigidScene<'_, S> {
                 clear.gap = clear.gap.min(feature.gap - depth);
             }
         });
+        clear.lost = stay < held.iter().filter(|t| pushes(t)).count();
         for t in held.iter().filter(|t| t.held.slip.is_some()) {
             clear.slip = clear.slip.min(self.slip_along(trial, t));
         }
@@ -205,7 +211,7 @@ impl<S: Scalar> RigidScene<'_, S> {
         let Memory { states: [now, ..], twists, spare, mobilities, touching, along, .. } = memory;
         let along = along.get(..pressing).unwrap_or_default();
         let presses = |t: &Touching<S>| {
-            along.iter().find(|a| a.is(t.pair, t.id)).filter(|a| a.held.contact.impulse[0] > S::ZERO)
+            along.iter().find(|a| a.stays_as(t)).filter(|a| a.held.contact.impulse[0] > S::ZERO)
         };
         let wanted = |t: &Touching<S>| presses(t).is_some();
         let count = self.detect(now, twists, mobilities, touching, rounding.drift, wanted)?;

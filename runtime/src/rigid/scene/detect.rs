@@ -91,6 +91,6 @@ impl<S: Scalar> RigidScene<'_, S> {
         let mut bias = vec3::apply(&contact.axes, vec3::sub(mine, others));
         bias[0] = bias[0] + vec3::dot(feature.normal_rate, contact.to_inertial(velocity));
         let held = Held::new(contact, contact.inverse_mass(mobilities), bias);
-        Touching { pair: number, id: feature.id, gap: feature.gap, velocity, held }
+        Touching { pair: number, id: feature.id, curved: feature.curved, gap: feature.gap, velocity, held }
     }
 }

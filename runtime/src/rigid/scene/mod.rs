@@ -5,7 +5,7 @@
 //! detect      features of every pair that touch
 //! strike      if some close: impact of all that touch, by the pairs' laws
 //! advance     forces of the contacts that last at the start and in the middle of the way: order 2
-//! shorten     to the first new touch, or to where a slip stops
+//! shorten     to the first new touch, to where a slip stops or a contact that presses passes to another face, edge or end
 //! project     gaps and rates of the contacts that press back to 0
 //! ```
 //! A step is split at most [`SPLITS`] times; the rest is then stepped in 16 pieces with e = 0, and the report says so.
@@ -21,6 +21,7 @@ mod touching;
 
 pub use memory::{Memory, Piece, Report, Strike};
 pub use parts::{Fault, Pair, Part, RigidScene};
-pub(crate) use step::PIECES;
 pub use step::SPLITS;
+pub(crate) use step::{HIGHEST, OVERLAP, PIECES};
+pub(crate) use touching::TURN;
 pub use touching::Touching;

@@ -9,11 +9,17 @@ use crate::real::Scalar;
 use crate::rigid::RigidState;
 use crate::rigid::law::Kind;
 use crate::rigid::several::{Struck, compensate_all, stop, strike_all};
+use crate::vec3;
 
 /// Most splits of one step.
 pub const SPLITS: usize = 64;
 /// Pieces of equal length for the rest of a step that has used up its splits; contacts are detected only between them.
 pub(crate) const PIECES: u32 = 16;
+
+/// Highest bounce that may count as none, in gaps that count as zero, however little it loses.
+pub(crate) const HIGHEST: f64 = 1e4;
+/// A contact deeper than this many gaps that count as zero is an overlap; a shallower one was located.
+pub(crate) const OVERLAP: f64 = 64.0;
 
 /// A small whole number.
 fn whole<S: Scalar>(n: u32) -> S {
@@ -119,16 +125,21 @@ impl<S: Scalar> RigidScene<'_, S> {
     ) -> Result<(), Fault> {
         let Memory { states: [now, ..], twists, spare, mobilities, touching, struck, .. } = memory;
         let count = self.detect(now, twists, mobilities, touching, rounding.gap, |_| true)?;
-        let touching = touching.get(..count).unwrap_or_default();
-        if !touching.iter().any(|t| t.velocity[0] < -rounding.rate) {
+        let touching = touching.get_mut(..count).unwrap_or_default();
+        let closes = |t: &&Touching<S>| t.velocity[0] < -rounding.rate;
+        if !touching.iter().any(|t| closes(&t)) {
             return Ok(());
         }
+        if touching.iter().filter(closes).all(|t| self.has_died_out(t, rounding)) {
+            touching.iter_mut().for_each(|t| t.held.contact.restitution = S::ZERO);
+        }
+        let touching = &*touching;
         let struck = struck.get_mut(..count).ok_or(Fault::TooManyContacts)?;
         for (s, t) in struck.iter_mut().zip(touching) {
             *s = Struck::new(t.held.contact, &**mobilities);
         }
         let before = self.energy(now);
-        let law_of = |t: &Touching<S>| self.pairs.get(t.pair).map(|pair| pair.law);
+        let law_of = |t: &Touching<S>| Some((self.pairs.get(t.pair)?.law, t.held.contact.restitution));
         let law = touching.first().and_then(law_of);
         let alike = touching.iter().all(|t| law_of(t) == law);
         match law {
@@ -136,9 +147,9 @@ impl<S: Scalar> RigidScene<'_, S> {
                 // Converged or not, its effect is only dissipative.
                 let _ = stop(struck, &**mobilities, twists);
             }
-            Some(law) if alike && law.kind() != Kind::Stronge => {
+            Some((law, e)) if alike && law.kind() != Kind::Stronge => {
                 // Newton's law with one e at all points and without friction is compensation with eta = e^2.
-                compensate_all(struck, law.restitution() * law.restitution(), &**mobilities, twists);
+                compensate_all(struck, e * e, &**mobilities, twists);
             }
             _ => {
                 strike_all(struck, &**mobilities, twists, spare);
@@ -155,8 +166,18 @@ impl<S: Scalar> RigidScene<'_, S> {
         Ok(())
     }
 
-    /// Advances over all the time left, or to the first new contact or end of slip; returns how far, and the number of
-    /// contacts in `along`.
+    /// Whether the bounces of a contact that closes have died out: the height that one loses, (1 - e^2) v^2/(2 g), is less
+    /// than the gap that counts as zero, in which no touch is located, or it has sunk in bounce by bounce. With e = 1 no
+    /// bounce dies out.
+    fn has_died_out(&self, t: &Touching<S>, rounding: Rounding<S>) -> bool {
+        let (e, v) = (t.held.contact.restitution, t.velocity[0]);
+        let (lost, height) = (S::ONE - e * e, S::from_f64(0.5) * v * v / vec3::norm(self.gravity));
+        let low = lost * height <= rounding.gap && height <= S::from_f64(HIGHEST) * rounding.gap;
+        lost > S::ZERO && (low || t.gap < -S::from_f64(OVERLAP) * rounding.gap)
+    }
+
+    /// Advances over all the time left, or to the first new contact, end of slip or passage of a contact to another face,
+    /// edge or end; returns how far, and the number of contacts in `along`.
     fn shorten(
         &self,
         memory: &mut Memory<S>,
@@ -166,19 +187,19 @@ impl<S: Scalar> RigidScene<'_, S> {
     ) -> Result<(S, usize), Fault> {
         let pressing = self.advance(memory, left, start.held, rounding)?;
         let clear = self.clearance(memory, start, rounding);
-        if clear.gap >= -rounding.gap && clear.slip >= -rounding.rate {
+        if !clear.lost && clear.gap >= -rounding.gap && clear.slip >= -rounding.rate {
             return Ok((left, pressing));
         }
         let mut fault = None;
         let guard = |length: S| {
-            // At the start no contact is new and no slip has reversed.
+            // At the start no contact is new or lost, and no slip has reversed.
             if length <= S::ZERO {
                 return S::ZERO;
             }
             match self.advance(memory, length, start.held, rounding) {
                 Ok(_) => {
                     let clear = self.clearance(memory, start, rounding);
-                    clear.gap.min(clear.slip)
+                    if clear.lost { -S::ONE } else { clear.gap.min(clear.slip) }
                 }
                 Err(why) => {
                     fault = Some(why);

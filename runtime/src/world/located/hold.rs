@@ -6,6 +6,7 @@ use crate::ode::Ode;
 use crate::real::Scalar;
 use crate::rigid::contact::Twist;
 use crate::rigid::hold::{Sought, hold, negligible};
+use crate::rigid::scene::OVERLAP;
 use crate::vec3;
 use crate::world::carrier::Carrier;
 use crate::world::detect::Touch;
@@ -14,14 +15,12 @@ use crate::world::whole::{StepMemory, World};
 
 /// Forces below this share of the largest one count as zero.
 pub(super) const LIGHT: f64 = 1e-9;
-/// A contact deeper than this many rounding lengths is an overlap; a shallower one was located.
-pub(super) const OVERLAP: f64 = 64.0;
 /// A slip that reverses at less than this share of its initial speed has come to rest.
 const SLOW: f64 = 0.1;
 
 impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
     /// Stops contacts whose slip has reversed slowly: towards the end of a slip its direction is known less and less,
-    /// and the rest of it is the method's error.
+    /// and the rest of it is the method's error. One that has passed to another face has no slip along the old one there.
     pub(super) fn stop(&mut self, t: S, way: &mut PartialStep<S>) -> Result<(), Fault> {
         let touches = way.memory.touches[0].get(..way.known).unwrap_or_default();
         let list = way.pressing.get_mut(..way.held).unwrap_or_default();
@@ -29,7 +28,8 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         for k in 0..list.len() {
             let Some(own) = list.get_mut(k) else { continue };
             let Some(first) = own.slip.filter(|_| own.held.contact.friction > S::ZERO) else { continue };
-            let Some(touch) = touches.iter().find(|touch| touch.is(own.pair, own.id)) else { continue };
+            let same = |touch: &&Touch<S>| touch.is(own.pair, own.id) && !own.turned(&touch.contact);
+            let Some(touch) = touches.iter().find(same) else { continue };
             let slip = touch.contact.to_inertial([S::ZERO, touch.start[1], touch.start[2]]);
             if vec3::dot(slip, first) <= S::ZERO && vec3::norm(slip) <= S::from_f64(SLOW) * own.speed {
                 (own.slip, own.held.contact, own.normal) = (None, touch.contact, touch.contact.axes[0]);
@@ -81,6 +81,9 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         prepared?;
         let StepMemory { twists: [gained, ..], inertias, .. } = &mut *way.memory;
         gained.fill(Twist::zero());
+        // A fixed node on a fixed surface: no force moves anything there, and none is needed.
+        let list = way.pressing.get_mut(..way.held).unwrap_or_default();
+        way.held = first_of(list, |own| own.held.inverse_mass[0][0] > S::ZERO);
         let list = way.pressing.get_mut(..way.held).unwrap_or_default();
         // The foot of a deep overlap may be another one than was detected: keep the gap that projections will measure.
         list.iter_mut().filter(|own| own.kept < S::ZERO).for_each(|own| own.kept = own.gap.min(S::ZERO));
@@ -106,4 +109,16 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         way.held = held;
         Ok(())
     }
+}
+
+/// Moves the contacts that are kept to the front; returns their number.
+fn first_of<S: Scalar>(list: &mut [Pressing<S>], keeps: impl Fn(&Pressing<S>) -> bool) -> usize {
+    let mut kept = 0;
+    for k in 0..list.len() {
+        if list.get(k).is_some_and(&keeps) {
+            list.swap(kept, k);
+            kept += 1;
+        }
+    }
+    kept
 }

@@ -1,11 +1,11 @@
 //! Impact of all contacts at one instant, applied to the state.
 
-use super::hold::OVERLAP;
-use super::{LocatedReport, PartialStep};
+use super::{LocatedReport, PartialStep, USUAL};
 use crate::mechanism::Fault;
 use crate::ode::Ode;
 use crate::real::Scalar;
 use crate::rigid::law::Kind;
+use crate::rigid::scene::{HIGHEST, OVERLAP};
 use crate::rigid::several::Struck;
 use crate::world::carrier::Carrier;
 use crate::world::detect::Touch;
@@ -14,9 +14,6 @@ use crate::world::island::Island;
 use crate::world::observer::{Observer, Strike};
 use crate::world::pressed::Pressed;
 use crate::world::whole::{StepMemory, World};
-
-/// Highest bounce that may count as none, in gaps that count as zero, however little it loses.
-const HIGHEST: f64 = 1e4;
 
 impl<S: Scalar> PartialStep<'_, '_, S> {
     /// Does any touching contact close?
@@ -37,16 +34,25 @@ impl<S: Scalar> PartialStep<'_, '_, S> {
     /// that it was always found, all have e = 0. `earlier` contacts were known at the start of that piece.
     ///
     /// A contact is found again one gap that counts as zero deeper than it was left, which alone keeps bounces as high
-    /// as half that gap / (1 - e) alive for ever. With e = 1 no bounce dies out.
+    /// as half that gap / (1 - e) alive for ever. A bounce that ends within that gap is found at the start of the next
+    /// step, whose last piece is not known: it dies out by its height under a usual acceleration, or where it has sunk in
+    /// bounce by bounce. With e = 1 no bounce dies out.
     fn end_bounces(&mut self, earlier: usize, length: S) {
         let earlier = self.memory.touches[1].get(..earlier).unwrap_or_default();
         let (gap, rate) = (self.rounding.gap, self.rounding.rate);
+        let (is_first, deepest) = (length <= S::ZERO, -S::from_f64(OVERLAP) * gap);
         let bounces = |touch: &Touch<S>| {
-            // With this speed at both ends a bounce is as high as a quarter of speed times duration.
-            let height = -(S::from_f64(0.25) * length * touch.start[0]);
+            let speed = -touch.start[0];
+            let height = if is_first {
+                S::from_f64(0.5 / USUAL) * speed * speed
+            } else {
+                // With this speed at both ends a bounce is as high as a quarter of speed times duration.
+                S::from_f64(0.25) * length * speed
+            };
             let (lost, highest) = (S::ONE - touch.contact.restitution, S::from_f64(HIGHEST) * gap);
-            let again = earlier.iter().any(|own| own.is(touch.pair, touch.id));
-            !again || lost <= S::ZERO || height > highest || lost * height > gap
+            let again = is_first || earlier.iter().any(|own| own.is(touch.pair, touch.id));
+            let has_sunk = is_first && !*self.overlaps && touch.gap < deepest - touch.sagitta;
+            lost <= S::ZERO || (!has_sunk && (!again || height > highest || lost * height > gap))
         };
         if self.touches().iter().any(|touch| touch.start[0] < -rate && bounces(touch)) {
             return;

@@ -21,8 +21,9 @@ use super::whole::{StepMemory, World};
 use crate::mechanism::Fault;
 use crate::ode::Ode;
 use crate::real::Scalar;
-use crate::rigid::contact::Twist;
+use crate::rigid::contact::{Contact, Twist};
 use crate::rigid::hold::{CORNERS, Held, Slip, Sought, Unheld, hold, negligible};
+use crate::rigid::scene::TURN;
 use crate::vec3::{self, Vec3};
 
 /// Half the interval of central differences relative to the step: balances errors of rounding and of curvature.
@@ -33,10 +34,6 @@ const SPAN: f64 = 1e-4;
 const MISSING: f64 = 1e-6;
 /// The same relative to the largest force of all contacts.
 const MISSING_OF_ALL: f64 = 1e-8;
-
-/// Least cosine of the angle by which a contact's normal turns within a piece of a step. One that turns further has
-/// passed from one face to another, and the piece ends there.
-const TURN: f64 = 0.8;
 
 /// A lasting contact.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -106,8 +103,7 @@ impl<S: Scalar> Pressing<S> {
     /// Finds the contact at what was placed last. One that is lost keeps its axes and the points that it had.
     fn follow(&mut self, scenery: &Scenery<'_, S>, pair: &Pair<S>) {
         let old = self.held.contact;
-        let turned = |m: &Meeting<S>| vec3::dot(m.contact.axes[0], self.normal) < S::from_f64(TURN);
-        let meeting = scenery.again(pair, self.id).filter(|m| !m.sharp && !turned(m));
+        let meeting = scenery.again(pair, self.id).filter(|m| !m.sharp && !self.turned(&m.contact));
         self.lost = meeting.is_none();
         if let Some(Meeting { gap, point, mut contact, sagitta, .. }) = meeting {
             // The axes turn with the normal: the old tangential impulse is resolved along the new tangents.
@@ -120,6 +116,11 @@ impl<S: Scalar> Pressing<S> {
                 old.sides.map(|side| side.with_arms(|at| arm(at.body).unwrap_or(at.arm)));
             self.place = place;
         }
+    }
+
+    /// Whether the contact is another one now: its normal has turned from one face to another.
+    pub(super) fn turned(&self, now: &Contact<S>) -> bool {
+        vec3::dot(now.axes[0], self.normal) < S::from_f64(TURN)
     }
 
     /// Sets the bias: by a central difference, or to one side where the other lies behind the end of the contact; where
