@@ -45,6 +45,17 @@ impl PlanFile {
         line.strip_prefix(&format!("{}: ", self.path)).unwrap_or(line).to_owned()
     }
 
+    /// What the plan says of a key of these `settings` that it does not have: none of the words between its dots may be
+    /// one that nothing reads.
+    #[must_use]
+    pub fn unknown(&self, settings: &[String], key: &str) -> Option<String> {
+        let found = parse(&self.path, &self.text, settings).err()?;
+        let words: Vec<String> = key.split(['.', '[']).map(|word| format!("has no field `{word}`")).collect();
+        let item = found.items.iter().find(|item| words.iter().any(|word| item.message.ends_with(word)))?;
+        let help = item.help.as_ref().map_or_else(String::new, |help| format!("; {help}"));
+        Some(format!("{}{help}", item.message))
+    }
+
     /// Parses the plan with `settings` applied and checks it against its limits.
     ///
     /// # Errors

@@ -192,8 +192,12 @@ pub(super) fn axes(table: &Table, found: &mut Diagnostics) -> Axes {
                 found.push(error.label(value.span(), "an empty list").help("give at least one"));
             }
             None => found.push(
-                wrong_kind(&key.name, "a list of numbers or texts", value)
-                    .help("\"patient.mass\" = [\"60_kg\", \"75_kg\"]"),
+                wrong_kind(
+                    &key.name,
+                    "a list of values: numbers, texts, true or false, or lists of them",
+                    value,
+                )
+                .help("\"patient.mass\" = [\"60_kg\", \"75_kg\"], \"load.place\" = [[0, 0], [0.05, 0]]"),
             ),
         }
     }
@@ -206,6 +210,10 @@ fn text_of(value: &Value) -> Option<String> {
         Value::Number(x, _) => Some(format!("{x}")),
         Value::Boolean(x, _) => Some(format!("{x}")),
         Value::Text(text) => Some(format!("{:?}", text.text)),
+        Value::Array(items, _) => {
+            let texts = items.iter().map(text_of).collect::<Option<Vec<_>>>()?;
+            Some(format!("[{}]", texts.join(", ")))
+        }
         _ => None,
     }
 }

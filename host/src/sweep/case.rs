@@ -65,6 +65,19 @@ pub fn cases(name: &str, plan: &PlanFile, settings: &[String], axes: &Axes) -> R
     Ok((0..count).map(one).collect())
 }
 
+/// Refuses a key of the sweep that no case has, before any of them is computed. A key may belong to some cases only,
+/// as the radius of a ball does where the shape of the load is swept, too.
+pub fn refuse_unknown(name: &str, all: &[Case], axes: &Axes) -> Result<(), Failure> {
+    for (key, _) in axes {
+        let unknown: Option<Vec<String>> =
+            all.iter().map(|case| case.plan.unknown(&case.origin.settings, key)).collect();
+        if let Some(why) = unknown.as_ref().and_then(|all| all.first()) {
+            return Err(Failure::Wrong(format!("{name}: `{key}` in [sweep]: {why}")));
+        }
+    }
+    Ok(())
+}
+
 impl Case {
     /// Its file.
     pub fn file(&self, folder: &Path) -> PathBuf {

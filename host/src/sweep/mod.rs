@@ -13,7 +13,7 @@ use crate::failure::Failure;
 use crate::plan_file::PlanFile;
 use crate::progress::Progress;
 use crate::{diagnostics, interrupt, output};
-use case::{Case, Table, cases};
+use case::{Case, Table, cases, refuse_unknown};
 use smartbed_bed::equilibrium::side_by_side;
 use std::path::Path;
 use std::sync::Mutex;
@@ -56,7 +56,8 @@ pub struct Arguments {
 /// Runs the command.
 ///
 /// # Errors
-/// Status 1 for a wrong plan or shard, a folder that cannot be written.
+/// Status 1 for a wrong plan or shard, a key that no case has, a folder that cannot be written, and if every case is
+/// refused, whose table is written.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     if arguments.parquet.is_some() && !cfg!(feature = "parquet") {
         let what = "--parquet: this program was built without it; build it with --features parquet";
@@ -70,6 +71,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     diagnostics::warn(&read.warnings);
     let axes = read.axes;
     let all = cases(&arguments.plan, &plan, &arguments.set, &axes)?;
+    refuse_unknown(&arguments.plan, &all, &axes)?;
     let folder = Path::new(&arguments.output);
     std::fs::create_dir_all(folder).map_err(|e| format!("cannot make {}: {e}", folder.display()))?;
     let table = folder.join("sweep.csv");
@@ -99,6 +101,15 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     }
     if let Some(file) = &arguments.parquet {
         write_parquet(file, &found, &all)?;
+    }
+    if found.refused == all.len() {
+        let words = smartbed_codegen::words::count(all.len(), "case");
+        let first = found.rows.first().and_then(|[values, _]| values.last()).map_or("", String::as_str);
+        return Err(Failure::Wrong(format!(
+            "{}: {words}, all of them refused: the column `{}` says why; the first: {first}",
+            table.display(),
+            case::REFUSED
+        )));
     }
     let refused = match found.refused {
         0 => String::new(),

@@ -337,6 +337,48 @@ fn a_sweep_with_refused_cases_has_its_table_and_says_why() {
     assert!(case["refused"].as_str().is_some_and(|text| text.starts_with(why)) && case["valid"] == false);
 }
 
+/// One bladder under a ball, with these lines of a sweep.
+fn ball_swept(name: &str, lines: &str) -> (String, String) {
+    let text = "format = 1\n[bed]\nrows = 1\ncolumns = 1\nintervals = [8, 8]\n[load]\nshape = \"ball\"\nradius = \"150_mm\"\nmass = 1\n";
+    let folder = file(&format!("sweep_{name}"));
+    let _ = std::fs::remove_dir_all(&folder);
+    let plan = written(&format!("sweep_{name}.toml"), &format!("{text}[sweep]\n{lines}\n"));
+    (plan, folder.display().to_string())
+}
+
+#[test]
+fn a_sweep_of_a_key_that_no_case_has_is_refused_before_the_first() {
+    let (plan, folder) = ball_swept("unknown", "\"load.mass\" = [1, 2]\n\"load.masss\" = [1, 2]");
+    let done = smartbed(&["sweep", &plan, "-o", &folder]);
+    let words = "`load.masss` in [sweep]: `load` has no field `masss`; did you mean `mass`?";
+    assert!(done.message().contains(words), "{done:?}");
+    assert!(!Path::new(&folder).exists(), "nothing was computed");
+    // A key of some cases only: a ball has no size, a plate has one.
+    let shapes = "\"load.shape\" = [\"ball\", \"plate\"]\n\"load.size\" = [[0.1, 0.1, 0.02]]\n\"load.radius\" = [0.005]";
+    let (plan, folder) = ball_swept("shapes", shapes);
+    let done = smartbed(&["sweep", &plan, "-o", &folder]);
+    assert!(!done.err.contains("in [sweep]") && Path::new(&folder).exists(), "{done:?}");
+}
+
+#[test]
+fn a_sweep_in_which_every_case_is_refused_fails_with_its_table() {
+    let (plan, folder) = ball_swept("vain", "\"bed.pressure\" = [100, 110]");
+    let done = smartbed(&["sweep", &plan, "-o", &folder]);
+    let said = "2 cases, all of them refused: the column `refused` says why; the first: at 0.0000 s: all bladders can carry";
+    assert!(done.message().contains(said), "{done:?}");
+    let table = std::fs::read_to_string(Path::new(&folder).join("sweep.csv")).expect("a table");
+    assert_eq!(table.lines().count(), 3, "{table}");
+}
+
+#[test]
+fn a_sweep_takes_lists_as_values() {
+    let (plan, folder) = ball_swept("lists", "\"bed.intervals\" = [[6, 8], [8, 8]]");
+    let done = smartbed(&["sweep", &plan, "-o", &folder]);
+    assert!(done.status == 0 && done.out.contains("2 cases\n"), "{done:?}");
+    let table = std::fs::read_to_string(Path::new(&folder).join("sweep.csv")).expect("a table");
+    assert!(table.contains("\n1,\"[6, 8]\",") && table.contains("\n2,\"[8, 8]\","), "{table}");
+}
+
 /// Starts the program and kills it after a while.
 fn killed(arguments: &[&str], milliseconds: u64) {
     let mut child = command(arguments).stdout(Stdio::null()).stderr(Stdio::null()).spawn().expect("runs");
