@@ -181,8 +181,41 @@ fn a_key_is_set_once() {
         let said = fails(&[&["run", "box_bounce"], twice].concat());
         assert!(said.contains("is set twice; leave one of them out"), "{twice:?}: {said}");
     }
+    // A key and then the table that holds it, which would take it away.
+    let whole = [
+        "run",
+        "box_bounce",
+        "--set",
+        "parts.box.mass=2",
+        "--set",
+        "parts.box={rigid=\"sphere\",radius=1,mass=1}",
+    ];
+    let said = fails(&whole);
+    assert!(said.contains("`parts.box.mass` is set twice; this replaces the whole table"), "{said}");
     let said = fails(&["settle", "plate_on_bladder", "--set", "run.step=1e-3", "--set", "run.step=1e-3"]);
     assert!(said.contains("`run.step` is set twice"), "{said}");
+}
+
+#[test]
+fn a_table_that_is_set_replaces_that_of_the_file() {
+    let text = "format = 2\ngravity = [0, 0, 0]\n[parts.ball]\nrigid = \"sphere\"\nradius = 0.1\nmass = 1\n\
+                start = { position = [1, 0, 0], velocity = [0, 2, 0] }\n[run]\nseconds = 0.1\nstep = 0.01\n";
+    let file = scene("runs_replaced", text);
+    let place = |settings: &[&str]| {
+        let settings = settings.iter().flat_map(|setting| ["--set", *setting]);
+        let last =
+            &json(&[&file].into_iter().map(String::as_str).chain(settings).collect::<Vec<_>>())["last"];
+        ["x", "y", "z"].map(|axis| (number(&last[format!("ball.{axis}")]) * 1e6).round() / 1e6)
+    };
+    assert_eq!(place(&[]), [1.0, 0.2, 0.0]);
+    assert_eq!(place(&["parts.ball.start.position=[0, 0, 5]"]), [0.0, 0.2, 5.0], "one key of the table");
+    assert_eq!(place(&["parts.ball.start={ position = [0, 0, 5] }"]), [0.0, 0.0, 5.0], "the whole table");
+    assert_eq!(place(&["parts.ball={ start = {}, rigid = \"sphere\", radius = 1, mass = 1 }"]), [0.0; 3]);
+    // One after the other.
+    let both = ["parts.ball.start={ position = [0, 0, 5] }", "parts.ball.start.velocity=[1, 0, 0]"];
+    assert_eq!(place(&both), [0.1, 0.0, 5.0]);
+    let said = fails(&["run", "box_bounce", "--set", "contacts[0]={between=[\"box\",\"ground\"]}"]);
+    assert!(said.contains("a pair of parts without a law"), "{said}");
 }
 
 #[test]

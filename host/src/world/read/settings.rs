@@ -27,7 +27,7 @@ pub(crate) fn apply(mut table: Table, settings: &[String], found: &mut Diagnosti
     table
 }
 
-/// Refuses two settings of one key, the first of which would be ignored.
+/// Refuses two settings of one key, or of a key and then of the whole table that holds it: the first would be ignored.
 ///
 /// # Errors
 /// A message with the key.
@@ -36,9 +36,19 @@ pub fn refuse_twice(settings: &[String]) -> Result<(), String> {
         dotted(setting).split_once('=').map_or_else(String::new, |(key, _)| key.trim().to_owned())
     };
     let keys: Vec<String> = settings.iter().map(key).collect();
-    let again = (1..keys.len()).find(|&n| keys[..n].contains(&keys[n]));
-    again.map_or(Ok(()), |n| {
-        Err(format!("--set {}: `{}` is set twice; leave one of them out", settings[n], keys[n]))
+    let replaced = |n: usize| {
+        let inside = |key: &&String| {
+            key.strip_prefix(&keys[n]).is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
+        };
+        keys[..n].iter().find(inside)
+    };
+    let again = (1..keys.len()).find_map(|n| Some((n, replaced(n)?)));
+    again.map_or(Ok(()), |(n, first)| {
+        let cure = match *first == keys[n] {
+            true => "leave one of them out",
+            false => "this replaces the whole table: leave one of them out, or give the table first",
+        };
+        Err(format!("--set {}: `{first}` is set twice; {cure}", settings[n]))
     })
 }
 
@@ -70,13 +80,23 @@ fn toml(setting: &str, file: u32) -> (String, Option<Table>) {
     (quoted, table)
 }
 
-/// Values in `given` override those of the same keys, table by table and in lists entry by entry.
+/// Is this value part of a path, `b` in `b.c = 1`, rather than a table in braces, which stands for all of its keys?
+fn is_path(value: &Value, found: &Diagnostics) -> bool {
+    let Span { start, file, .. } = value.span();
+    let text = found.source.files.get(file as usize).and_then(|file| file.text.get(start..));
+    matches!(value, Value::Table(_)) && !text.is_some_and(|text| text.starts_with('{'))
+}
+
+/// Values in `given` replace those of the same keys; paths lead into tables, and into lists by the numbers of entries.
 fn merge(table: &mut Table, given: Table, found: &mut Diagnostics) {
     for (key, value) in given.entries {
         let known = table.entries.iter_mut().find(|(own, _)| own.name == key.name);
+        let is_path = is_path(&value, found);
         match (known, value) {
-            (Some((_, Value::Table(own))), Value::Table(inner)) => merge(own, inner, found),
-            (Some((_, Value::Array(own, _))), Value::Table(inner)) => merge_list(&key, own, inner, found),
+            (Some((_, Value::Table(own))), Value::Table(inner)) if is_path => merge(own, inner, found),
+            (Some((_, Value::Array(own, _))), Value::Table(inner)) if is_path => {
+                merge_list(&key, own, inner, found);
+            }
             (Some(entry), value) => *entry = (key, value),
             (None, value) => table.entries.push((key, value)),
         }
@@ -87,8 +107,9 @@ fn merge(table: &mut Table, given: Table, found: &mut Diagnostics) {
 fn merge_list(list: &Key, own: &mut [Value], given: Table, found: &mut Diagnostics) {
     let count = own.len();
     for (key, value) in given.entries {
+        let is_path = is_path(&value, found);
         match (key.name.parse().ok().and_then(|number: usize| own.get_mut(number)), value) {
-            (Some(Value::Table(own)), Value::Table(inner)) => merge(own, inner, found),
+            (Some(Value::Table(own)), Value::Table(inner)) if is_path => merge(own, inner, found),
             (Some(entry), value) => *entry = value,
             (None, _) => {
                 let entries = smartbed_codegen::words::count(count, "entry");
