@@ -146,6 +146,7 @@ fn every_refusal_of_a_scene_has_its_cause_and_cure() {
         "[parts.cube]\nshape = \"cube\"\nstart = { velocity = [1, 0, 0] }\n[run]\nstart = \"settled\""
             .to_owned(),
         format!("{BALL}[sensors.s]\nof = \"ball.w\""),
+        "[parts.top]\nmechanism = \"spinning_top\"\ncommand = { tip_e0 = \"cos(t/1_s)\" }".to_owned(),
         format!("{BALL}[sensors.s]\nof = \"ball.z\"\nunit = \"meter\""),
         format!("{BALL}[sensors.s]\nof = \"ball.z\"\nunit = \"N\""),
         format!("{DRIVEN}[controllers.a]\n{HELD}period = 0.001\nunit = \"m\""),

@@ -11,6 +11,7 @@ mod costs;
 mod edges;
 mod friction;
 mod islands;
+mod joined;
 mod moreau;
 mod pinned;
 mod reading;

@@ -40,16 +40,20 @@ fn put(entries: &mut Vec<(Key, Value)>, key: Key, value: Value) {
     else {
         return entries.push((key, value));
     };
-    match (&mut *old, value) {
-        (Value::Table(old), Value::Table(new)) => {
-            for (field, value) in new.entries {
-                match old.entries.iter_mut().find(|(known, _)| known.name == field.name) {
-                    Some(entry) => *entry = (field, value),
-                    None => old.entries.push((field, value)),
-                }
-            }
+    (*known, *old) = overridden(std::mem::replace(old, Value::Boolean(false, key.span)), (key, value));
+}
+
+/// An entry with the fields of another one on top, under the key of that one.
+pub fn overridden(old: Value, (key, value): (Key, Value)) -> (Key, Value) {
+    let (mut old, new) = match (old, value) {
+        (Value::Table(old), Value::Table(new)) => (old, new),
+        (_, value) => return (key, value),
+    };
+    for (field, value) in new.entries {
+        match old.entries.iter_mut().find(|(known, _)| known.name == field.name) {
+            Some(entry) => *entry = (field, value),
+            None => old.entries.push((field, value)),
         }
-        (old, new) => *old = new,
     }
-    *known = key;
+    (key, Value::Table(old))
 }

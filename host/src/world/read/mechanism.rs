@@ -6,8 +6,8 @@
 use super::value::{list, one_of};
 use crate::world::assembly::Mechanism;
 use smartbed_codegen::diagnostic::{Diagnostic, Diagnostics, Severity};
-use smartbed_codegen::model::document::{Value, wrong_kind};
-use smartbed_codegen::model::{self, Fields, Model, Speed, SpeedMeaning, is_plain};
+use smartbed_codegen::model::document::{Key, Value, wrong_kind};
+use smartbed_codegen::model::{self, Fields, Model, RESERVED, Speed, SpeedMeaning, is_keyword, is_plain};
 use smartbed_codegen::source::Span;
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
@@ -70,8 +70,9 @@ fn changes(fields: &Fields<'_>, base: &Model, found: &mut Diagnostics) -> Option
                 return None;
             };
             refuse_without_unit(name, value, &coordinate.written_unit, found);
+            let speed = own_speed((fields.name, key), base, found)?;
             commanded += usize::from(coordinate.independent);
-            let _ = writeln!(text, "{name} = {{ closed_form = {:?}, independent = false }}", law.text);
+            let _ = writeln!(text, "{name} = {{ closed_form = {:?}, independent = false{speed} }}", law.text);
         }
         let is_commanded = |name: &str| table.entries.iter().any(|(key, _)| key.name == name);
         text += &still_independent(base, is_commanded);
@@ -151,13 +152,42 @@ fn refuse_without_unit(name: &str, value: &Value, (unit, factor): &(String, f64)
     }
 }
 
+/// The field `speed` of a commanded coordinate, whose rate is not free any more. Refuses one whose rate the model states
+/// by other speeds: no speed of it can be given up.
+fn own_speed((part, key): (&str, &Key), base: &Model, found: &mut Diagnostics) -> Option<String> {
+    let name = &key.name;
+    let own =
+        |s: &&Speed| matches!(s.meaning, SpeedMeaning::RateOf(id) if base.coordinates[id].name == *name);
+    let coordinate = base.coordinates.iter().find(|c| c.name == *name)?;
+    let why = match base.speeds.iter().find(own) {
+        Some(speed) if speed.independent => {
+            return Some(format!(", speed = {{ name = {:?}, independent = false }}", speed.name));
+        }
+        // What is dependent for another reason than a motion constraint is left to the model's own checks.
+        Some(_) if !coordinate.independent => return Some(String::new()),
+        None if coordinate.closed_form.is_some() => return Some(String::new()),
+        Some(_) => "motion constraints, such as rolling, state its rate",
+        None => "it has no speed of its own",
+    };
+    let free = base.speeds.iter().filter(|speed| speed.independent);
+    let free = free.filter_map(|speed| match speed.meaning {
+        SpeedMeaning::RateOf(id) => Some(base.coordinates[id].name.as_str()),
+        SpeedMeaning::Combination(_) => None,
+    });
+    let free: Vec<&str> = free.collect();
+    let help = match free.as_slice() {
+        [] => "the model has none that can; give it joints that turn or slide about one axis".to_owned(),
+        free => format!("those that can are {}", free.join(", ")),
+    };
+    let error = Diagnostic::error(format!("`{name}` of `{part}` cannot be commanded: {why}"));
+    found.push(error.label(key.span, "this coordinate").help(help));
+    None
+}
+
 /// Marks what remains independent beside commanded coordinates: in a model without constraints all coordinates are
-/// so without a mark, in one with a closed form none is. Coordinates of joints cannot be marked from outside.
+/// so without a mark, in one with a closed form none is.
 fn still_independent(base: &Model, is_commanded: impl Fn(&str) -> bool) -> String {
     let mut text = String::new();
-    if has_joints(base) {
-        return text;
-    }
     for coordinate in base.coordinates.iter().filter(|c| c.independent && !is_commanded(&c.name)) {
         let _ = writeln!(text, "{} = {{ independent = true }}", coordinate.name);
     }
@@ -172,30 +202,26 @@ fn still_independent(base: &Model, is_commanded: impl Fn(&str) -> bool) -> Strin
     text
 }
 
-/// Does the model's text have joints, whose coordinates are declared by the joint?
-fn has_joints(base: &Model) -> bool {
-    let opens = |line: &str| {
-        let section = line.trim_start().strip_prefix('[').unwrap_or_default();
-        section.split(']').next().unwrap_or_default().split('.').any(|word| word.trim() == "joints")
-    };
-    base.source.files.iter().any(|file| file.text.lines().any(opens))
+/// The name of a part's own model: the part's, but names of models follow Rust and those of parts need not.
+fn model_name(part: &str) -> String {
+    let name: String = part.chars().map(|c| if c.is_alphanumeric() { c } else { '_' }).collect();
+    let starts = name.starts_with(|c: char| c.is_ascii_alphabetic() || c == '_');
+    let is_word = starts && name.is_ascii() && name.len() <= 64 && name != "_";
+    let is_free = !RESERVED.contains(&name.as_str()) && !is_keyword(&name);
+    if is_word && is_free { name } else { "part".to_owned() }
 }
 
 fn extended(fields: &Fields<'_>, path: &Path, changed: &str, found: &mut Diagnostics) -> Option<Model> {
     let file = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
-    let name: String = fields.name.chars().map(|c| if c.is_alphanumeric() { c } else { '_' }).collect();
+    let name = model_name(fields.name);
     let text = format!("format = 1\nextends = {file:?}\nname = {name:?}\n{changed}");
     let shown = path.with_file_name(format!("parts.{}", fields.name));
     match model::parse(&shown.display().to_string(), &text) {
         Ok(model) => Some(model),
         Err(wrong) if told_in_scene(fields, &text, &wrong, found) => None,
         Err(wrong) => {
-            // A command is a closed form, beside which coordinates are dependent unless they say otherwise.
             let help = match fields.get("command") {
-                Some(_) => {
-                    "the keys of `command`, `law`, `set` and `start` are those of the model; beside commanded ones, what stays \
-                     free has `independent = true` in the model, each of its joints too"
-                }
+                Some(_) => "the keys of `command`, `law`, `set` and `start` are those of the model",
                 None => "the keys of `law`, `set` and `start` are those of the model",
             };
             let error =

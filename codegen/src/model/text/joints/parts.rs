@@ -6,12 +6,16 @@
 use super::axis::{Along, Direction, Motion};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::text::document::{Key, Table, Text, Value};
+use crate::model::text::extend;
 use crate::model::text::fields::Fields;
 use crate::model::text::repeat::Sections;
 use crate::source::Span;
 
 /// Fields that a coordinate takes over from its joint unchanged.
 const CARRIED: [&str; 4] = ["unit", "nominal", "range", "speed"];
+
+/// Sections of which an extension overrides entries that joints stand for.
+const OVERRIDDEN: [&str; 2] = ["coordinates", "speeds"];
 
 /// A coordinate that translates or rotates along one axis.
 struct Coordinate {
@@ -89,7 +93,24 @@ impl<'a> Parts<'a> {
 
     fn put(&mut self, section: &str, name: &str, value: Value) {
         let key = Key { name: name.to_owned(), span: self.key.span };
-        self.sections.tables.entry(section.to_owned()).or_default().push((key, value));
+        let entry = self.overridden(section, (key, value));
+        self.sections.tables.entry(section.to_owned()).or_default().push(entry);
+    }
+
+    /// The entry with the fields that a model which extends the joint's gives to that coordinate or speed, such as a
+    /// closed form. Files are numbered from the outermost extension inwards.
+    fn overridden(&mut self, section: &str, (key, value): (Key, Value)) -> (Key, Value) {
+        let entries = self.sections.tables.get_mut(section).filter(|_| OVERRIDDEN.contains(&section));
+        let given = entries.and_then(|entries| {
+            let extends = |(given, value): &(Key, Value)| {
+                given.name == key.name && given.span.file < key.span.file && matches!(value, Value::Table(_))
+            };
+            entries.iter().position(extends).map(|at| entries.remove(at))
+        });
+        match given {
+            Some(given) => extend::overridden(value, given),
+            None => (key, value),
+        }
     }
 
     fn table(&self, fields: Vec<(&str, Value)>) -> Value {
