@@ -147,6 +147,11 @@ fn every_refusal_of_a_scene_has_its_cause_and_cure() {
             .to_owned(),
         format!("{BALL}[sensors.s]\nof = \"ball.w\""),
         "[parts.top]\nmechanism = \"spinning_top\"\ncommand = { tip_e0 = \"cos(t/1_s)\" }".to_owned(),
+        format!("{BALL}[sensors.s]\nof = \"ball.z\"\nnoise = \"1_mm\""),
+        format!(
+            "{DRIVEN}[controllers.a]\n{}period = 0.001",
+            HELD.replace("target = 0", "target = [[0, \"1_m + 3_mm\"]]")
+        ),
         format!("{BALL}[sensors.s]\nof = \"ball.z\"\nunit = \"meter\""),
         format!("{BALL}[sensors.s]\nof = \"ball.z\"\nunit = \"N\""),
         format!("{DRIVEN}[controllers.a]\n{HELD}period = 0.001\nunit = \"m\""),

@@ -2,7 +2,7 @@
 //!
 //! Targets in quotes have the dimension of `unit`; plain ones, gains and outputs are in SI units.
 
-use super::value::{Bound, list, named_unit, needed, number, scalar};
+use super::value::{Bound, list, named_unit, needed, number, refuse_unit_unnamed, scalar};
 use crate::world::assembly::Controlling;
 use smartbed_codegen::diagnostic::{Diagnostic, Diagnostics};
 use smartbed_codegen::model::Fields;
@@ -21,6 +21,9 @@ pub(super) fn read(key: &Key, value: &Value, found: &mut Diagnostics) -> Option<
     let reads = word(&fields, "reads", "\"bladder.gauge\"", found)?;
     let drives = word(&fields, "drives", "\"bladder.valves\"", found)?;
     let (unit, dimension) = named_unit(&fields, found)?;
+    if dimension.is_none() {
+        refuse_unit_unnamed(&format!("controllers.{}", key.name), table, &["target"], found)?;
+    }
     let target = targets(fields.need("target", "\"4_kPa\"", found)?, &unit, found)?;
     let period = needed(&fields, "period", ("s", "\"10_ms\""), found)?;
     let mut get = |name: &'static str| number(&fields, name, "", Bound::Any, found).unwrap_or(0.0);

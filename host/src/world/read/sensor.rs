@@ -2,7 +2,7 @@
 //!
 //! Numbers in quotes have the dimension of `unit`; plain ones are in SI units.
 
-use super::value::{Bound, count, list, named_unit, number, one_of};
+use super::value::{Bound, count, list, named_unit, number, one_of, refuse_unit_unnamed};
 use crate::world::assembly::{Sensing, Transducer};
 use smartbed_codegen::diagnostic::Diagnostics;
 use smartbed_codegen::model::Fields;
@@ -11,6 +11,9 @@ use smartbed_codegen::source::fnv1a;
 
 /// Names of the transducers.
 const KINDS: [&str; 4] = ["plain", "lvdt", "pressure", "switch"];
+
+/// Keys whose numbers are in the unit of the sensor.
+const IN_UNIT: [&str; 8] = ["noise", "bias", "drift", "resolution", "reach", "closes", "hysteresis", "range"];
 
 /// Reads one.
 pub(super) fn read(key: &Key, value: &Value, found: &mut Diagnostics) -> Option<Sensing> {
@@ -27,6 +30,9 @@ pub(super) fn read(key: &Key, value: &Value, found: &mut Diagnostics) -> Option<
         }
     };
     let (unit, dimension) = named_unit(&fields, found)?;
+    if dimension.is_none() {
+        refuse_unit_unnamed(&format!("sensors.{}", key.name), table, &IN_UNIT, found)?;
+    }
     let mut get = |name: &'static str, unit: &str, bound: Bound, left_out: f64| {
         number(&fields, name, unit, bound, found).unwrap_or(left_out)
     };

@@ -3,7 +3,7 @@
 //! A plain number is in SI units; a string is a number with its unit (`"20_mm"`, `"9.81 m/s^2"`) or an expression.
 
 use smartbed_codegen::diagnostic::{Diagnostic, Diagnostics};
-use smartbed_codegen::model::document::{Value, wrong_kind};
+use smartbed_codegen::model::document::{Table, Text, Value, wrong_kind};
 use smartbed_codegen::model::unit::{self, Unit};
 use smartbed_codegen::model::{Fields, quantity};
 use smartbed_codegen::source::Span;
@@ -55,6 +55,42 @@ pub(crate) fn named_unit(fields: &Fields<'_>, found: &mut Diagnostics) -> Option
             );
             None
         }
+    }
+}
+
+/// Refuses a text with a unit under one of these `keys`, whose unit `unit` would say, where that is left out.
+pub(crate) fn refuse_unit_unnamed(
+    of: &str,
+    table: &Table,
+    keys: &[&str],
+    found: &mut Diagnostics,
+) -> Option<()> {
+    let given = || keys.iter().filter_map(|key| Some((*key, table.get(key)?)));
+    let texts = given().flat_map(|(key, value)| in_unit(value).into_iter().map(move |text| (key, text)));
+    let has_unit = |(key, text): &(&str, &Text)| {
+        let mut scratch = Diagnostics::new(found.source.clone());
+        let is_none = quantity(text, Unit::NONE, key, &mut scratch).is_none();
+        is_none && scratch.items.iter().any(|item| item.message.starts_with(&format!("{key} must be")))
+    };
+    let Some((key, text)) = texts.into_iter().find(has_unit) else { return Some(()) };
+    let error = Diagnostic::error(format!("{of} has no `unit`, but `{key}` has one"));
+    let help = "say the unit of what it reads, as the rows show it or another of its dimension: for example unit = \"mm\"";
+    found.push(error.label(text.span, "in which unit are its readings?").help(help));
+    None
+}
+
+/// The texts of a value that are in the unit of its field: of a list of pairs `[time, value]` the second ones.
+fn in_unit<'v>(value: &'v Value) -> Vec<&'v Text> {
+    match value {
+        Value::Text(text) => vec![text],
+        Value::Array(items, _) => {
+            let of = |item: &'v Value| match item {
+                Value::Array(pair, _) => pair.get(1).map_or_else(Vec::new, in_unit),
+                other => in_unit(other),
+            };
+            items.iter().flat_map(of).collect()
+        }
+        _ => Vec::new(),
     }
 }
 
