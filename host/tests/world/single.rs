@@ -35,6 +35,23 @@ fn single_precision_is_near_double() {
 }
 
 #[test]
+fn a_rigid_body_without_contacts_flies_in_single_precision() {
+    let text = "format = 2\n[parts.b]\nrigid = \"box\"\nsize = [0.1, 0.2, 0.3]\nmass = 1\n\
+                start = { velocity = [1, 0, 0.3], spin = [3, 1, 2] }\n[run]\nseconds = 0.2\n";
+    let file = scene("single_flight", text);
+    let last = |scalar: &str| json(&[&file, "--scalar", scalar])["last"].clone();
+    let [wide, single] = ["f64", "f32"].map(last);
+    for name in ["b.x", "b.z", "b.e1", "b.wx"] {
+        let [wide, single] = [&wide, &single].map(|last| last[name].as_f64().expect("a number"));
+        assert!((wide - single).abs() < 3e-6 && wide != single, "{name}: {wide} {single}");
+        assert_eq!(f64::from(single as f32), single, "{name}");
+    }
+    // No contacts that could have another law.
+    let said = fails(&["run", &file, "--set", "run.sleep=0.1"]);
+    assert!(said.contains("leave the key out") && !said.contains("moreau"), "{said}");
+}
+
+#[test]
 fn a_start_at_rest_is_found_in_double_and_rounded() {
     let start = ["plate_on_bladder", "--set", "run.start=\"settled\"", "--seconds", "0.002"];
     let (names, wide) = rows(&start);
