@@ -108,7 +108,9 @@ fn record(arguments: &Arguments, assembly: &Assembly) -> Result<Done, Failure> {
             scene: assembly.fingerprint(),
             start: records.start(),
             state: engine.save(),
+            sleepers: Some(engine.sleepers()),
             seen,
+            observers: Some(assembly.observers()),
         };
         output::write(file, checkpoint.text().as_bytes())?;
     }
@@ -116,6 +118,13 @@ fn record(arguments: &Arguments, assembly: &Assembly) -> Result<Done, Failure> {
     let mut warnings = engine.warnings();
     warnings.append(&mut passed);
     warnings.extend(from.iter().flat_map(|from| changed(from, assembly, &method)));
+    let sleepers = from.as_ref().and_then(|from| from.sleepers);
+    if let Some(saved) = sleepers.filter(|saved| *saved != engine.sleepers()) {
+        let with = if saved == 0 { "without" } else { "with" };
+        warnings.push(format!(
+            "the checkpoint was saved {with} run.sleep, unlike this run: all parts were awake when it went on"
+        ));
+    }
     let method = if arguments.scalar == ScalarKind::F32 { method + ", in f32" } else { method };
     let (mut kept, film) = records.finish(arguments, &note, &events)?;
     engine.pivots().into_iter().for_each(|(part, pivot)| kept.health.pivot(Some(part), pivot));

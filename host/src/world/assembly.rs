@@ -306,6 +306,13 @@ impl Assembly {
         })
     }
 
+    /// Names of the sensors and controllers, in the order of their values in a checkpoint.
+    #[must_use]
+    pub fn observers(&self) -> Vec<String> {
+        let sensors = self.sensors.iter().map(|own| format!("sensors.{}", own.name));
+        sensors.chain(self.controllers.iter().map(|own| format!("controllers.{}", own.name))).collect()
+    }
+
     /// Does the gas of any part have a supply or a vent?
     #[must_use]
     pub fn has_lines(&self) -> bool {

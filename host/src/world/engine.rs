@@ -104,7 +104,7 @@ pub struct Settled {
 /// The message for a checkpoint of another world.
 #[must_use]
 pub fn other_world() -> String {
-    "the checkpoint belongs to another scene: it has other parts".to_owned()
+    "the checkpoint belongs to another scene: its parts, or their nodes, chambers of gas or contacts, are others".to_owned()
 }
 
 /// The interface of an engine.
@@ -161,6 +161,11 @@ pub trait Engine {
     /// # Errors
     /// Values of another world.
     fn load(&mut self, numbers: &[f64]) -> Result<(), String>;
+    /// The number of values at the end of [`Engine::save`] that say for how long parts have been slow; [`Engine::load`]
+    /// takes a state without them, whose parts are all awake.
+    fn sleepers(&self) -> usize {
+        0
+    }
     /// The scalar in which the world moves.
     fn scalar(&self) -> ScalarKind {
         ScalarKind::F64

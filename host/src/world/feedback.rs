@@ -5,7 +5,7 @@
 
 use super::assembly::Assembly;
 use super::controllers::Controllers;
-use super::engine::{Engine, other_world};
+use super::engine::Engine;
 use super::sensors::Probes;
 
 /// Sensors and controllers of a world.
@@ -64,6 +64,9 @@ impl Feedback {
     pub fn load(&mut self, numbers: &[f64], engine: &mut dyn Engine) -> Result<(), String> {
         let mut numbers = numbers.iter().copied();
         let done = self.probes.load(&mut numbers).and_then(|()| self.controllers.load(&mut numbers, engine));
-        done.filter(|()| numbers.next().is_none()).ok_or_else(other_world)
+        done.filter(|()| numbers.next().is_none()).ok_or_else(|| {
+            "the checkpoint belongs to a scene with other sensors or controllers, whose memories it holds"
+                .to_owned()
+        })
     }
 }

@@ -87,8 +87,13 @@ pub struct Checkpoint {
     pub start: f64,
     /// Values of the engine.
     pub state: Vec<f64>,
+    /// Number of values of the engine, the last ones, that say how long parts have been slow ([`Engine::sleepers`]);
+    /// `None` if the file does not say.
+    pub sleepers: Option<usize>,
     /// Values of sensors and controllers.
     pub seen: Vec<f64>,
+    /// Their names ([`Assembly::observers`]); `None` if the file has none.
+    pub observers: Option<Vec<String>>,
 }
 
 /// The result of a run.
@@ -106,10 +111,10 @@ impl Checkpoint {
     /// Text that preserves every bit of the numbers.
     #[must_use]
     pub fn text(&self) -> String {
-        let Self { steps, step, scalar, method, scene, start, state, seen } = self;
+        let Self { steps, step, scalar, method, scene, start, state, sleepers, seen, observers } = self;
         let text = serde_json::json!({
             "steps": steps, "step": step, "scalar": scalar.name(), "method": method, "scene": scene, "start": start,
-            "state": state, "seen": seen,
+            "state": state, "sleepers": sleepers, "seen": seen, "observers": observers,
         });
         text.to_string() + "\n"
     }
@@ -120,6 +125,9 @@ impl Checkpoint {
         let value: serde_json::Value = serde_json::from_str(text).ok()?;
         let numbers = |list: &serde_json::Value| -> Option<Vec<f64>> {
             list.as_array()?.iter().map(serde_json::Value::as_f64).collect()
+        };
+        let words = |list: &serde_json::Value| -> Option<Vec<String>> {
+            list.as_array()?.iter().map(|word| Some(word.as_str()?.to_owned())).collect()
         };
         Some(Self {
             steps: usize::try_from(value["steps"].as_u64()?).ok()?,
@@ -134,9 +142,41 @@ impl Checkpoint {
             scene: value["scene"].as_str().unwrap_or_default().to_owned(),
             start: value["start"].as_f64()?,
             state: numbers(&value["state"])?,
+            sleepers: value["sleepers"].as_u64().and_then(|n| usize::try_from(n).ok()),
             // Optional: absent in files of runs without sensors and controllers.
             seen: if value["seen"].is_null() { Vec::new() } else { numbers(&value["seen"])? },
+            observers: words(&value["observers"]),
         })
+    }
+
+    /// The values that an engine loads: without the memory of slow parts if it keeps none or that of others, so that all
+    /// begin awake.
+    fn state_for(&self, engine: &dyn Engine) -> &[f64] {
+        let gone = self.sleepers.filter(|own| *own != engine.sleepers()).unwrap_or(0);
+        &self.state[..self.state.len().saturating_sub(gone)]
+    }
+
+    /// Refuses sensors and controllers other than those whose values it holds.
+    fn refuse_other_observers(&self, assembly: &Assembly) -> Result<(), String> {
+        let (Some(saved), own) = (&self.observers, assembly.observers()) else { return Ok(()) };
+        if *saved == own {
+            return Ok(());
+        }
+        let lacks = |all: &[String], these: &[String]| -> Vec<String> {
+            these.iter().filter(|name| !all.contains(name)).cloned().collect()
+        };
+        let (gone, new) = (lacks(&own, saved), lacks(saved, &own));
+        let told = |names: &[String], what: &str| match names {
+            [] => None,
+            names => Some(format!("{what} {}", names.join(", "))),
+        };
+        let all = [told(&gone, "without"), told(&new, "with")].into_iter().flatten().collect::<Vec<_>>();
+        let differs =
+            if all.is_empty() { "with them in another order".to_owned() } else { all.join(" and ") };
+        Err(format!(
+            "the checkpoint belongs to a scene with other sensors or controllers, whose memories it holds: this one is {differs}; \
+             expected the same names in the same order"
+        ))
     }
 }
 
@@ -162,7 +202,8 @@ pub fn run<E: From<String>>(
                     assembly.run.steps()
                 )));
             }
-            engine.load(&checkpoint.state)?;
+            engine.load(checkpoint.state_for(engine))?;
+            checkpoint.refuse_other_observers(assembly)?;
             if checkpoint.step != assembly.run.step {
                 return Err(E::from(format!(
                     "the checkpoint was reached by steps of {} s, the run takes {} s, but counts steps from its start; give --step {}",

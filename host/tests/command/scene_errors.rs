@@ -1,7 +1,7 @@
 //! Every refusal of a scene of format 2 has its row in docs/guide/every-error.md.
 
 use crate::guide::{error_of, messages, same};
-use crate::support::written;
+use crate::support::{smartbed, written};
 use smartbed::world::read::parse;
 use smartbed::world::run::{engine, run};
 use std::path::{Path, PathBuf};
@@ -173,6 +173,11 @@ fn every_refusal_of_a_scene_has_its_cause_and_cure() {
     let by_step =
         controlled.replace("reads = \"arm.q1\"", "reads = \"sensors.s\"") + "\n[sensors.s]\nof = \"arm.q1\"";
     found.push(error_of(&["run", &written("by_step.toml", &by_step), "--error", "1e-3"]));
+    let flight = written("flight.toml", &format!("format = 2\n{BALL}[run]\nseconds = 0.01\n"));
+    let state = format!("{flight}.state");
+    assert_eq!(smartbed(&["run", &flight, "--save", &state]).status, 0);
+    let seen = "sensors={ s = { of = \"ball.z\" } }";
+    found.push(error_of(&["run", &flight, "--resume", &state, "--set", seen]));
     let coarse =
         "[parts.sheet]\nshape = \"sheet\"\nrows = 60\ncolumns = 60\n[run]\nseconds = 1e-5\nstep = 1e-5\n";
     let for_chip = [

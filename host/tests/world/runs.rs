@@ -218,6 +218,41 @@ fn a_table_that_is_set_replaces_that_of_the_file() {
     assert!(said.contains("a pair of parts without a law"), "{said}");
 }
 
+/// What of a scene that was changed since can be continued.
+#[test]
+fn a_checkpoint_is_continued_with_or_without_sleep_but_with_the_same_sensors() {
+    let state = |name: &str| {
+        Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("runs_{name}.state")).display().to_string()
+    };
+    let (awake, slow) = (state("awake"), state("slow"));
+    let run = |more: &[&str]| json(&[&["ball_on_bladder", "--seconds"], more].concat());
+    let sleep = ["--set", "run.sleep=\"1 mm/s\""];
+    run(&["0.01", "--save", &awake]);
+    run(&[&["0.01", "--save", &slow], &sleep[..]].concat());
+    let told = |done: &serde_json::Value| {
+        done["warnings"].to_string().contains("run.sleep, unlike this run: all parts were awake")
+    };
+    let whole = run(&["0.02"]);
+    for (file, more, is_told) in
+        [(&awake, &[][..], false), (&awake, &sleep, true), (&slow, &[], true), (&slow, &sleep, false)]
+    {
+        let done = run(&[&["0.02", "--resume", file], more].concat());
+        assert_eq!(told(&done), is_told, "{file} {more:?}: {}", done["warnings"]);
+        // Nothing sleeps yet.
+        let z = |done: &serde_json::Value| number(&done["last"]["ball.z"]);
+        assert!((z(&whole) - z(&done)).abs() < 1e-12, "{file} {more:?}");
+    }
+    let sensor = ["--set", "sensors={ high = { of = \"ball.z\" } }"];
+    let seen = state("seen");
+    run(&[&["0.01", "--save", &seen], &sensor[..]].concat());
+    let refused = |file: &str, more: &[&str]| {
+        fails(&[&["run", "ball_on_bladder", "--seconds", "0.02", "--resume", file], more].concat())
+    };
+    assert!(refused(&awake, &sensor).contains("this one is with sensors.high;"), "a new sensor");
+    assert!(refused(&seen, &[]).contains("this one is without sensors.high;"), "a sensor that is gone");
+    run(&[&["0.02", "--resume", &seen], &sensor[..]].concat());
+}
+
 #[test]
 fn parts_that_no_force_moves_are_no_pair() {
     let text = |law: &str| {

@@ -76,11 +76,19 @@ impl Engine for Apart {
     }
 
     fn load(&mut self, numbers: &[f64]) -> Result<(), String> {
-        let own = numbers.len().checked_sub(self.islands.save().len()).ok_or_else(engine::other_world)?;
-        let (world, slow) = numbers.split_at(own);
+        let awake = vec![0.0; self.sleepers()];
+        let (world, slow) = match numbers.len().checked_sub(self.world.save().len()) {
+            Some(0) => (numbers, awake.as_slice()),
+            Some(left) if left == awake.len() => numbers.split_at(numbers.len() - left),
+            _ => return Err(engine::other_world()),
+        };
         self.world.load(world)?;
         self.islands.load(slow);
         Ok(())
+    }
+
+    fn sleepers(&self) -> usize {
+        self.islands.save().len()
     }
 
     fn pivots(&self) -> Vec<(&str, f64)> {
