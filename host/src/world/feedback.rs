@@ -65,7 +65,7 @@ impl Feedback {
         let mut numbers = numbers.iter().copied();
         let done = self.probes.load(&mut numbers).and_then(|()| self.controllers.load(&mut numbers, engine));
         done.filter(|()| numbers.next().is_none()).ok_or_else(|| {
-            "the checkpoint belongs to a scene with other sensors or controllers, whose memories it holds"
+            "the checkpoint belongs to another scene, with other sensors or controllers, whose memories it holds"
                 .to_owned()
         })
     }

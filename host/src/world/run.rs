@@ -174,7 +174,7 @@ impl Checkpoint {
         let differs =
             if all.is_empty() { "with them in another order".to_owned() } else { all.join(" and ") };
         Err(format!(
-            "the checkpoint belongs to a scene with other sensors or controllers, whose memories it holds: this one is {differs}; \
+            "the checkpoint belongs to another scene, with other sensors or controllers, whose memories it holds: this one is {differs}; \
              expected the same names in the same order"
         ))
     }
