@@ -139,8 +139,8 @@ impl fmt::Display for RunError {
             RunError::Passed(time, segment, tile, depth) => write!(
                 f,
                 "at {time} s: {segment} has passed through the sheet of tile {} and lies {:.0} mm below it, expected \
-                 above; lay the load on in parts (`run.parts = 8`), let it fall (`run.fall`), take more `intervals` or \
-                 more pressure",
+                 above; lay the load on in parts (`run.parts = 8`), let it fall (`run.fall`), begin a motion at rest \
+                 (`dynamics.start`), or take more `intervals` or more pressure",
                 tile + 1,
                 1e3 * depth
             ),
