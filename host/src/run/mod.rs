@@ -9,6 +9,7 @@ mod body;
 mod choose;
 pub mod events;
 pub mod health;
+mod kink;
 pub mod ledger;
 mod mechanism;
 mod outcome;

@@ -4,6 +4,7 @@
 //! [`columns`], and a [`Summary`]. Observers only read states; without them the motion is the same bit for bit.
 
 use super::health::{Energies, Health, Range};
+use super::kink::pass;
 use super::ledger::{self, Ledger};
 pub use super::plant::Plant;
 use super::settings::Settings;
@@ -14,7 +15,7 @@ use crate::limits::{Angles, check_numbers};
 use crate::number::worst;
 use crate::observers::Observers;
 use crate::progress::Progress;
-use crate::switches::{self, rounding};
+use crate::switches::rounding;
 use smartbed_codegen::{Interpreted, Program};
 use smartbed_runtime::mechanism::Fault;
 use smartbed_runtime::ode::Ode;
@@ -277,7 +278,7 @@ where
                 ledger.step(to, &widened(state.x())).map_err(|fault| refused(to, fault))?;
             }
             let Some(kink) = kink else { break };
-            pass(setup, plant, kink, state, &mut ledger)?;
+            pass((setup.program, setup.observers), plant, kink, state, &mut ledger)?;
             from = kink[1];
         }
         if n % every as u64 == 0 || n == steps {
@@ -327,7 +328,7 @@ where
         let to = kink.map_or(seconds, |[before, _]| before);
         let left = to - t;
         if let Some(kink) = kink.filter(|_| left <= rounding::<S>(to)) {
-            pass(setup, plant, kink, state, &mut ledger)?;
+            pass((setup.program, setup.observers), plant, kink, state, &mut ledger)?;
             method.restart();
             t = kink[1];
             if seconds - t <= rounding::<S>(seconds) {
@@ -370,47 +371,6 @@ where
     Err(Failure::Wrong(format!(
         "t = {t:.6} s: {MOST_STEPS} steps were not enough; allow a larger --tolerance"
     )))
-}
-
-/// Passes a kink: sets the speeds behind it and books the work of the drive's impulse.
-fn pass<E, S>(
-    setup: Setup<'_>,
-    plant: &mut Plant<E, S>,
-    [before, after]: [f64; 2],
-    state: &mut State<'_, S>,
-    ledger: &mut Ledger,
-) -> Result<(), Failure>
-where
-    E: std::ops::DerefMut<Target = dyn Engine<S>>,
-    S: EngineScalar,
-{
-    let failed = |fault| refused(after, fault);
-    if plant.switches.may_leap {
-        let [early, late] = [before, after].map(S::from_f64);
-        let (q, u) = state.x().split_at(setup.program.q.len());
-        let ends = [early, late].map(|t| plant.closed_forms(t, state.x()));
-        let [old, new] = ends.map(|end| end.map_err(failed));
-        let (old, new) = (old?, new?);
-        let name = |form: usize| &setup.observers.closed[form].0;
-        if let Some(form) = switches::jumps([&old, &new], late - early) {
-            return Err(Failure::Wrong(switches::jumped(name(form), after)));
-        }
-        if let Some(form) = switches::leaps([&old, &new]).filter(|_| setup.program.is_redundant()) {
-            return Err(Failure::Wrong(format!(
-                "t = {after:.6} s: the command of `{}` changes its speed at once, which a mechanism that passes dead \
-                 points of its independent speeds does not follow; write a smooth command, for example with smooth_step",
-                name(form)
-            )));
-        }
-        let kinetic = |t, u: &[S]| {
-            plant.set_time(t);
-            Ok(plant.engine.energy(q, u)?.0)
-        };
-        let (u, _) = switches::pass(kinetic, [early, late], u).map_err(failed)?;
-        let x = [q, &u].concat();
-        state.set(&x).map_err(failed)?;
-    }
-    ledger.leap(after, &widened(state.x())).map_err(failed)
 }
 
 /// Books the part `from..to` (fractions) of a step, which ends at time `t` with `x`.
