@@ -45,16 +45,18 @@ pub fn allowed(lattice: &Lattice) -> f64 {
 /// The part of a load whose core lies deepest below a sheet, if one does.
 #[must_use]
 pub fn deepest(bed: &Bed, body: &Body, state: &State) -> Option<Passed> {
+    let highest = |sheet: &Vec<Vec3<f64>>| sheet.iter().fold(f64::NEG_INFINITY, |most, x| most.max(x[2]));
+    let highest: Vec<f64> = state.sheets.iter().map(highest).collect();
     let mut deepest: Option<Passed> = None;
     for (segment, (part, pose)) in body.segments.iter().zip(&state.segments).enumerate() {
         let core: Vec<Vec3<f64>> = part.shape.core().into_iter().map(|p| pose.outwards(p)).collect();
         for (tile, own) in bed.tiles.iter().enumerate() {
-            let highest = state.sheets[tile].iter().fold(f64::NEG_INFINITY, |most, x| most.max(x[2]));
             for point in &core {
-                if own.pose.inwards(*point)[2] >= highest {
+                let point = own.pose.inwards(*point);
+                if point[2] >= highest[tile] {
                     continue;
                 }
-                let depth = below(&bed.lattice, &state.sheets[tile], own.pose.inwards(*point));
+                let depth = below(&bed.lattice, &state.sheets[tile], point);
                 if depth > deepest.map_or(0.0, |found| found.depth) {
                     deepest = Some(Passed { segment, tile, depth });
                 }
