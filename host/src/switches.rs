@@ -20,6 +20,9 @@ use std::cmp::Ordering;
 const BEHIND: f64 = 1e-30;
 const ROUNDING: f64 = 16.0;
 
+/// Most switches at which a step is cut.
+pub const MOST: usize = 64;
+
 /// Functions of time alone at whose zeros something may switch.
 #[derive(Clone, Debug)]
 pub struct Switches<S> {
@@ -123,6 +126,13 @@ pub fn leaps<S: Scalar>([before, after]: [&[[S; 2]]; 2]) -> Option<usize> {
     before.iter().zip(after).position(|([_, fast], [_, faster])| {
         (*faster - *fast).abs() > S::EPSILON.sqrt() * fast.abs().max(faster.abs())
     })
+}
+
+/// The message for a step with more than [`MOST`] switches.
+pub fn too_many() -> String {
+    format!(
+        "commands, laws and loads have more than {MOST} kinks (of abs, sign, min, max) in a step; take a smaller one"
+    )
 }
 
 /// The message for a coordinate whose value jumps.

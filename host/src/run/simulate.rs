@@ -15,7 +15,7 @@ use crate::limits::{Angles, check_numbers};
 use crate::number::worst;
 use crate::observers::Observers;
 use crate::progress::Progress;
-use crate::switches::rounding;
+use crate::switches::{MOST, rounding, too_many};
 use smartbed_codegen::{Interpreted, Program};
 use smartbed_runtime::mechanism::Fault;
 use smartbed_runtime::ode::Ode;
@@ -263,7 +263,7 @@ where
         let is_short = seconds - t < (1.0 - ROUNDING) * step;
         let (h, end) = if is_short { (seconds - t, seconds) } else { (step, n as f64 * step) };
         let mut from = t;
-        loop {
+        for cut in 0.. {
             let kink = plant.switches.first(from, end).map_err(|fault| refused(from, fault))?;
             let to = kink.map_or(end, |[before, _]| before);
             let part = if from == t && to == end { h } else { to - from };
@@ -278,6 +278,9 @@ where
                 ledger.step(to, &widened(state.x())).map_err(|fault| refused(to, fault))?;
             }
             let Some(kink) = kink else { break };
+            if cut == MOST {
+                return Err(Failure::Wrong(format!("t = {from:.6} s: {}", too_many())));
+            }
             pass((setup.program, setup.observers), plant, kink, state, &mut ledger)?;
             from = kink[1];
         }

@@ -138,6 +138,15 @@ step = 1e-2
         assert!(found.iter().zip(exact).all(|(a, b)| (a - b).abs() < 1e-13), "{method}: {found:?} {exact:?}");
         assert!(imbalance < 1e-14, "{method}: {imbalance:e}");
     }
+    let terms: Vec<String> = (0..70).map(|k| format!("sign(T + {k}/1000*T - t)")).collect();
+    let many = text.replace("sign(T - t)", &format!("({})", terms.join(" + ")));
+    let path = written("driven_many.toml", &many);
+    assert_eq!(smartbed(&["run", &path]).status, 0);
+    let done = smartbed(&["run", &path, "--step", "1"]);
+    assert!(
+        done.message().contains("have more than 64 kinks (of abs, sign, min, max) in a step"),
+        "{done:?}"
+    );
 }
 
 #[test]

@@ -6,15 +6,13 @@
 //! no motion follows it.
 
 use super::{CarriedWorld, words};
-use crate::switches::{self, rounding};
+use crate::switches::{self, MOST, rounding};
 use crate::world::carriers::HostCarrier;
 use crate::world::engine::Event;
 use smartbed_runtime::mechanism::Fault;
 use smartbed_runtime::real::Scalar;
 use smartbed_runtime::world::Carrier;
 
-/// Most kinks of commands in a step.
-const MOST: usize = 64;
 /// How far beyond a step differences of frames in time may look, relative to the step.
 const BEYOND: f64 = 1e-3;
 
@@ -57,9 +55,7 @@ impl<S: Scalar> CarriedWorld<S> {
             self.t = kink[1];
             self.pass(kink)?;
         }
-        Err(format!(
-            "commands, laws and loads have more than {MOST} kinks (of abs, sign, min, max) in a step; take a smaller one"
-        ))
+        Err(switches::too_many())
     }
 
     /// Times just before and after the first kink of a command up to the end of a step of h; tells mechanisms between
