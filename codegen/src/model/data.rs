@@ -7,7 +7,7 @@ use crate::id::IdVec;
 use crate::source::{Source, Span};
 
 /// The contents of a model file.
-#[derive(Clone, Debug)]
+#[derive(Clone, PartialEq, Debug)]
 pub struct Model {
     /// The text it was read from.
     pub source: Source,
@@ -77,7 +77,7 @@ pub enum Entity {
 }
 
 /// A number the author may change.
-#[derive(Clone, Debug)]
+#[derive(Clone, PartialEq, Debug)]
 pub struct Parameter {
     /// Its name.
     pub name: String,
@@ -98,7 +98,7 @@ pub struct Parameter {
 }
 
 /// A generalised coordinate q.
-#[derive(Clone, Debug)]
+#[derive(Clone, PartialEq, Debug)]
 pub struct Coordinate {
     /// Its name.
     pub name: String,
@@ -123,7 +123,7 @@ pub struct Coordinate {
 }
 
 /// A generalised speed u.
-#[derive(Clone, Debug)]
+#[derive(Clone, PartialEq, Debug)]
 pub struct Speed {
     /// Its name, `u_<coordinate>` unless given.
     pub name: String,
@@ -138,7 +138,7 @@ pub struct Speed {
 }
 
 /// How a speed relates to the rates of the coordinates.
-#[derive(Clone, Debug)]
+#[derive(Clone, PartialEq, Debug)]
 pub enum SpeedMeaning {
     /// u = q_dot.
     RateOf(CoordinateId),
@@ -155,7 +155,7 @@ impl Coordinate {
 }
 
 /// An input.
-#[derive(Clone, Debug)]
+#[derive(Clone, PartialEq, Debug)]
 pub struct Input {
     /// Its name.
     pub name: String,
@@ -170,7 +170,7 @@ pub struct Input {
 }
 
 /// A named intermediate quantity; its name survives into the generated code.
-#[derive(Clone, Debug)]
+#[derive(Clone, PartialEq, Debug)]
 pub struct Definition {
     /// Its name.
     pub name: String,
@@ -181,7 +181,7 @@ pub struct Definition {
 }
 
 /// A reference frame.
-#[derive(Clone, Debug)]
+#[derive(Clone, PartialEq, Debug)]
 pub struct Frame {
     /// Its name.
     pub name: String,
@@ -195,7 +195,7 @@ pub struct Frame {
 }
 
 /// `vector` has the constant components `components` in the frame that states it.
-#[derive(Clone, Debug)]
+#[derive(Clone, PartialEq, Debug)]
 pub struct FixedVector {
     /// The vector, given in other frames.
     pub vector: Expr,
@@ -206,7 +206,7 @@ pub struct FixedVector {
 }
 
 /// Orientation of a frame.
-#[derive(Clone, Debug)]
+#[derive(Clone, PartialEq, Debug)]
 pub enum Orientation {
     /// The inertial frame.
     Inertial,
@@ -276,7 +276,7 @@ impl Orientation {
 }
 
 /// A point.
-#[derive(Clone, Debug)]
+#[derive(Clone, PartialEq, Debug)]
 pub struct Point {
     /// Its name.
     pub name: String,
@@ -293,7 +293,7 @@ pub struct Point {
 }
 
 /// A rigid body or a particle.
-#[derive(Clone, Debug)]
+#[derive(Clone, PartialEq, Debug)]
 pub struct Body {
     /// Its name.
     pub name: String,
@@ -314,7 +314,7 @@ pub struct Body {
 }
 
 /// An equation `expression = 0`.
-#[derive(Clone, Debug)]
+#[derive(Clone, PartialEq, Debug)]
 pub struct Constraint {
     /// Its name.
     pub name: String,
@@ -327,7 +327,7 @@ pub struct Constraint {
 }
 
 /// Something that does work on the mechanism.
-#[derive(Clone, Debug)]
+#[derive(Clone, PartialEq, Debug)]
 pub struct Load {
     /// Its name.
     pub name: String,
@@ -338,7 +338,7 @@ pub struct Load {
 }
 
 /// Kinds of loads.
-#[derive(Clone, Debug)]
+#[derive(Clone, PartialEq, Debug)]
 pub enum LoadKind {
     /// Force vector (N) at a point; the reaction acts on `reaction` if given, else on the ground.
     Force {
@@ -383,7 +383,7 @@ pub enum LoadKind {
 }
 
 /// A frame with a point at which other parts attach: they follow its pose and push it with a wrench.
-#[derive(Clone, Debug)]
+#[derive(Clone, PartialEq, Debug)]
 pub struct Port {
     /// Its name.
     pub name: String,
@@ -398,7 +398,7 @@ pub struct Port {
 }
 
 /// A requested output.
-#[derive(Clone, Debug)]
+#[derive(Clone, PartialEq, Debug)]
 pub struct Output {
     /// Its name.
     pub name: String,
@@ -411,7 +411,7 @@ pub struct Output {
 }
 
 /// A configuration to be sampled when pivots are chosen.
-#[derive(Clone, Debug)]
+#[derive(Clone, PartialEq, Debug)]
 pub struct Configuration {
     /// Its name.
     pub name: String,
@@ -450,7 +450,7 @@ impl Default for Run {
 }
 
 /// `[view]`: options of pictures. No equation depends on it.
-#[derive(Clone, Default, Debug)]
+#[derive(Clone, PartialEq, Default, Debug)]
 pub struct View {
     /// Shapes in place of inertia ellipsoids.
     pub shapes: Vec<(BodyId, Shape)>,
@@ -474,7 +474,7 @@ pub enum Shown {
 }
 
 /// The shape of a body, along the axes of its frame.
-#[derive(Clone, Debug)]
+#[derive(Clone, PartialEq, Debug)]
 pub struct Shape {
     /// Its kind.
     pub kind: ShapeKind,

@@ -5,7 +5,7 @@ use super::unit::Unit;
 use crate::source::Span;
 
 /// A node of an expression and its place in the text.
-#[derive(Clone, Debug)]
+#[derive(Clone, PartialEq, Debug)]
 pub struct Expr {
     /// What it is.
     pub kind: ExprKind,
@@ -16,7 +16,7 @@ pub struct Expr {
 }
 
 /// The kinds of expressions. Whether one is a scalar or a vector follows from its parts and has been checked.
-#[derive(Clone, Debug)]
+#[derive(Clone, PartialEq, Debug)]
 pub enum ExprKind {
     /// A literal, already in SI units.
     Number(f64),

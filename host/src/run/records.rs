@@ -46,6 +46,8 @@ pub(super) struct Kept {
     /// Total energy at the start and at the end (J).
     pub(super) total: [f64; 2],
     pub(super) health: Health,
+    /// The values of the state that have ranges.
+    ranged: Vec<usize>,
     pub(super) accounts: Option<Closed>,
 }
 
@@ -61,6 +63,8 @@ impl<'a> Records<'a> {
     ) -> Result<Self, Failure> {
         let names = names(assembly, &columns);
         let shown = shown(&columns, arguments.show.as_deref())?;
+        let ranges = ranges(assembly);
+        let ranged = (0..columns.len()).filter(|place| ranges.contains_key(&columns[*place].name)).collect();
         let epsilon = match arguments.scalar {
             ScalarKind::F64 => f64::EPSILON,
             ScalarKind::F32 => f64::from(f32::EPSILON),
@@ -81,7 +85,8 @@ impl<'a> Records<'a> {
                 rows: 0,
                 imbalance: 0.0,
                 total: [f64::NAN; 2],
-                health: Health::new(ranges(assembly), epsilon),
+                health: Health::new(ranges, epsilon),
+                ranged,
                 accounts: None,
             },
         })
@@ -129,7 +134,7 @@ impl<'a> Records<'a> {
         if is_drawn || self.film.is_some() {
             self.show(row, engine, is_drawn)?;
         }
-        self.kept.count(row);
+        self.kept.count(row, &self.columns);
         self.kept.last = values;
         Ok(())
     }
@@ -187,7 +192,7 @@ impl<'a> Records<'a> {
 
 impl Kept {
     /// Counts a row; judges its energies.
-    fn count(&mut self, row: &Row<'_>) {
+    fn count(&mut self, row: &Row<'_>, columns: &[Column]) {
         let energies = row.energies;
         let imbalance = energies.imbalance(row.start);
         self.rows += 1;
@@ -196,8 +201,8 @@ impl Kept {
         let stored = [energies.kinetic, energies.gravity, energies.spring, energies.gas];
         let change = self.total[1] - self.total[0];
         let moved = [energies.damping, energies.impact, energies.friction, energies.drive, change];
-        for (name, value) in self.names.iter().skip(1).zip(row.state) {
-            self.health.place(name, *value, row.t);
+        for &place in &self.ranged {
+            self.health.place(&columns[place].name, row.state[place], row.t);
         }
         self.health.energies(Moved { stored: &stored, moved: &moved, imbalance });
     }

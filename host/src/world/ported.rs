@@ -1,29 +1,26 @@
 //! A mechanism as a carrier: interpreted equations with ports, the laws of its inputs, its energy accounts.
 //!
-//! In: a model and the ports that a scene uses; only these are derived. The wrench of a port is six inputs after the
+//! In: what is derived of its model with the ports that a scene uses. The wrench of a port is six inputs after the
 //! model's own. Prescribed motion (coordinates in closed form) is independent of forces; the power of its drive is
 //! booked.
 
-use super::assembly::Mechanism;
+use super::derived::Derived;
 use super::picture::{INERTIA, Picture};
-use crate::configuration::Configurations;
-use crate::observers::{LEDGER, Observers};
+use crate::observers::LEDGER;
 use crate::switches::Switches;
-use smartbed_codegen::model::{Model, StartRef};
-use smartbed_codegen::{Asked, Function, Interpreted, ParameterChoice, Program, Request, program};
+use smartbed_codegen::Interpreted;
 use smartbed_runtime::mechanism::{Fault, Mechanism as _};
 use smartbed_runtime::real::Scalar;
 use smartbed_runtime::surface::Frame;
 use smartbed_runtime::vec3;
 use smartbed_runtime::world::{InverseInertia, Wrench};
 use std::ops::Range;
-
-/// The answers needed for each port.
-const PARTS: [&str; 5] = ["position", "rotation", "twist", "inverse_inertia", "jacobian"];
+use std::sync::Arc;
 
 /// Equations with ports.
 #[derive(Clone, Debug)]
 pub struct Ported<S = f64> {
+    derived: Arc<Derived>,
     engine: Interpreted<S>,
     law: Interpreted<S>,
     observer: Interpreted<S>,
@@ -64,15 +61,6 @@ pub struct Ported<S = f64> {
     pub closed: Vec<(String, String)>,
 }
 
-/// The start of a mechanism.
-#[derive(Clone, PartialEq, Debug)]
-pub struct Start {
-    /// Coordinates.
-    pub q: Vec<f64>,
-    /// Independent speeds.
-    pub u: Vec<f64>,
-}
-
 /// Energies (J) and powers (W) of a state.
 #[derive(Clone, Copy, PartialEq, Default, Debug)]
 pub struct Account<S = f64> {
@@ -85,36 +73,13 @@ pub struct Account<S = f64> {
 }
 
 impl<S: Scalar> Ported<S> {
-    /// Derives equations with these ports, and what stands in the model beside them.
-    ///
-    /// # Errors
-    /// If the model cannot be derived, or its start cannot be assembled.
-    pub fn new(mechanism: &Mechanism, ports: &[String]) -> Result<(Self, Start), String> {
-        let (model, choice) = (&mechanism.model, ParameterChoice::default());
-        let request = |name: &String| format!("port:{name}").parse::<Request>().map_err(|e| e.to_string());
-        let requests = ports.iter().map(request).collect::<Result<Vec<Request>, String>>()?;
-        let functions = match requests.is_empty() {
-            true => Vec::new(),
-            false => vec![Function { name: "ports".to_owned(), requests }],
-        };
-        let asked = Asked::besides(functions);
-        let program = program::derive_asked(model, &choice, program::Settings::default(), &asked)
-            .map_err(|found| found.to_string())?;
-        if program.is_redundant() {
-            return Err(
-                "its motion passes dead points of its independent speeds, so that it cannot be part of a \
-                        world; `run` its model instead"
-                    .to_owned(),
-            );
-        }
-        let observers = Observers::derive(model, &choice).map_err(|found| found.to_string())?;
-        let first = answers(&program)?;
-        let wrenches =
-            ports.iter().map(|port| input(&program, &format!("{port}_force_x"))).collect::<Result<_, _>>()?;
-        let start = start(model, &program)?;
+    /// Interprets derived equations, the origin of the mechanism at a place in N (m).
+    #[must_use]
+    pub fn new(derived: &Arc<Derived>, place: [f64; 3]) -> Self {
+        let Derived { model, ports, program, observers, .. } = &**derived;
         let quantities = program.q.iter().chain(&program.u);
-        let ported = Self {
-            engine: Interpreted::new(&program),
+        Self {
+            engine: Interpreted::new(program),
             law: Interpreted::new(&observers.laws()),
             observer: Interpreted::new(&observers.ledger()),
             places: Interpreted::new(&observers.places()),
@@ -122,11 +87,11 @@ impl<S: Scalar> Ported<S> {
             inputs: vec![S::ZERO; program.inputs.len()],
             own: model.inputs.len(),
             own_inputs: model.inputs.iter().map(|input| input.name.clone()).collect(),
-            wrenches,
+            wrenches: derived.wrenches.clone(),
             u_dot: vec![S::ZERO; program.u_dot.len()],
-            first,
-            place: mechanism.place.map(S::from_f64),
-            ports: ports.to_vec(),
+            first: derived.first.clone(),
+            place: place.map(S::from_f64),
+            ports: ports.clone(),
             projections: u8::from(!program.correction.is_empty()),
             reads_time: model.is_driven() || model.reads_time(),
             is_driven: model.is_driven(),
@@ -138,13 +103,19 @@ impl<S: Scalar> Ported<S> {
             ],
             names: quantities.map(|x| (x.name.clone(), x.unit.clone())).collect(),
             closed_forms: Interpreted::new(&observers.closed_forms()),
-            switches: Switches::new(&observers),
+            switches: Switches::new(observers),
             name: model.name.clone(),
             smooth: [f64::NEG_INFINITY, f64::INFINITY].map(S::from_f64),
             pivot: S::ONE,
-            closed: observers.closed,
-        };
-        Ok((ported, start))
+            closed: observers.closed.clone(),
+            derived: Arc::clone(derived),
+        }
+    }
+
+    /// The same in another scalar.
+    #[must_use]
+    pub fn rounded<T: Scalar>(&self) -> Ported<T> {
+        Ported::new(&self.derived, self.place.map(S::to_f64))
     }
 
     /// Inputs of the model without a law, by index and name. They keep the value at which they are held, 0 at the
@@ -447,49 +418,4 @@ impl<S: Scalar> Ported<S> {
     pub fn projections(&self) -> u8 {
         self.projections
     }
-}
-
-/// Indices at which the answers of each port begin.
-fn answers(program: &Program) -> Result<Vec<[usize; 5]>, String> {
-    let (mut first, mut place) = (Vec::new(), 0);
-    let Some(function) = program.functions.first() else { return Ok(first) };
-    for answer in program.answers_of(function) {
-        let mut own = [usize::MAX; 5];
-        for part in &answer.parts {
-            if let Some(which) = PARTS.iter().position(|name| *name == part.name) {
-                own[which] = place;
-            }
-            place += part.values.len();
-        }
-        if own.contains(&usize::MAX) {
-            return Err("a port does not answer where it is and what it yields".to_owned());
-        }
-        first.push(own);
-    }
-    Ok(first)
-}
-
-fn input(program: &Program, name: &str) -> Result<usize, String> {
-    let place = program.inputs.iter().position(|input| input.name == name);
-    place.ok_or_else(|| format!("the derived equations have no input `{name}`"))
-}
-
-/// The model's own start: coordinates that are left out are nominal, dependent ones are solved for.
-fn start(model: &Model, program: &Program) -> Result<Start, String> {
-    let given = |name: &str| {
-        model.start.iter().find_map(|(owner, value)| {
-            let own = match owner {
-                StartRef::Coordinate(id) => &model.coordinates[*id].name,
-                StartRef::Speed(id) => &model.speeds[*id].name,
-            };
-            (own == name).then_some(*value)
-        })
-    };
-    let parameters: Vec<f64> = program.parameters.iter().map(|p| p.value).collect();
-    let wanted: Vec<Option<f64>> = program.q.iter().map(|q| given(&q.name)).collect();
-    let q = Configurations::new(model, program)
-        .solve(&parameters, &wanted)
-        .map_err(|why| format!("the start cannot be assembled: {why}"))?;
-    let u = program.u.iter().map(|u| given(&u.name).unwrap_or(0.0)).collect();
-    Ok(Start { q, u })
 }

@@ -2,14 +2,17 @@
 
 use crate::support::{command, timed};
 
-/// Bar (s) for sheets of up to 9 x 9 nodes. On a quiet core these take half of that, the scene's own of 3 x 3 nodes a
-/// tenth.
+/// Bar (s) for sheets of up to 9 x 9 nodes. On a quiet core these take a third of that, the scene's own of 3 x 3 nodes
+/// a seventh.
 const KEEPS_UP: f64 = 1.0;
 /// A start (s) that holds reading and settling, and the time (s) that is measured behind it.
 const TIMES: [f64; 2] = [0.1, 0.6];
+/// Least and largest number of times that both are run: what else the machine does only adds to either.
+const TRIES: [usize; 2] = [2, 8];
 
-/// Processor time (s) of a simulated second of all threads, the least of three; and how strongly the ball presses (N).
-fn second(scalar: &str, nodes: usize) -> (f64, f64) {
+/// Processor time (s) of a simulated second of all threads, the least of some tries, and how strongly the ball presses (N).
+/// More are made only while it is longer than asked for.
+fn second(scalar: &str, nodes: usize, wanted: f64) -> (f64, f64) {
     let run = |seconds: f64| {
         let sides = ["rows", "columns"].map(|side| format!("parts.bladder.{side}={nodes}"));
         let seconds = seconds.to_string();
@@ -24,12 +27,16 @@ fn second(scalar: &str, nodes: usize) -> (f64, f64) {
         let last = done.json()["last"].as_object().expect("the last row").clone();
         (spent, last.iter().filter_map(pressing).sum::<f64>())
     };
-    let mut taken = f64::INFINITY;
-    let mut force = 0.0;
-    for _ in 0..3 {
-        let [(short, _), (long, pressed)] = TIMES.map(run);
-        taken = taken.min((long - short) / (TIMES[1] - TIMES[0]));
-        force = pressed;
+    let (mut least, mut force, mut taken) = ([f64::INFINITY; 2], 0.0, f64::INFINITY);
+    for tries in 1..=TRIES[1] {
+        for (least, seconds) in least.iter_mut().zip(TIMES) {
+            let (spent, pressed) = run(seconds);
+            (*least, force) = (least.min(spent), pressed);
+        }
+        taken = (least[1] - least[0]) / (TIMES[1] - TIMES[0]);
+        if tries >= TRIES[0] && taken < wanted {
+            break;
+        }
     }
     (taken, force)
 }
@@ -37,12 +44,13 @@ fn second(scalar: &str, nodes: usize) -> (f64, f64) {
 #[test]
 fn the_bed_with_a_ball_keeps_up_with_time_in_f32() {
     for (scalar, nodes) in [("f32", 3), ("f64", 3), ("f32", 9), ("f32", 13)] {
-        let (taken, force) = second(scalar, nodes);
+        let wanted = if nodes > 9 { f64::INFINITY } else { KEEPS_UP };
+        let (taken, force) = second(scalar, nodes, wanted);
         println!(
             "{scalar}, {nodes} x {nodes} nodes a sheet: {taken:.2} s of processor time a simulated second"
         );
         // The ball of 5 kg presses with its weight, and more or less as tiles move.
         assert!((20.0..100.0).contains(&force), "{force} N");
-        assert!(nodes > 9 || taken < KEEPS_UP, "{scalar}: {taken} s");
+        assert!(taken < wanted, "{scalar}: {taken} s");
     }
 }

@@ -8,6 +8,7 @@ use super::{CarriedWorld, Fixed, Place, Room, words};
 use crate::scene::grid::Woven;
 use crate::world::assembly::{Assembly, Kind, Law, Part, Rigid};
 use crate::world::carriers::HostCarrier;
+use crate::world::derived::Derivations;
 use crate::world::ported::Ported;
 use crate::world::touching::{Touchable, Touching};
 use smartbed_runtime::contact::System;
@@ -66,15 +67,16 @@ impl CarriedWorld {
     /// Adds the carriers in the order of the parts; returns their initial coordinates and speeds.
     fn carriers(&mut self, assembly: &Assembly) -> Result<[Vec<f64>; 2], String> {
         let [mut q, mut u] = [Vec::new(), Vec::new()];
+        let mut derivations = Derivations::default();
         for (number, part) in assembly.parts.iter().enumerate() {
             let carrier = match &part.kind {
                 Kind::Mechanism(mechanism) => {
                     let ports = ports(assembly, number);
-                    let (ported, start) =
-                        Ported::new(mechanism, &ports).map_err(|why| format!("`{}`: {why}", part.name))?;
-                    q.extend(start.q);
-                    u.extend(start.u);
-                    HostCarrier::Mechanism(Box::new(ported))
+                    let derived = derivations.of(&mechanism.model, &ports);
+                    let derived = derived.map_err(|why| format!("`{}`: {why}", part.name))?;
+                    q.extend(&derived.start.q);
+                    u.extend(&derived.start.u);
+                    HostCarrier::Mechanism(Box::new(Ported::new(&derived, mechanism.place)))
                 }
                 Kind::Rigid(rigid) if rigid.on.is_some() => {
                     // The index of its port is known only when all carriers have been added.

@@ -6,11 +6,10 @@ use super::air::Air;
 use super::{CarriedWorld, Fixed, Place, Room};
 use crate::engine::ScalarKind;
 use crate::world::accounts::Accounts;
-use crate::world::assembly::{Assembly, Kind};
+use crate::world::assembly::Assembly;
 use crate::world::carriers::HostCarrier;
 use crate::world::engine::{Column, Energies, Engine, Event, Settled};
 use crate::world::picture::Picture;
-use crate::world::ported::Ported;
 use crate::world::rounding::{frame, numbers, shape, vector};
 use smartbed_runtime::flexible::Spring;
 use smartbed_runtime::gas::{Chamber, Gas, GasState, Line, Nozzle, Regulated, Source};
@@ -32,7 +31,7 @@ struct Single {
 /// What cannot be derived, assembled or stepped, in words.
 pub fn engine(assembly: &Assembly) -> Result<Box<dyn Engine>, String> {
     let wide = CarriedWorld::new(assembly)?;
-    Ok(Box::new(Single { own: wide.rounded(assembly)?, wide }))
+    Ok(Box::new(Single { own: wide.rounded(), wide }))
 }
 
 impl Engine for Single {
@@ -112,30 +111,19 @@ impl Engine for Single {
 }
 
 impl CarriedWorld {
-    /// The same in another scalar; mechanisms are derived anew from the assembly.
-    ///
-    /// # Errors
-    /// What cannot be derived, in words.
-    pub fn rounded<S: Scalar>(&self, assembly: &Assembly) -> Result<CarriedWorld<S>, String> {
-        let mut mechanisms = assembly.parts.iter().filter_map(|part| match &part.kind {
-            Kind::Mechanism(mechanism) => Some(mechanism),
-            _ => None,
+    /// The same in another scalar.
+    #[must_use]
+    pub fn rounded<S: Scalar>(&self) -> CarriedWorld<S> {
+        let carriers = self.carriers.iter().map(|carrier| match carrier {
+            HostCarrier::Mechanism(wide) => HostCarrier::Mechanism(Box::new(wide.rounded())),
+            HostCarrier::Floating(Floating { body, gravity }) => {
+                let body = RigidBody { mass: S::from_f64(body.mass), inertia: vector(body.inertia) };
+                HostCarrier::Floating(Floating { body, gravity: vector(*gravity) })
+            }
+            HostCarrier::Still(Still(at)) => HostCarrier::Still(Still(frame(at))),
         });
-        let carriers = self.carriers.iter().map(|carrier| {
-            Ok(match carrier {
-                HostCarrier::Mechanism(wide) => {
-                    let mechanism = mechanisms.next().ok_or_else(crate::world::engine::other_world)?;
-                    HostCarrier::Mechanism(Box::new(Ported::new(mechanism, &wide.ports)?.0))
-                }
-                HostCarrier::Floating(Floating { body, gravity }) => {
-                    let body = RigidBody { mass: S::from_f64(body.mass), inertia: vector(body.inertia) };
-                    HostCarrier::Floating(Floating { body, gravity: vector(*gravity) })
-                }
-                HostCarrier::Still(Still(at)) => HostCarrier::Still(Still(frame(at))),
-            })
-        });
-        Ok(CarriedWorld {
-            carriers: carriers.collect::<Result<_, String>>()?,
+        CarriedWorld {
+            carriers: carriers.collect(),
             names: self.names.clone(),
             places: self.places.iter().map(place).collect(),
             fixed: self.fixed.rounded(),
@@ -158,7 +146,7 @@ impl CarriedWorld {
             forced: self.forced,
             books: None,
             stable: self.stable,
-        })
+        }
     }
 }
 
