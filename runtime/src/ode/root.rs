@@ -2,15 +2,16 @@
 //!
 //! [`Search`] proposes times and takes the values of g there, so that its caller may evaluate g in any way, by a whole
 //! trial step for instance. Proposals: inverse quadratic interpolation through the last three values; where it leaves
-//! the bracket, false position (Anderson & Bjorck 1973); every sixth one is the middle, which bounds the search.
+//! the bracket, false position (Anderson & Bjorck 1973). They are drawn towards the middle as far as needed to never take
+//! [`SPARE`] evaluations more than bisection, also where g jumps (Oliveira & Takahashi 2020).
 //! [`locate()`] runs it on a function and returns a bracket (low, high) of the root. g at `low` has the sign of the
 //! start, so the caller may stop before the event (low) or behind it (high).
 
 use crate::real::Scalar;
 
-/// One proposal in so many is the middle of the bracket.
-const BISECTION: u32 = 6;
-/// Most evaluations of [`locate()`]: six for each of the 53 halvings that exhaust f64, and some to spare.
+/// Proposals that may leave the bracket as it is, more than bisection would make.
+pub const SPARE: i32 = 10;
+/// Most evaluations of [`locate()`]: halvings down to the smallest numbers are fewer where the root is not near 0.
 pub const MAX_EVALUATIONS: u32 = 400;
 
 /// Why no root was located.
@@ -29,14 +30,16 @@ pub struct Search<S> {
     new: (S, S),
     last: [(S, S); 3],
     guess: Option<S>,
-    proposals: u32,
+    /// Half of the length that the bracket may have after the next proposal.
+    allowed: S,
 }
 
 impl<S: Scalar> Search<S> {
     /// Between two (t, g) of opposite signs; `guess`, if it lies between, is proposed first.
     #[must_use]
     pub fn new(low: (S, S), high: (S, S), guess: Option<S>) -> Self {
-        Self { old: low, new: high, last: [low, low, high], guess, proposals: 0 }
+        let allowed = (high.0 - low.0).abs() * S::from_f64(0.25 * f64::from(1 << SPARE));
+        Self { old: low, new: high, last: [low, low, high], guess, allowed }
     }
 
     /// Ends of the bracket in the order in which they were found, not by size.
@@ -50,12 +53,15 @@ impl<S: Scalar> Search<S> {
         let ((old, f_old), (new, f_new)) = (self.old, self.new);
         let inside = |t: &S| *t > new.min(old) && *t < new.max(old);
         let secant = (old * f_new - new * f_old) / (f_new - f_old);
-        let curved = if self.proposals == 0 { self.guess } else { Some(inverse_parabola(self.last)) };
-        let guess = curved.filter(inside).or(Some(secant).filter(inside));
-        let is_bisection = self.proposals % BISECTION == BISECTION - 1;
-        self.proposals += 1;
+        let curved = self.guess.take().filter(inside).unwrap_or_else(|| inverse_parabola(self.last));
         let half = S::from_f64(0.5);
-        if is_bisection { None } else { guess }.unwrap_or(half * (old + new))
+        let (middle, reach) = (old + half * (new - old), half * (new - old).abs());
+        let guess = Some(curved).filter(inside).or(Some(secant).filter(inside)).unwrap_or(middle);
+        // The longer part that it leaves must not be longer than allowed.
+        let slack = (self.allowed - reach).max(S::ZERO);
+        self.allowed = half * self.allowed;
+        let drawn = guess.max(middle - slack).min(middle + slack);
+        if inside(&drawn) { drawn } else { middle }
     }
 
     /// Takes the value `g` at the time proposed last.

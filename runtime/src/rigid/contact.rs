@@ -200,6 +200,12 @@ impl<S: Scalar> Contact<S> {
         vec3::apply(&self.axes, vec3::sub(one, other))
     }
 
+    /// Largest speed of its points (m/s).
+    pub(crate) fn fastest(&self, twists: &[Twist<S>]) -> S {
+        let speeds = self.points().filter_map(|(_, p)| twists.get(p.body).map(|own| vec3::norm(own.at(p.arm))));
+        speeds.fold(S::ZERO, S::max)
+    }
+
     /// All points with their weights, negative for those of the second side.
     pub(crate) fn points(&self) -> impl Iterator<Item = (S, &Point<S>)> {
         let [one, other] = &self.sides;

@@ -39,6 +39,8 @@ pub struct Struck<S> {
     stored: S,
     /// Of the piece on trial: E after it, its impulse, the relative velocity before it.
     trial: S,
+    /// Positive before the contact ends within the piece, negative beyond: E, or with e = 0 the energy that closing takes.
+    lasts: S,
     piece: vec3::Vec3<S>,
     before: vec3::Vec3<S>,
     /// Friction per normal impulse in the last piece, from which the next one starts.
@@ -61,7 +63,7 @@ impl<S: Scalar> Struck<S> {
         let inverse_mass = contact.inverse_mass(inertia);
         let zero = vec3::zero();
         let (piece, before, ratio) = (zero, zero, [S::ZERO; 2]);
-        Struck { contact, inverse_mass, stored: S::ZERO, trial: S::ZERO, piece, before, ratio }
+        Struck { contact, inverse_mass, stored: S::ZERO, trial: S::ZERO, lasts: S::ZERO, piece, before, ratio }
     }
 
     /// The speed that its normal impulse alone would stop (m/s).
@@ -196,7 +198,7 @@ fn shorten<S: Scalar>(
 ) {
     let mut least = |tau: S| {
         try_piece(struck, inertia, twists, spare, tau, closing);
-        struck.iter().filter(|s| s.piece[0] > S::ZERO).fold(S::ONE / S::EPSILON, |m, s| m.min(s.trial))
+        struck.iter().filter(|s| s.piece[0] > S::ZERO).fold(S::ONE / S::EPSILON, |m, s| m.min(s.lasts))
     };
     if least(length) >= S::ZERO {
         return;
@@ -225,7 +227,10 @@ fn try_piece<S: Scalar>(
     }
     rub(struck, inertia, spare);
     for s in struck.iter_mut() {
-        s.trial = s.charge(s.contact.relative(spare)[0]);
+        let v = s.contact.relative(spare)[0];
+        s.trial = s.charge(v);
+        // E of a contact that gives nothing back jumps to 0 where v_n changes sign.
+        s.lasts = if s.contact.restitution > S::ZERO { s.trial } else { -(v * s.piece[0]) };
     }
 }
 

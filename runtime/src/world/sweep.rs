@@ -31,6 +31,9 @@ const CONTRADICTION: f64 = 1e-6;
 /// Change of the speeds by one sweep at which sweeps over many contacts end, relative to the fastest.
 const COARSE: f64 = 1e-9;
 
+/// Change of the speeds by one sweep that is rounding, in rounding units of the speeds of the points in contact.
+const ROUNDING: f64 = 16.0;
+
 /// How the sweeps went.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Sweeps<S> {
@@ -66,11 +69,14 @@ pub(super) fn sweep<S: Scalar>(
     let few = touches.len() <= FEW;
     let (limit, fine) =
         if few { (SWEEPS[0], S::from_f64(32.0) * S::EPSILON) } else { (SWEEPS[1], S::from_f64(COARSE)) };
-    let mut fastest = S::ZERO;
+    let (mut fastest, mut moving) = (S::ZERO, S::ZERO);
     for touch in touches.iter() {
         let speeds = vec3::norm(touch.contact.relative(twists)) + vec3::norm(touch.start);
         fastest = fastest.max(speeds + touch.out);
+        moving = moving.max(touch.contact.fastest(twists));
     }
+    // Relative speeds of points that move together are known to the rounding of their own.
+    let rounding = S::from_f64(ROUNDING) * S::EPSILON * moving;
     for touch in touches.iter() {
         touch.contact.push(inertia, twists, touch.contact.impulse);
     }
@@ -86,7 +92,7 @@ pub(super) fn sweep<S: Scalar>(
         }
         number += 1;
         left = moved / fastest;
-        settled = left <= fine;
+        settled = left <= fine || moved <= rounding;
         if number > PLAIN && number < limit && !settled {
             let alike = ahead.note(touches).is_some_and(|apart| apart <= fine * fastest);
             settled = alike && left <= S::from_f64(CONTRADICTION);

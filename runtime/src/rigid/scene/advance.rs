@@ -154,9 +154,9 @@ impl<S: Scalar> RigidScene<'_, S> {
             let found = (feature.id, feature.curved, feature.normal);
             stay += held.iter().filter(|t| pushes(t) && t.stays(pair, found)).count();
             if !held.iter().any(|t| t.is(pair, feature.id)) {
-                // An overlap that is opening counts as new only where it goes deeper.
+                // An overlap that is opening counts as new only where it goes deeper, by more than rounding.
                 let known = parting.iter().find(|t| t.is(pair, feature.id));
-                let depth = known.map_or(S::ZERO, |t| t.gap.min(S::ZERO));
+                let depth = known.map_or(S::ZERO, |t| t.gap.min(S::ZERO) - rounding.length);
                 clear.gap = clear.gap.min(feature.gap - depth);
             }
         });

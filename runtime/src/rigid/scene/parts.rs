@@ -90,6 +90,8 @@ impl<S: Scalar> Part<S> {
 /// Tolerances: lengths, speeds and accelerations that count as zero.
 #[derive(Clone, Copy)]
 pub(super) struct Rounding<S> {
+    /// What a gap differs by where nothing moves (m).
+    pub(super) length: S,
     /// Gap (m).
     pub(super) gap: S,
     /// How far a lasting contact may drift in one step before it is projected (m).
@@ -132,6 +134,7 @@ impl<S: Scalar> RigidScene<'_, S> {
         let rate = lowest + S::from_f64(64.0) * eps * speed;
         // epsilon^(2/3): between the rounding unit and 1, and far above sums of rounding errors.
         Rounding {
+            length: S::from_f64(16.0) * eps * size,
             gap: (S::from_f64(2.0 / 3.0) * eps.ln()).exp() * size,
             drift: S::from_f64(0.01) * size,
             rate,

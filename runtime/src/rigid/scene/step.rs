@@ -190,11 +190,15 @@ impl<S: Scalar> RigidScene<'_, S> {
         if !clear.lost && clear.gap >= -rounding.gap && clear.slip >= -rounding.rate {
             return Ok((left, pressing));
         }
+        // At the start no contact is new or lost, and no slip has reversed.
+        let [now, trial, _] = &mut memory.states;
+        trial.iter_mut().zip(now.iter()).for_each(|(to, from)| *to = *from);
+        let first = self.clearance(memory, start, rounding);
+        let first = first.gap.min(first.slip).max(S::ZERO);
         let mut fault = None;
         let guard = |length: S| {
-            // At the start no contact is new or lost, and no slip has reversed.
             if length <= S::ZERO {
-                return S::ZERO;
+                return first;
             }
             match self.advance(memory, length, start.held, rounding) {
                 Ok(_) => {

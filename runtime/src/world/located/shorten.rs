@@ -14,6 +14,12 @@ use crate::world::observer::Observer;
 use crate::world::pressed::{Pressed, Pressing};
 use crate::world::whole::{StepMemory, World};
 
+/// Clearance where nothing is near, in units of rounding: so large that the search for an event then goes by the values
+/// beyond it alone.
+fn far<S: Scalar>() -> S {
+    S::ONE / S::EPSILON
+}
+
 impl<S: Scalar> Touch<S> {
     /// Clearance of a contact that is not held, given the same at the start of the piece.
     fn clearance(&self, before: Option<&Self>, gap_rate: S, rounding: &Rounding<S>) -> S {
@@ -74,7 +80,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         let guard = |length: S| {
             // At the start no contact is new, pulls or has reversed its slip.
             if length <= S::ZERO {
-                return S::ZERO;
+                return far::<S>();
             }
             let gone = self.advance(method, (t, length), way).and_then(|()| self.clearance(t + length, way));
             gone.unwrap_or_else(|why| {
@@ -112,7 +118,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         Pressed::read_twists(self, twists);
         let count = self.detect((way.rounding.gap, true), normals, extents, found)?;
         let known = known.get(..way.known).unwrap_or_default();
-        let mut clear = S::ONE;
+        let mut clear = far::<S>();
         for touch in found.iter().take(count) {
             if !list.iter().any(|own| touch.is(own.pair, own.id)) {
                 let before = known.iter().find(|own| own.is(touch.pair, touch.id));
