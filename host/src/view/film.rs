@@ -43,6 +43,8 @@ pub struct Film {
     most: usize,
     stride: usize,
     seen: usize,
+    /// Is the last frame kept only until the next one comes? It is not a multiple of the stride.
+    is_end: bool,
 }
 
 impl Film {
@@ -51,7 +53,7 @@ impl Film {
     pub fn new(stage: Stage, series: Vec<Series>) -> Self {
         let width = (stage.moving + series.len()).max(1);
         let most = (NUMBERS / width).clamp(FRAMES[1], FRAMES[0]);
-        Self { stage, series, first: Vec::new(), frames: Vec::new(), most, stride: 1, seen: 0 }
+        Self { stage, series, first: Vec::new(), frames: Vec::new(), most, stride: 1, seen: 0, is_end: false }
     }
 
     /// Adds a frame: time, positions as the stage expects them, contacts, a value for every curve.
@@ -65,21 +67,30 @@ impl Film {
         if self.seen == 0 {
             self.first = places.to_vec();
         }
-        if self.seen.is_multiple_of(self.stride) {
-            let mut numbers = places[..self.stage.moving.min(places.len())].to_vec();
-            numbers.extend(values.into_iter().zip(&self.series).map(|(x, s)| x / s.factor));
-            let forces = if self.stage.has_forces() { forces.to_vec() } else { Vec::new() };
-            self.frames.push(Frame { t, numbers, forces });
+        // A page shows a run to its end: the last frame stays, whatever the stride.
+        if self.is_end {
+            self.frames.pop();
+        }
+        self.is_end = !self.seen.is_multiple_of(self.stride);
+        let mut numbers = places[..self.stage.moving.min(places.len())].to_vec();
+        numbers.extend(values.into_iter().zip(&self.series).map(|(x, s)| x / s.factor));
+        let forces = if self.stage.has_forces() { forces.to_vec() } else { Vec::new() };
+        self.frames.push(Frame { t, numbers, forces });
+        if self.frames.len() > self.most {
+            self.thin();
         }
         self.seen += 1;
-        if self.frames.len() > self.most {
-            self.stride *= 2;
-            let mut n = 0;
-            self.frames.retain(|_| {
-                n += 1;
-                n % 2 == 1
-            });
-        }
+    }
+
+    /// Doubles the stride: every second frame is dropped, but for the last one.
+    fn thin(&mut self) {
+        self.stride *= 2;
+        self.is_end = !self.seen.is_multiple_of(self.stride);
+        let (mut n, last) = (0, self.frames.len());
+        self.frames.retain(|_| {
+            n += 1;
+            n % 2 == 1 || n == last
+        });
     }
 
     /// The page's data as JSON.
@@ -169,6 +180,31 @@ pub(crate) fn base64(bytes: &[u8]) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn the_last_frame_is_kept_whatever_the_length() {
+        for count in [1, 2, 60, 1199, 1200, 1201, 1202, 2401, 2402, 4802, 10_000] {
+            let stage = Stage {
+                fixed: json!({}),
+                bodies: Vec::new(),
+                shapes: Vec::new(),
+                gravity: None,
+                moving: 3,
+                forces: false,
+            };
+            let mut film = Film::new(stage, Vec::new());
+            for row in 0..count {
+                film.push(f64::from(row), &[0.0; 3], &[], []);
+            }
+            let times: Vec<f64> = film.frames.iter().map(|frame| frame.t).collect();
+            assert!(times.len() <= film.most, "{count}: {}", times.len());
+            assert_eq!((times.first(), times.last()), (Some(&0.0), Some(&f64::from(count - 1))), "{count}");
+            // Only the last step may be shorter.
+            let mut steps: Vec<f64> = times.windows(2).map(|t| t[1] - t[0]).collect();
+            let end = steps.pop().unwrap_or(1.0);
+            assert!(steps.iter().all(|s| *s == film.stride as f64) && end <= film.stride as f64, "{count}");
+        }
+    }
 
     #[test]
     fn bytes_are_encoded_as_the_standard_says() {
