@@ -61,6 +61,20 @@ fn a_truss_that_hits_the_ground_moves_alike_on_host_and_chip() {
     assert_ne!(digests[0], digests[1], "a changed stiffness changes both");
 }
 
+/// Its constants are rounded by the compiler: the chip has no double precision to do so.
+#[test]
+fn blanes_and_moans_method_has_the_same_bits_on_host_and_chip() {
+    let _image = one_at_a_time();
+    let arguments = Arguments {
+        model: Some("damper_mass_fixed_end".to_owned()),
+        set: vec!["run.method=blanes_moan4".to_owned()],
+        steps: Some(100),
+        ..Arguments::default()
+    };
+    let chip = outcome(&arguments);
+    assert_eq!(Some(&chip.digest), chip.host_digest.as_ref());
+}
+
 #[test]
 fn a_method_of_adaptive_step_is_refused() {
     let arguments = Arguments {
