@@ -66,14 +66,13 @@ impl Pictures {
     /// Draws all pictures.
     #[must_use]
     pub fn draw(&self, scene: &Scene) -> Drawing {
-        let ground = scene.around.ground.filter(|g| g.normal[2] > 0.0);
-        let ground = ground.map(|g| Ground { normal: g.normal, offset: g.offset });
+        let ground = scene.around.ground.map(|g| Ground { normal: g.normal, offset: g.offset });
         let moments = self.frames().into_iter().map(|(name, frame)| Moment {
             name,
             time: frame.time,
             strokes: self.strokes(&frame.pos),
         });
-        side::draw("The body from the side", ground.as_ref(), &moments.collect::<Vec<_>>())
+        side::draw("The body from the side", ground.as_slice(), &moments.collect::<Vec<_>>())
     }
 
     /// Pictures of different times, each with its name.

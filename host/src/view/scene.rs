@@ -20,6 +20,7 @@ pub fn stage(scene: &Scene) -> Stage {
         .around
         .ground
         .map(|g| json!({"normal": g.normal, "offset": g.offset, "shown": shown("ground")}));
+    let grounds: Vec<Value> = ground.into_iter().collect();
     let hidden: Vec<usize> = (0..=n).filter(|i| *i == 0 || !shown("points")).collect();
     let colours: serde_json::Map<String, Value> =
         scene.view.colours.iter().map(|(part, rgb)| ((*part).to_owned(), json!(rgb))).collect();
@@ -27,7 +28,7 @@ pub fn stage(scene: &Scene) -> Stage {
     Stage {
         fixed: json!({
             "points": names.collect::<Vec<_>>(),
-            "links": [], "springs": [], "edges": edges, "facets": facets, "ground": ground,
+            "links": [], "springs": [], "edges": edges, "facets": facets, "grounds": grounds,
             "hidden": hidden, "colours": colours, "held": held, "surfaces": [],
             "bones": if shown("springs") { "all" } else { "none" },
         }),

@@ -71,17 +71,21 @@ impl Sides {
                 Some(Moment { name, time: frame.time, strokes: strokes(&self.stage, &frame.places) })
             })
             .collect();
-        let ground = ground(&self.stage.fixed["ground"]);
+        let grounds = grounds(&self.stage.fixed["grounds"]);
         let is_empty = moments.iter().all(|moment| moment.strokes.is_empty());
-        (!is_empty).then(|| side::draw("From the side", ground.as_ref(), &moments))
+        (!is_empty).then(|| side::draw("From the side", &grounds, &moments))
     }
 }
 
-fn ground(told: &Value) -> Option<Ground> {
-    let normal: Vec<f64> = told["normal"].as_array()?.iter().filter_map(Value::as_f64).collect();
-    let normal: [f64; 3] = normal.try_into().ok()?;
-    let is_shown = told["shown"].as_bool().unwrap_or(true) && normal[2] > 0.0;
-    is_shown.then_some(Ground { normal, offset: told["offset"].as_f64()? })
+/// The planes that are not hidden.
+fn grounds(told: &Value) -> Vec<Ground> {
+    let shown = told.as_array().into_iter().flatten().filter(|plane| plane["shown"] != false);
+    shown
+        .filter_map(|plane| {
+            let normal: Vec<f64> = plane["normal"].as_array()?.iter().filter_map(Value::as_f64).collect();
+            Some(Ground { normal: normal.try_into().ok()?, offset: plane["offset"].as_f64()? })
+        })
+        .collect()
 }
 
 /// Lines of a row.
@@ -200,7 +204,7 @@ mod tests {
 
     #[test]
     fn only_rows_that_are_drawn_are_wanted() {
-        let fixed = json!({ "ground": null });
+        let fixed = json!({ "grounds": [] });
         let stage =
             Stage { fixed, bodies: Vec::new(), shapes: Vec::new(), gravity: None, moving: 3, forces: false };
         let mut sides = Sides::new(stage);

@@ -1,4 +1,4 @@
-// The motion in space: links, springs, forces, ground, gravity, beside solids and surfaces; seen by a camera that circles and nears.
+// The motion in space: links, springs, forces, grounds, gravity, beside solids and surfaces; seen by a camera that circles and nears.
 const LINK = 0x0072b2, SPRING = 0x009e73, BODY = 0xd55e00, JOINT = 0x282828, TRACE = 0xe8c8a8, TOUCH = 0xe69f00, REST = 0x828282, FORCE = 0xcc79a7, FRICTION = 0x56b4e9;
 
 // The longest arrow of a force, over the picture's size.
@@ -84,16 +84,17 @@ class Stage {
     return line;
   }
 
-  // The ground's plane under the motion, as a grid.
+  // The grounds' planes beside the motion, as grids.
   floor() {
-    const { film } = this;
-    if (!film.ground || !film.ground.shown) return;
-    const normal = new THREE.Vector3(...film.ground.normal), width = 2.2 * film.size;
-    const grid = new THREE.GridHelper(width, 22, 0x999999, 0xcccccc);
-    grid.quaternion.setFromUnitVectors(new THREE.Vector3(0, 1, 0), normal);
-    const middle = new THREE.Vector3(...[0, 1, 2].map((axis) => 0.5 * (film.box.low[axis] + film.box.high[axis])));
-    grid.position.copy(middle.addScaledVector(normal, film.ground.offset - middle.dot(normal)));
-    this.scene.add(grid);
+    const { film } = this, width = 2.2 * film.size;
+    for (const { normal: outward, offset, shown } of film.grounds) {
+      if (!shown) continue;
+      const normal = new THREE.Vector3(...outward), grid = new THREE.GridHelper(width, 22, 0x999999, 0xcccccc);
+      grid.quaternion.setFromUnitVectors(new THREE.Vector3(0, 1, 0), normal);
+      const middle = new THREE.Vector3(...[0, 1, 2].map((axis) => 0.5 * (film.box.low[axis] + film.box.high[axis])));
+      grid.position.copy(middle.addScaledVector(normal, offset - middle.dot(normal)));
+      this.scene.add(grid);
+    }
   }
 
   // Gravity's direction, beside the motion.
@@ -134,11 +135,11 @@ class Stage {
     };
     for (const [{ low, high }, air] of [[film.box, 1.2], [film.room, film.bodies.some((body) => body.shape && !body.hidden) ? 1.05 : 0.8]])
       for (let n = 0; n < 8; n++) fit(new THREE.Vector3(...[0, 1, 2].map((axis) => (n >> axis & 1 ? high : low)[axis])), air);
-    // Arrows of forces come from under the ground.
-    if (film.ground && film.forces.length)
+    // Arrows of forces come from under the grounds.
+    for (const { normal } of film.forces.length ? film.grounds : [])
       for (let n = 0; n < 8; n++) {
         const corner = new THREE.Vector3(...[0, 1, 2].map((axis) => (n >> axis & 1 ? film.box.high : film.box.low)[axis]));
-        fit(corner.addScaledVector(new THREE.Vector3(...film.ground.normal), -LONGEST * film.size), 1.02);
+        fit(corner.addScaledVector(new THREE.Vector3(...normal), -LONGEST * film.size), 1.02);
       }
     if (this.fall) [this.fall.corner, this.fall.tip].forEach((place) => fit(place, 1.08));
     this.camera.position.copy(middle).addScaledVector(from, distance);

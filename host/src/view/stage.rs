@@ -1,4 +1,4 @@
-//! The fixed part of a page's data: names, lines, solids, surfaces, ground and gravity.
+//! The fixed part of a page's data: names, lines, solids, surfaces, grounds and gravity.
 
 use super::ellipsoid;
 use serde_json::{Value, json};
@@ -80,7 +80,7 @@ impl Stage {
                 "hidden": hidden_points,
                 "links": links,
                 "springs": springs.collect::<Vec<_>>(),
-                "edges": [], "facets": [], "held": [], "surfaces": [], "bones": "all", "ground": null, "colours": {},
+                "edges": [], "facets": [], "held": [], "surfaces": [], "bones": "all", "grounds": [], "colours": {},
             }),
             bodies,
             shapes: shapes.collect(),

@@ -1,4 +1,4 @@
-//! The stage of a world: rigid parts as solids, flexible ones as springs and surfaces, the first half-space as ground.
+//! The stage of a world: rigid parts as solids, flexible ones as springs and surfaces, half-spaces as grounds.
 //!
 //! Numbers of a row: positions of all points, part by part, then the x and y axes of all frames; the first row ends
 //! with inertias, gravity and sizes. All as in [`Picture`].
@@ -25,7 +25,8 @@ struct Draft {
     held: Vec<usize>,
     /// Parts with facets: name, first and last facet, the curve of the enclosed gas.
     surfaces: Vec<Value>,
-    ground: Value,
+    /// Half-spaces: normal, offset, and whether they are shown.
+    grounds: Vec<Value>,
 }
 
 /// Options of `[view]` for a part.
@@ -70,7 +71,7 @@ pub fn stage(assembly: &Assembly) -> Stage {
     let moving = 3 * (draft.names.len() - 1) + 6 * frames;
     let fixed = json!({
         "points": draft.names, "hidden": draft.hidden, "links": draft.links, "springs": draft.springs, "edges": draft.edges,
-        "facets": draft.facets, "held": draft.held, "surfaces": draft.surfaces, "ground": draft.ground, "colours": {},
+        "facets": draft.facets, "held": draft.held, "surfaces": draft.surfaces, "grounds": draft.grounds, "colours": {},
         // The springs of a surface are not drawn: its colours show their strain.
         "bones": "bare",
         "paint": if view.by_pressure { "pressure" } else { "stretch" },
@@ -128,12 +129,11 @@ fn solid(name: &str, rigid: &Rigid, look: Look, draft: &mut Draft) {
         draft.names.push(name);
     };
     match rigid.shape {
-        Shape::HalfSpace if draft.ground.is_null() => {
+        Shape::HalfSpace => {
             let normal: [f64; 3] = rigid.start.attitude.axes()[2];
             let offset: f64 = (0..3).map(|i| normal[i] * rigid.start.position[i]).sum();
-            draft.ground = json!({"normal": normal, "offset": offset, "shown": !look.is_hidden});
+            draft.grounds.push(json!({"normal": normal, "offset": offset, "shown": !look.is_hidden}));
         }
-        Shape::HalfSpace => {}
         Shape::Sphere(_) => add(name.to_owned(), "ball", 1),
         Shape::Cuboid(_) => add(name.to_owned(), "box", 3),
         Shape::Capsule(_) => {

@@ -75,6 +75,37 @@ fn parts_that_touch_have_arrows_each() {
 }
 
 #[test]
+fn every_half_space_is_drawn() {
+    let slope = |name: &str, angle: f64| {
+        format!(
+            "[parts.{name}]\nrigid = \"half_space\"\nstart = {{ axis = [0, 1, 0], angle = \"{angle}_deg\" }}\n"
+        )
+    };
+    let ball =
+        "[parts.ball]\nrigid = \"sphere\"\nradius = 0.1\nmass = 1\nstart = { position = [0.1, 0, 0.3] }\n";
+    let touch = |of: &str| format!("[[contacts]]\nbetween = [\"ball\", \"{of}\"]\nimpact = \"plastic\"\n");
+    let [left, right, contacts] =
+        [slope("left", 40.0), slope("right", -40.0), touch("left") + &touch("right")];
+    let scene = format!("format = 2\n{left}{right}{ball}{contacts}[run]\nseconds = 0.1\n[view]\nHIDE\n");
+    for (name, hide, lines) in [("both", "", 2), ("one", "hide = [\"left\"]", 1)] {
+        let path = written(&format!("groove_{name}.toml"), &scene.replace("HIDE", hide));
+        let picture = file(&format!("groove_{name}.svg"));
+        let (seen, page) = (picture.display().to_string(), file(&format!("groove_{name}.html")));
+        let done = smartbed(&["run", &path, "--plot", &seen, "--view", &page.display().to_string()]);
+        assert_eq!(done.status, 0, "{done:?}");
+        let page = std::fs::read_to_string(page).expect("a page");
+        let (_, grounds) = page.split_once("\"grounds\":[").expect("grounds");
+        let (grounds, _) = grounds.split_once("}]").expect("their end");
+        assert_eq!(grounds.matches("\"normal\":").count(), 2, "{grounds}");
+        assert_eq!(grounds.matches("\"shown\":true").count(), lines, "{grounds}");
+        // In each of the pictures: start, first touch and end, of which two may be at one time.
+        let picture = std::fs::read_to_string(picture).expect("a picture");
+        let moments = ["start, ", "first touch, ", "end, "].iter().filter(|m| picture.contains(**m)).count();
+        assert_eq!(picture.matches("stroke-width=\"2.5\"").count(), lines * moments, "{hide}");
+    }
+}
+
+#[test]
 fn friction_points_against_the_slip() {
     // A rod of 0.5 kg slides along x with mu = 0.25, by located contacts and without locating.
     let text = include_str!("../../../models/scenes/rod_with_friction.toml");
