@@ -37,7 +37,11 @@ fn what_is_wrong_in_a_world_is_said_with_its_place() {
             "the kind of part `ball` is not given, or given twice",
             4,
         ),
-        (format!("{GROUND}{BALL}"), "`ground` and `ball` overlap by 1.000e-1 m", 2),
+        (
+            format!("{GROUND}{BALL}[[contacts]]\nbetween = [\"ball\", \"ground\"]\nimpact = \"plastic\""),
+            "`ground` and `ball` overlap by 1.000e-1 m",
+            2,
+        ),
         (format!("{GROUND}{BALL}start = {{ height = 0, speed = 1 }}"), "`start` has no field `speed`", 8),
         (
             format!("{GROUND}{BALL}start = {{ height = 1 }}\n[[contacts]]\nbetween = [\"ball\", \"ground\"]"),
@@ -164,6 +168,42 @@ fn what_is_wrong_in_a_world_is_said_with_its_place() {
     ];
     for (text, words, line) in cases {
         refused(&text, words, line);
+    }
+}
+
+/// Parts that are no pair pass through each other, at the start too.
+#[test]
+fn parts_that_are_no_pair_may_overlap_at_the_start() {
+    let other = BALL.replace("ball", "other");
+    for law in ["plastic", "moreau"] {
+        let pair = |of: &str| format!("[[contacts]]\nbetween = [\"ball\", \"{of}\"]\nimpact = \"{law}\"\n");
+        let text = format!(
+            "{GROUND}{BALL}start = {{ height = 0.1 }}\n{other}start = {{ height = 0.15 }}\n{}",
+            pair("ground")
+        );
+        parse(&text).map(|_| ()).expect(law);
+        refused(&(text + &pair("other")), "`ball` and `other` overlap by 1.500e-1 m", 4);
+    }
+}
+
+/// Squares of an axis neither overflow nor vanish.
+#[test]
+fn an_axis_of_any_length_has_its_direction() {
+    let turned = |axis: &str| {
+        let text = format!("{GROUND}{BALL}start = {{ height = 1, axis = {axis}, angle = 0.7 }}\n");
+        let assembly = parse(&text).expect(axis);
+        let (_, ball) = assembly.rigid().last().expect("the ball");
+        ball.start.attitude.parameters()
+    };
+    for (axis, same) in [
+        ("[0, 1, 1e200]", "[0, 0, 1]"),
+        ("[1e200, 1e200, 0]", "[1, 1, 0]"),
+        ("[0, 1e-300, 0]", "[0, 1, 0]"),
+        ("[0, 0, -1e308]", "[0, 0, -2]"),
+    ] {
+        for (found, expected) in turned(axis).into_iter().zip(turned(same)) {
+            assert!((found - expected).abs() < 1e-15, "{axis}: {found}, expected {expected}");
+        }
     }
 }
 

@@ -135,8 +135,8 @@ fn start(
     }
     let axis = vector(&fields, "axis", "", found).unwrap_or([0.0, 0.0, 1.0]);
     let angle = number(&fields, "angle", "rad", Bound::Any, found).unwrap_or(0.0);
-    let length = vec3::norm(axis);
-    if length <= 0.0 {
+    let largest = axis.into_iter().map(f64::abs).fold(0.0, f64::max);
+    if largest <= 0.0 {
         let error = Diagnostic::error("`axis` has no direction");
         found.push(
             error
@@ -145,7 +145,9 @@ fn start(
         );
         return None;
     }
-    let [x, y, z] = vec3::scale(axis, (0.5 * angle).sin() / length);
+    // By its largest component first: squares of 1e200 overflow, and those of 1e-200 vanish.
+    let axis = if (1e-100..1e100).contains(&largest) { axis } else { axis.map(|x| x / largest) };
+    let [x, y, z] = vec3::scale(axis, (0.5 * angle).sin() / vec3::norm(axis));
     state.attitude = Attitude::new([(0.5 * angle).cos(), x, y, z]);
     if let Some(height) = number(&fields, "height", "m", Bound::Any, found) {
         state.position[2] = height + below(shape, &state.attitude);
