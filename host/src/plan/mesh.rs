@@ -50,12 +50,13 @@ pub(super) fn read(path: &Path, unit: f64) -> Result<(Solid, Pose), String> {
 }
 
 /// Three positions per triangle, of all objects together.
-fn obj(mut bytes: &[u8]) -> Result<Vec<[f64; 3]>, String> {
+fn obj(bytes: &[u8]) -> Result<Vec<[f64; 3]>, String> {
+    let bytes = joined(bytes);
     let options =
         tobj::LoadOptions { ignore_points: true, ignore_lines: true, ..tobj::LoadOptions::default() };
     // Materials are not used: no other file is read.
     let without = |_: &Path| Err(tobj::LoadError::OpenFileFailed);
-    let (models, _) = tobj::load_obj_buf(&mut bytes, &options, without)
+    let (models, _) = tobj::load_obj_buf(&mut bytes.as_slice(), &options, without)
         .map_err(|error| format!("the mesh is no OBJ: {error}"))?;
     let mut places = Vec::new();
     for tobj::Model { mesh, .. } in models {
@@ -69,6 +70,19 @@ fn obj(mut bytes: &[u8]) -> Result<Vec<[f64; 3]>, String> {
         places.extend(mesh.indices.iter().map(corner));
     }
     Ok(places)
+}
+
+/// Joins every line of an OBJ that ends in `\` with the next one; in a comment it is a letter as any other.
+fn joined(bytes: &[u8]) -> Vec<u8> {
+    let mut text = Vec::with_capacity(bytes.len());
+    for line in bytes.split_inclusive(|byte| *byte == b'\n') {
+        let is_comment = line.trim_ascii_start().starts_with(b"#");
+        match line.trim_ascii_end().strip_suffix(b"\\") {
+            Some(part) if !is_comment => text.extend(part.iter().chain(b" ")),
+            _ => text.extend(line),
+        }
+    }
+    text
 }
 
 /// Three positions per triangle.

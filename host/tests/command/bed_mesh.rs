@@ -110,8 +110,10 @@ fn said(name: &str, bytes: &[u8]) -> String {
 
 #[test]
 fn a_box_is_the_same_solid_in_every_format() {
-    let files: [(&str, Vec<u8>); 5] = [
+    let files: [(&str, Vec<u8>); 7] = [
         ("box.obj", obj().into_bytes()),
+        ("box_joined.obj", format!("# C:\\meshes\\\n{}", obj().replace("f ", "f \\\n")).into_bytes()),
+        ("box_joined_crlf.obj", obj().replace(" -", " \\\n -").replace('\n', "\r\n").into_bytes()),
         ("box_text.stl", stl_text().into_bytes()),
         ("box.stl", stl_bytes()),
         ("box_old.msh", gmsh_old().into_bytes()),
