@@ -106,6 +106,7 @@ impl Ball {
     pub(super) fn draw(&self) -> Result<Drawing, Failure> {
         let record = self.run()?;
         let weight = self.mass * GRAVITY;
+        let rests = record.force.last().is_some_and(|force| *force > 0.0);
         let curve =
             |name: &str, values: Vec<f64>| Curve { name: name.to_owned(), values, color: None, across: None };
         let panels = [
@@ -118,13 +119,22 @@ impl Ball {
                 ],
             },
         ];
+        let (title, end) = match rests {
+            true => (
+                "A rigid ball comes to rest: contact force (Fig. 4.1)",
+                format!("that of lasting contact, at rest the weight, {weight:.4} N"),
+            ),
+            false => (
+                "A rigid ball bounces: contact force (Fig. 4.1)",
+                format!("that of lasting contact, 0 for the {SECONDS} s shown; the weight is {weight:.4} N"),
+            ),
+        };
         let note = format!(
-            "rigid ball of {} kg from {} m, e = {}; impacts are impulses and not shown; the force is that of \
-             lasting contact, at rest the weight, {weight:.4} N",
+            "rigid ball of {} kg from {} m, e = {}; impacts are impulses and not shown; the force is {end}",
             self.mass, self.height, self.restitution
         );
         Ok(chart::draw(&Chart {
-            title: "A rigid ball comes to rest: contact force (Fig. 4.1)",
+            title,
             note: &note,
             across: "time [s]",
             time: &record.time,
@@ -137,6 +147,16 @@ impl Ball {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::plot::drawing::Item;
+
+    #[test]
+    fn the_title_says_rest_only_where_there_is_one() {
+        for (settings, words) in [("e=0.5", "comes to rest"), ("e=1", "bounces")] {
+            let drawing = Ball::new(&[settings.to_owned()]).expect("settings").draw().expect("a run");
+            let is_said = |item: &Item| matches!(item, Item::Text { text, .. } if text.contains(words));
+            assert!(drawing.items.iter().any(is_said), "{settings}: {words}");
+        }
+    }
 
     #[test]
     fn the_force_is_nothing_in_flight_and_the_weight_at_rest() {
