@@ -21,7 +21,7 @@ pub struct Arguments {
     /// The model or scene: a path, or a name under models/ or models/scenes/ [default: tile].
     pub model: Option<String>,
     /// Number of steps. Of a mechanism: steps of 1 ms [default: 10000]; of a scene: steps as its file says
-    /// [default: all of the run].
+    /// [default: all of the run, but for a last one that is shorter].
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
     pub steps: Option<u32>,
     /// Change a parameter of a model or a key of a scene, on the chip and on the host; may be repeated.

@@ -277,7 +277,9 @@ fn print_scene(path: &Path, scene: &Scene, arguments: &Arguments) -> Result<(Sub
             .map_err(|e| named(scene::describe::describe(&e)))?;
         Subject::Scene(tables::rust(&simulation, scene.step as f32))
     };
-    Ok((subject, u32::try_from(scene.steps()).unwrap_or(u32::MAX), nanoseconds(scene.step)))
+    // The chip's steps have one length: a last one that is shorter is left out, as with worlds.
+    let steps = scene.steps() - usize::from(scene.seconds > 0.0 && scene.last_step() != scene.step);
+    Ok((subject, u32::try_from(steps).unwrap_or(u32::MAX), nanoseconds(scene.step)))
 }
 
 /// Refuses commands at whose kinks a step would have to be cut, as those of worlds on the chip are.
