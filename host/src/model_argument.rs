@@ -2,7 +2,8 @@
 //! `name=value`.
 //!
 //! Names are looked up in `models/` and `models/scenes/`, those of plans in `models/plans/`, of the current folder and
-//! of the folders above it, up to the root of the workspace (the first folder with a Cargo.lock).
+//! of the folders above it, up to the root of the workspace (the first folder with a Cargo.lock); last in the sources
+//! that this program was built from.
 
 use crate::failure::Failure;
 use crate::file_kind::FileKind;
@@ -49,7 +50,7 @@ fn find_in(argument: &str, what: &str, under: &[&str]) -> Result<PathBuf, Failur
         )));
     }
     let mut known = Vec::new();
-    for folder in folders(under) {
+    for folder in folders(under).into_iter().chain(sources(under)) {
         for candidate in [folder.join(argument), folder.join(format!("{argument}.toml"))] {
             if candidate.is_file() {
                 return Ok(candidate);
@@ -69,6 +70,12 @@ fn find_in(argument: &str, what: &str, under: &[&str]) -> Result<PathBuf, Failur
     Err(Failure::Wrong(format!(
         "no {what} `{argument}`: expected the path of a file, or the name of one under {first}/{help}"
     )))
+}
+
+/// These folders among the sources of the program, whose models are found from any folder.
+fn sources(names: &[&str]) -> Vec<PathBuf> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap_or(Path::new(""));
+    names.iter().map(|name| root.join(name)).filter(|folder| folder.is_dir()).collect()
 }
 
 /// Names of all models and scenes of format 1, models first.
@@ -201,6 +208,15 @@ mod tests {
         for wrong in ["M", "M=", "=3", "M=heavy", "M=nan", "M=1e999"] {
             let failure = assignment("--set", wrong).expect_err(wrong);
             assert!(failure.to_string().contains("NAME=NUMBER"), "{wrong}");
+        }
+    }
+
+    #[test]
+    fn models_are_found_among_the_sources() {
+        let folders = sources(&MODELS);
+        assert!(folders.iter().all(|folder| folder.is_absolute()), "{folders:?}");
+        for name in ["tile.toml", "two_cubes.toml"] {
+            assert!(folders.iter().any(|folder| folder.join(name).is_file()), "{name}: {folders:?}");
         }
     }
 
