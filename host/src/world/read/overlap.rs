@@ -28,9 +28,14 @@ pub(super) fn check(assembly: &Assembly, span: impl Fn(&str) -> Option<Span>, fo
                 if let Some(other) = span(other_name).filter(|s| *s != place) {
                     error = error.label(other, "this one");
                 }
-                let apart = match assembly.is_rigid() {
-                    true => "",
-                    false => "; or have them moved apart: start = \"settled\" under [run]",
+                let is_pair = |between: [usize; 2]| {
+                    let names = between.map(|part| assembly.parts[part].name.as_str());
+                    names == [*one_name, *other_name] || names == [*other_name, *one_name]
+                };
+                let are_settled = !assembly.is_rigid() && assembly.contacts.iter().any(|c| is_pair(c.between));
+                let apart = match are_settled {
+                    true => "; or have them moved apart: start = \"settled\" under [run]",
+                    false => "",
                 };
                 found.push(error.help(format!(
                     "move one of them: start = {{ position = [x, y, z] }} or start = {{ height = \"20_mm\" }}{apart}"
