@@ -76,3 +76,22 @@ fn what_is_near_and_untouched_changes_no_bit() {
         assert_eq!(ends[0], ends[1], "{name}");
     }
 }
+
+/// A ball rolls on a plate that a command shakes: 2/7 of the plate's way (solid ball), and no sweep over its one contact is
+/// said not to have converged, though their speeds relative to each other are far below their own.
+#[test]
+fn a_ball_that_rolls_on_a_shaken_plate_converges() {
+    let shaken = "format = 1\nname = \"shaken\"\n[coordinates]\nx = { unit = \"m\" }\n[points]\nP = \"x*N.x\"\n\
+        [bodies]\nb = { centre = \"P\", mass = \"2_kg\" }\n[ports]\ntop = { point = \"P\", frame = \"N\" }\n";
+    scene("moreau_shaken", shaken);
+    let text = "format = 2\n[parts.shaker]\nmechanism = \"moreau_shaken\"\ncommand = { x = \"0.3_m*(1 - cos(5*t/1_s))\" }\n\
+        [parts.plate]\nrigid = \"box\"\nsize = [8, 8, 0.2]\non = \"shaker.top\"\nstart = { position = [0, 0, -0.1] }\n\
+        [parts.ball]\nrigid = \"sphere\"\nradius = 0.145\nmass = 0.67\nstart = { position = [0.2, 0.1, 0.145] }\n\
+        [[contacts]]\nbetween = [\"ball\", \"plate\"]\nimpact = \"moreau\"\nfriction = 2\n[run]\nseconds = 1\nstep = 2e-4\n";
+    let done = json(&[&scene("moreau_rolls", text)]);
+    let warnings = done["warnings"].as_array().map_or(0, Vec::len);
+    assert_eq!(warnings, 0, "{}", done["warnings"]);
+    let way = number(&done["last"]["ball.x"]) - 0.2;
+    let expected = 2.0 / 7.0 * 0.3 * (1.0 - 5.0_f64.cos());
+    assert!((way - expected).abs() < 1e-6, "{way}, expected {expected}");
+}

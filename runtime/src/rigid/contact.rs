@@ -202,7 +202,8 @@ impl<S: Scalar> Contact<S> {
 
     /// Largest speed of its points (m/s).
     pub(crate) fn fastest(&self, twists: &[Twist<S>]) -> S {
-        let speeds = self.points().filter_map(|(_, p)| twists.get(p.body).map(|own| vec3::norm(own.at(p.arm))));
+        let speeds =
+            self.points().filter_map(|(_, p)| twists.get(p.body).map(|own| vec3::norm(own.at(p.arm))));
         speeds.fold(S::ZERO, S::max)
     }
 

@@ -63,7 +63,16 @@ impl<S: Scalar> Struck<S> {
         let inverse_mass = contact.inverse_mass(inertia);
         let zero = vec3::zero();
         let (piece, before, ratio) = (zero, zero, [S::ZERO; 2]);
-        Struck { contact, inverse_mass, stored: S::ZERO, trial: S::ZERO, lasts: S::ZERO, piece, before, ratio }
+        Struck {
+            contact,
+            inverse_mass,
+            stored: S::ZERO,
+            trial: S::ZERO,
+            lasts: S::ZERO,
+            piece,
+            before,
+            ratio,
+        }
     }
 
     /// The speed that its normal impulse alone would stop (m/s).

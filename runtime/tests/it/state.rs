@@ -75,12 +75,21 @@ fn roots_of_smooth_guards_take_few_evaluations() {
     let exponential: fn(f64, f64) -> f64 = |t, root| (3.0 * root).exp() - (3.0 * t).exp();
     let kinked: fn(f64, f64) -> f64 = |t, root| if t < root { root - t } else { 1e3 * (root - t) };
     let jump: fn(f64, f64) -> f64 = |t, root| if t < root { 1.0 } else { 100.0 * (root - t) };
+    // Halvings alone are 40.
+    let step: fn(f64, f64) -> f64 = |t, root| if t < root { 5e-5 * (1.0 + 0.1 * t) } else { -1.0 };
+    let flat: fn(f64, f64) -> f64 = |t, root| if t < root { 1.0 } else { -1e-12 * (t - root) * (t - root) };
+    // What is near is seen only behind the root.
+    let far: fn(f64, f64) -> f64 =
+        |t, root| if t < root { 1.0 / f64::EPSILON } else { 1e6 * (root - t) * (1.0 + root + t) };
     for (name, guard, width, most) in [
-        ("parabola", parabola, 1e-12, 12.6),
-        ("exponential", exponential, 1e-12, 13.9),
+        ("parabola", parabola, 1e-12, 11.2),
+        ("exponential", exponential, 1e-12, 12.6),
         ("kink", kinked, 1e-12, 10.9),
-        ("jump", jump, 1e-12, 21.6),
-        ("exponential, wide", exponential, 1e-3, 8.5),
+        ("jump", jump, 1e-12, 20.5),
+        ("step", step, 1e-12, 52.0),
+        ("flat", flat, 1e-12, 52.0),
+        ("far", far, 1e-12, 12.0),
+        ("exponential, wide", exponential, 1e-3, 8.0),
     ] {
         let found = mean(guard, width);
         println!("{name}: {found} evaluations");

@@ -32,7 +32,8 @@ pub(super) fn check(assembly: &Assembly, span: impl Fn(&str) -> Option<Span>, fo
                     let names = between.map(|part| assembly.parts[part].name.as_str());
                     names == [*one_name, *other_name] || names == [*other_name, *one_name]
                 };
-                let are_settled = !assembly.is_rigid() && assembly.contacts.iter().any(|c| is_pair(c.between));
+                let are_settled =
+                    !assembly.is_rigid() && assembly.contacts.iter().any(|c| is_pair(c.between));
                 let apart = match are_settled {
                     true => "; or have them moved apart: start = \"settled\" under [run]",
                     false => "",
