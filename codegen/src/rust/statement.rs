@@ -7,6 +7,7 @@
 //! [`Core`](super::options::Core). Arguments are read before their first use.
 
 mod expressions;
+mod groups;
 mod results;
 mod steps;
 
@@ -26,6 +27,9 @@ use std::fmt::Write;
 
 /// Most operations in one statement.
 const LONGEST_STATEMENT: usize = 8;
+/// Most `let` statements of a function. The compiler nests a scope in its debugging information for each, by recursion:
+/// some 2800 overflow its stack.
+const MOST_LETS: usize = 1000;
 
 /// Where a function finds the values of parameters.
 #[derive(Clone, Copy)]
@@ -158,6 +162,9 @@ impl<'p> Body<'p> {
             self.read_arguments(root);
         }
         self.write_other_results(roots);
+        if self.n_statements > MOST_LETS {
+            self.statements = groups::declared_in_groups(&self.statements);
+        }
         self.results = roots[self.places().len()..].iter().map(|&root| self.operand(root)).collect();
     }
 

@@ -35,7 +35,7 @@ impl Body<'_> {
                 for part in ["Real::", unary_name(function), "("] {
                     text.push_str(part);
                 }
-                self.write_operand(text, a);
+                self.write_argument(text, a);
                 text.push(')');
             }
             Node::Binary(operator, a, b) => self.write_binary(text, operator, a, b),
@@ -65,11 +65,21 @@ impl Body<'_> {
                 for part in ["Real::", binary_name(operator), of_sizes, "("] {
                     text.push_str(part);
                 }
-                self.write_operand(text, a);
+                self.write_argument(text, a);
                 text.push_str(", ");
-                self.write_operand(text, b);
+                self.write_argument(text, b);
                 text.push(')');
             }
+        }
+    }
+
+    /// Writes what stands alone between parentheses, commas or behind `=`: a negative constant needs no parentheses.
+    pub(super) fn write_argument(&self, text: &mut String, id: ExprId) {
+        let start = text.len();
+        self.write_operand(text, id);
+        if self.dag().is_constant(id) && text[start..].starts_with('(') {
+            text.pop();
+            text.remove(start);
         }
     }
 

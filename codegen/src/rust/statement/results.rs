@@ -39,10 +39,13 @@ impl Body<'_> {
     }
 
     fn write_result(&mut self, index: usize, root: ExprId) {
-        let value = self.operand(root);
-        for part in ["    ", &self.places()[index], " = ", &value, ";\n"] {
-            self.statements.push_str(part);
+        let mut text = std::mem::take(&mut self.statements);
+        for part in ["    ", &self.places()[index], " = "] {
+            text.push_str(part);
         }
+        self.write_argument(&mut text, root);
+        text.push_str(";\n");
+        self.statements = text;
     }
 
     /// The arguments that hold the places of the results.
