@@ -7,6 +7,9 @@
 //! ```
 //! The former is a running bound over all operations at this state. Slopes times ranges alone are no measure: beside a
 //! stiff spring every weight is small, though the spring carries nothing.
+//!
+//! The forces f = M u' have to vanish by the same test. Where the speeds stop being independent of one another, u'
+//! vanishes by its definition while the coordinates accelerate; f does not vanish there, but grows.
 
 use super::search::{Fault, Flat, Rates, Search};
 use nalgebra::{DMatrix, DVector};
@@ -21,37 +24,93 @@ const SOLVED: f64 = 4.0;
 /// What is within this many bounds of its rounding is 0.
 pub(super) const BOUNDS: f64 = 4.0;
 
+/// Place of the mass matrix and the forcing among the functions of the program.
+const FORCES: usize = 1;
+
+/// Numbers that vanish at an equilibrium.
+struct Vanishing {
+    values: Vec<f64>,
+    /// Bounds of their rounding errors.
+    rounding: Vec<f64>,
+    /// Their derivatives by the unknowns, in units of the ranges.
+    slopes: DMatrix<f64>,
+}
+
+impl Vanishing {
+    /// Is what a step leaves of them rounding?
+    fn is_left_by(&self, step: &DVector<f64>) -> bool {
+        (0..self.values.len()).all(|i| {
+            let left = self.values[i] + (self.slopes.row(i) * step)[0];
+            // Steps are below the ranges, so that this bounds the rounding of J dz too.
+            let over_ranges: f64 = self.slopes.row(i).iter().map(|x| x.abs()).sum();
+            left.abs() <= BOUNDS * self.rounding[i] + f64::EPSILON * over_ranges
+        })
+    }
+}
+
 impl Search<'_> {
     /// Why this is no equilibrium; `None` if it is one.
     pub(super) fn fault(&mut self, here: &Rates) -> Option<Fault> {
         if !self.is_balanced(here) {
-            return Some(Fault::Unbalanced);
+            let rates = self.vanishing_rates(here);
+            let is_still = self.explains(here, &[rates]);
+            return Some(if is_still { Fault::Dependent(here.pivot) } else { Fault::Unbalanced });
         }
         // NaN counts as singular.
         let is_regular = here.pivot.abs() >= f64::ROOT_EPSILON;
         (!is_regular).then_some(Fault::Singular(here.pivot))
     }
 
-    /// Does a small step explain the rates?
+    /// Does a small step explain the rates, and the forces as well?
     pub(super) fn is_balanced(&mut self, here: &Rates) -> bool {
-        let rows = self.rows(here);
-        let slopes = self.slopes_of_unknowns(here, &rows);
-        let rounding = self.rounding();
+        let rates = self.vanishing_rates(here);
+        if !self.explains(here, std::slice::from_ref(&rates)) {
+            return false;
+        }
+        match self.vanishing_forces(here) {
+            Some(forces) => self.explains(here, &[rates, forces]),
+            None => true,
+        }
+    }
+
+    /// Does one small step make all these vanish?
+    fn explains(&self, here: &Rates, all: &[Vanishing]) -> bool {
+        let unknowns = all.first().map_or(0, |one| one.slopes.ncols());
         let explains = |step: DVector<f64>| {
             let is_close = step.iter().all(|d| d.abs() <= CLOSE);
-            is_close
-                && (0..rows.len()).all(|i| {
-                    let left = here.x_dot[rows[i]] + (slopes.row(i) * &step)[0];
-                    // Steps are below the ranges, so that this bounds the rounding of J dz too.
-                    let over_ranges: f64 = slopes.row(i).iter().map(|x| x.abs()).sum();
-                    left.abs() <= BOUNDS * rounding[rows[i]] + f64::EPSILON * over_ranges
-                })
+            is_close && all.iter().all(|one| one.is_left_by(&step))
         };
-        explains(DVector::zeros(slopes.ncols()))
+        explains(DVector::zeros(unknowns))
             || [Flat::Ranges, Flat::Scaled]
                 .into_iter()
                 .filter_map(|flat| self.newton_step(here, flat))
                 .any(explains)
+    }
+
+    /// The rates that have to vanish.
+    fn vanishing_rates(&mut self, here: &Rates) -> Vanishing {
+        let rows = self.rows(here);
+        let rounding = self.rounding();
+        Vanishing {
+            values: rows.iter().map(|&i| here.x_dot[i]).collect(),
+            rounding: rows.iter().map(|&i| rounding[i]).collect(),
+            slopes: self.slopes_of_unknowns(here, &rows),
+        }
+    }
+
+    /// The forces on the speeds, f = M u', with their slopes M du'/dz; `None` if they cannot be computed.
+    fn vanishing_forces(&mut self, here: &Rates) -> Option<Vanishing> {
+        let (q, u, inputs) = self.with_rounding();
+        let forces = self.rounded.function(FORCES, (Rounded::ZERO, &q, &u, &inputs, &[])).ok()?;
+        let n = u.len();
+        let (mass, forcing) = forces.split_at_checked(n * n)?;
+        let mass = DMatrix::from_row_iterator(n, n, mass.iter().map(|x| x.value));
+        let speeds: Vec<usize> = (0..self.state.len()).filter(|&i| self.state[i].is_speed).collect();
+        Some(Vanishing {
+            values: forcing.iter().map(|x| x.value).collect(),
+            rounding: forcing.iter().map(|x| finite(x.error)).collect(),
+            slopes: mass * self.slopes_of_unknowns(here, &speeds),
+        })
     }
 
     /// Bounds of the rounding errors of the rates here, by the entries of the state; 0 where there is no finite bound.

@@ -8,6 +8,7 @@ mod balance;
 mod jumps;
 mod modes;
 mod rates;
+mod reasons;
 mod restart;
 mod search;
 mod shapes;
@@ -77,7 +78,9 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         requests.push(Request::new("law"));
     }
     let function = Function { name: "near".to_owned(), requests };
-    let asked = Asked::besides(vec![function]);
+    let requests = ["mass_matrix", "forcing"].map(Request::new).to_vec();
+    let forces = Function { name: "forces".to_owned(), requests };
+    let asked = Asked::besides(vec![function, forces]);
     let program = program::derive_asked(&watched, &settings.choice, program::Settings::default(), &asked)
         .map_err(|e| model_argument::wrong(&e))?;
     drop(waiting);

@@ -26,9 +26,6 @@ const ROUNDING: f64 = f64::EPSILON;
 /// Speeds (SI) below this are 0.
 const STILL: f64 = 1e-9;
 
-/// Most coordinates named in a message.
-const NAMED: usize = 4;
-
 /// The unknowns of the search.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Unknown {
@@ -79,6 +76,8 @@ pub(super) enum Flat {
 pub(super) enum Fault {
     /// Something accelerates.
     Unbalanced,
+    /// Rates vanish but forces do not: the speeds are not independent there. The worst pivot, relative to nominal.
+    Dependent(f64),
     /// The equations are singular there: the worst pivot, relative to nominal.
     Singular(f64),
 }
@@ -287,6 +286,7 @@ impl<'p> Search<'p> {
         match fault {
             None => {}
             Some(Fault::Unbalanced) => return Err(self.not_found(&name, value)),
+            Some(Fault::Dependent(pivot)) => return Err(self.dependent(pivot)),
             Some(Fault::Singular(pivot)) => return Err(self.singular(pivot)),
         }
         let speeds = self.engine.speeds(&self.q, &self.u).map_err(|fault| fault.reason().to_owned())?;
@@ -319,43 +319,6 @@ impl<'p> Search<'p> {
         self.q =
             solved.map_err(|unreachable| format!("what --hold says cannot be assembled: {unreachable}"))?;
         Ok(())
-    }
-
-    fn not_found(&self, name: &str, value: f64) -> String {
-        let advice = match self.unknown {
-            Unknown::State if self.is_euler_parameter(name) => {
-                "a body that turns changes its Euler parameters, and no motion of it is steady in them; describe its \
-                 attitude by rotations, such as [[\"z\", \"yaw\"], [\"x\", \"lean\"], [\"y\", \"spin\"]], and its speeds \
-                 along axes that do not spin with it"
-            }
-            Unknown::State if self.state.iter().any(|e| !e.is_speed && e.name == name) => {
-                return format!(
-                    "no equilibrium was found: the rate of `{name}` stays {value:.3e}: accelerations depend on `{name}`, \
-                     which cannot stay constant at these speeds; hold other speeds"
-                );
-            }
-            Unknown::State => {
-                "give a start nearer to it by --set, hold inputs by --input, or let them balance it by --trim"
-            }
-            Unknown::Inputs if self.free_inputs.is_empty() => {
-                "the model has no input without a law, or --input holds them all"
-            }
-            Unknown::Inputs => "its inputs cannot balance this state; give another by --set",
-        };
-        format!("no equilibrium was found: the rate of `{name}` stays {value:.3e}; {advice}")
-    }
-
-    fn singular(&self, pivot: f64) -> String {
-        let places = self.state.iter().filter(|entry| entry.is_free_coordinate());
-        let place: Vec<String> =
-            places.take(NAMED).map(|e| format!("`{}` = {:.4}", e.name, self.q[e.place] + 0.0)).collect();
-        format!(
-            "no equilibrium was found where the equations are regular: at {} nothing accelerates, but the configuration \
-             is singular (the smallest pivot is {pivot:.1e} of its nominal size), so that accelerations and modes have no \
-             meaning there, as where an axis of rotation falls onto another; describe the attitude by rotations about \
-             other axes, or hold a coordinate elsewhere by --hold",
-            place.join(", ")
-        )
     }
 
     /// Takes the step, or the part of it that reduces the rates.

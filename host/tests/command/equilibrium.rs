@@ -370,3 +370,36 @@ fn the_search_starts_again_where_no_slope_shows_at_the_middle_of_the_ranges() {
         close(number(&answer["q"]["q"]).abs(), std::f64::consts::FRAC_PI_2, 1e-9, range);
     }
 }
+
+/// Two masses along x and y, pushed, one of them held by a spring; their speeds mix the rates of x and y.
+fn mixed_speeds(push: &str, springs: &str) -> String {
+    format!(
+        "format = 1\nname = \"mixed\"\n[coordinates]\nx = {{ unit = \"m\", speed = false }}\n\
+         y = {{ unit = \"m\", speed = false }}\n[speeds]\n\
+         v = {{ unit = \"m/s\", value = \"0.5*q_dot(x) + 0.3*q_dot(y)\" }}\n\
+         w = {{ unit = \"m/s\", value = \"q_dot(y)*cos(0.5*y/1_m) - 0.7*q_dot(x)*y/1_m\" }}\n\
+         [points]\nP = \"x*N.x\"\nQ = \"y*N.y\"\n\
+         [bodies]\na = {{ centre = \"P\", mass = 3 }}\nb = {{ centre = \"Q\", mass = 1 }}\n\
+         [forces]\nf = {{ point = \"P\", force = \"20_N*N.x\" }}\ng = {{ point = \"Q\", force = \"{push}*N.y\" }}\n\
+         [springs]\ns = {{ coordinate = \"x\", stiffness = \"20_N/1_m\", rest = 0.3, damping = 1 }}\n{springs}"
+    )
+}
+
+#[test]
+fn what_falls_where_the_speeds_depend_on_one_another_is_no_equilibrium() {
+    // At y = -1.6316 m v and w are one speed up to a factor; the masses accelerate so that it does not change.
+    let free = written("mixed_free.toml", &mixed_speeds("1_N", ""));
+    let far = refused(&[&free]);
+    assert!(far.message().contains("no equilibrium was found"), "{far:?}");
+    let near = refused(&[&free, "--set", "x=1.39", "--set", "y=-1.63"]);
+    assert!(near.message().contains("stop being independent of one another"), "{near:?}");
+    // A spring along y that balances 1 mm and 1 um away from that place does.
+    for away in [1e-3, 1e-6] {
+        let y: f64 = -1.631_617_845_8 + away;
+        let spring = format!("t = {{ coordinate = \"y\", stiffness = \"10_N/1_m\", rest = {y} }}\n");
+        let model = written(&format!("mixed_{away}.toml"), &mixed_speeds("0_N", &spring));
+        let answer = found(&[&model, "--set", &format!("y={}", y + 0.2 * away)]);
+        close(number(&answer["q"]["y"]), y, 1e-9, "y");
+        close(number(&answer["q"]["x"]), 1.3, 1e-9, "x");
+    }
+}

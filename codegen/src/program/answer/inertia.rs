@@ -23,6 +23,11 @@ pub(super) fn bias(stages: &mut Stages, _: &Target) -> Parts {
     Ok(vec![Part::list("bias", doc, stages.speed_names(), bias)])
 }
 
+pub(super) fn forcing(stages: &mut Stages, _: &Target) -> Parts {
+    let doc = "gyroscopic terms, weight, springs, inputs and all other forces, on the right-hand side";
+    Ok(vec![Part::list("forcing", doc, stages.speed_names(), stages.dynamics.forcing.clone())])
+}
+
 /// The forcing with the model's own inputs at 0.
 fn without_inputs(stages: &mut Stages) -> Vec<ExprId> {
     let off = inputs_off(stages);

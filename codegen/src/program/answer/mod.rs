@@ -106,6 +106,8 @@ pub const CATALOGUE: &[Kind] = &[
         "Mass matrix of the independent speeds: M u' + bias = forces of the inputs."),
     kind("bias", Mechanism, Masses, Derive::Asked(inertia::bias),
         "Bias of M u' + bias = forces of the inputs."),
+    kind("forcing", Mechanism, Masses, Derive::Asked(inertia::forcing),
+        "Forcing f of M u' = f, with the forces of the inputs."),
     kind("inverse_dynamics", Mechanism, Masses, Derive::Given(inertia::inverse_dynamics),
         "Forces that give the independent speeds the accelerations `u_dot`, and the inputs that supply them where there are as many and their map is regular."),
     kind("power", Mechanism, Motion, Derive::Asked(inertia::power),
