@@ -146,8 +146,22 @@ impl Configurations {
     /// # Errors
     /// If no dependent coordinates were found, or the mechanism is locked there.
     pub fn solve(&mut self, parameters: &[f64], given: &[Option<f64>]) -> Result<Vec<f64>, Unreachable> {
-        let q = self.assembled(parameters, given)?;
-        self.unlocked(parameters, q)
+        match self.assembled(parameters, given) {
+            Ok(q) => self.unlocked(parameters, q),
+            Err(on_the_way) => {
+                Err(self.least(parameters, given).unwrap_or(Unreachable { on_the_way: true, ..on_the_way }))
+            }
+        }
+    }
+
+    /// The least residual at what is given, rather than at a place on the way there; `None` if it vanishes.
+    fn least(&mut self, parameters: &[f64], given: &[Option<f64>]) -> Option<Unreachable> {
+        self.assembly.set_parameters(parameters);
+        self.assembly.set_time(self.time);
+        let values = self.nominal.iter().zip(given);
+        let mut q: Vec<f64> = values.map(|(nominal, given)| given.unwrap_or(*nominal)).collect();
+        self.assembly.to_unit_length(&mut q, |i| given[i].is_some());
+        self.assembly.least_residual(&q)
     }
 
     fn assembled(&mut self, parameters: &[f64], given: &[Option<f64>]) -> Result<Vec<f64>, Unreachable> {

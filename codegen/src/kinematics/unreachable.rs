@@ -9,30 +9,34 @@ pub struct Unreachable {
     pub residual: f64,
     /// The constraint with that residual.
     pub constraint: Option<String>,
+    /// A configuration exists there, but the way to it from the nominal one could not be followed; the residual is that
+    /// of a place on the way.
+    pub on_the_way: bool,
     /// A constraint that followed from the others at the default parameters no longer does: the mechanism is locked.
     pub locked: bool,
 }
 
 impl Default for Unreachable {
     fn default() -> Self {
-        Self { residual: f64::INFINITY, constraint: None, locked: false }
+        Self { residual: f64::INFINITY, constraint: None, on_the_way: false, locked: false }
     }
 }
 
 impl fmt::Display for Unreachable {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let name = self.constraint.as_deref().unwrap_or("a constraint");
-        match (self.locked, &self.constraint) {
-            (true, _) => {
-                write!(
-                    f,
-                    "`{name}` no longer follows from the other constraints, and the mechanism is locked"
-                )
-            }
-            (false, Some(name)) => {
-                write!(f, "a constraint residual of {:.1e} is left, the largest in `{name}`", self.residual)
-            }
-            (false, None) => write!(f, "a constraint residual of {:.1e} is left", self.residual),
+        if self.locked {
+            return write!(
+                f,
+                "`{name}` no longer follows from the other constraints, and the mechanism is locked"
+            );
+        }
+        let on_the_way =
+            if self.on_the_way { " on the way there from the nominal configuration" } else { "" };
+        write!(f, "a constraint residual of {:.1e} is left{on_the_way}", self.residual)?;
+        match &self.constraint {
+            Some(name) => write!(f, ", the largest in `{name}`"),
+            None => Ok(()),
         }
     }
 }

@@ -162,6 +162,30 @@ fn mistakes_are_explained_where_they_were_made() {
 }
 
 #[test]
+fn what_cannot_be_reached_is_told_with_its_least_residual() {
+    // A rod of 1 m between (b, 0) and (0, 2 - 2 cos a): at a = 1.5 it is 0.858526 m too short, wherever b is.
+    let model = written(
+        "rod.toml",
+        "format = 1\nname = \"rod\"\n[coordinates]\na = { unit = \"rad\", independent = true, nominal = 0.5 }\n\
+         b = { unit = \"m\", nominal = 0.97 }\n[points]\nP = \"b*N.x\"\nQ = \"2_m*(1 - cos(a))*N.y\"\n\
+         [bodies]\np = { centre = \"P\", mass = 1 }\nq = { centre = \"Q\", mass = 1 }\n\
+         [constraints.configuration]\nrod = \"norm(P - Q) - 1_m\"\n",
+    );
+    let states = written("rod.json", r#"{"states": [{"q": {"a": 1.5}}]}"#);
+    let done = smartbed(&["eval", &model, "--states", &states]);
+    assert!(
+        done.message().contains("a constraint residual of 8.6e-1 is left, the largest in `rod`"),
+        "{done:?}"
+    );
+    // The rod of the four-bar linkage reaches nowhere near its end.
+    let states = written("long.json", r#"{"states": [{"parameters": {"l4": 9}, "q": {"q1": 1}}]}"#);
+    let done = smartbed(&["eval", "fourbar", "--states", &states]);
+    let residual = done.message().split("residual of ").nth(1).and_then(|rest| rest.split(' ').next());
+    let residual: f64 = residual.and_then(|text| text.parse().ok()).unwrap_or(0.0);
+    assert!((3.0..6.0).contains(&residual), "{done:?}");
+}
+
+#[test]
 fn singular_states_are_named() {
     // A rod without length turns as it likes. (One without mass at its tip does not: there the mass cancels.)
     let states = r#"{"states": [{"q": {"q0": 0.1, "q1": 0.2, "q2": 0.3}, "parameters": {"l2": 0}}]}"#;
