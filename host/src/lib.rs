@@ -39,6 +39,7 @@ pub mod contact_force;
 #[cfg(feature = "whole")]
 pub mod crate_folder;
 pub mod engine;
+pub mod jumps;
 pub mod light;
 pub mod limits;
 pub mod model_argument;

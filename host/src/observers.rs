@@ -8,6 +8,7 @@
 //! external.
 
 use crate::columns::told_apart;
+use crate::jumps;
 use smartbed_codegen::id::Id;
 use smartbed_codegen::model::expression::{Expr, ExprKind, Function};
 use smartbed_codegen::model::unit::Unit;
@@ -32,6 +33,8 @@ pub struct Observers {
     pub inputs: Vec<String>,
     /// Number of arguments by which functions of time alone switch: in closed forms, and in laws and loads.
     pub switches: [usize; 2],
+    /// The loads and laws that jump where a speed changes sign, one for each `sign` of a speed.
+    pub jumps: Vec<String>,
 }
 
 impl Observers {
@@ -44,14 +47,28 @@ impl Observers {
         let law_inputs = model.laws.iter().map(|(input, _)| input.index()).collect();
         let laws = model.laws.iter().map(|(_, law)| law.clone());
         let switches = switches(model);
+        let (jumps, signed): (Vec<_>, Vec<_>) =
+            jumps::of_speeds(model).into_iter().map(|jump| (jump.owner, jump.argument)).unzip();
         let seen = laws.chain(ledger(model)).chain(closed_forms(model));
-        watched.outputs =
-            seen.chain(switches.iter().flatten().cloned()).chain(places(model)).map(output).collect();
+        watched.outputs = seen
+            .chain(switches.iter().flatten().cloned())
+            .chain(signed)
+            .chain(places(model))
+            .map(output)
+            .collect();
         let closed = model.coordinates.iter().filter(|c| c.closed_form.is_some());
         let closed = closed.map(|c| (c.name.clone(), c.unit.clone())).collect();
         let (outputs, inputs) = told_apart(model);
         let program = program::derive(&watched, choice)?;
-        Ok(Self { program, law_inputs, closed, outputs, inputs, switches: switches.map(|own| own.len()) })
+        Ok(Self {
+            program,
+            law_inputs,
+            closed,
+            outputs,
+            inputs,
+            switches: switches.map(|own| own.len()),
+            jumps,
+        })
     }
 
     /// A program whose outputs are the laws.
@@ -79,13 +96,24 @@ impl Observers {
         self.part(self.law_inputs.len() + LEDGER.len() + 2 * self.closed.len(), self.switches.iter().sum())
     }
 
+    /// A program whose outputs are the arguments of each `sign` of a speed.
+    #[must_use]
+    pub fn jumps(&self) -> Program {
+        self.part(self.before_jumps(), self.jumps.len())
+    }
+
+    /// Number of outputs before those arguments.
+    fn before_jumps(&self) -> usize {
+        let switches: usize = self.switches.iter().sum();
+        self.law_inputs.len() + LEDGER.len() + 2 * self.closed.len() + switches
+    }
+
     /// A program whose outputs are the data of a picture of the mechanism: x, y, z of every point; for every body with
     /// a frame the frame's x and y axes; mass, Ixx, Iyy, Izz, Ixy, Ixz, Iyz of every body; gravity; the lengths of the
     /// shapes in `[view]`.
     #[must_use]
     pub fn places(&self) -> Program {
-        let switches: usize = self.switches.iter().sum();
-        let first = self.law_inputs.len() + LEDGER.len() + 2 * self.closed.len() + switches;
+        let first = self.before_jumps() + self.jumps.len();
         self.part(first, self.program.outputs.len() - first)
     }
 
@@ -231,10 +259,6 @@ fn spring_energy(stiffness: &Expr, length: Expr, rest: &Expr) -> Expr {
 /// The parts of a load's power, each with its ledger entry.
 fn split(model: &Model, load: &Expr, velocity: &Expr) -> Vec<(usize, Expr)> {
     let is_input = |e: &Expr| matches!(e.kind, ExprKind::Input(_));
-    let is_speed = |e: &Expr| {
-        use ExprKind::{AngularVelocity, Rate, Speed, Velocity};
-        matches!(e.kind, Speed(_) | Rate(_) | Velocity(_) | AngularVelocity(_))
-    };
     let mut parts = Vec::new();
     let mut passive = load.clone();
     if mentions(model, load, &is_input) {
@@ -247,8 +271,14 @@ fn split(model: &Model, load: &Expr, velocity: &Expr) -> Vec<(usize, Expr)> {
     parts
 }
 
+/// Is it a speed or a velocity?
+pub(crate) fn is_speed(e: &Expr) -> bool {
+    use ExprKind::{AngularVelocity, Rate, Speed, Velocity};
+    matches!(e.kind, Speed(_) | Rate(_) | Velocity(_) | AngularVelocity(_))
+}
+
 /// Does the expression, or a definition in it, contain such a node?
-fn mentions(model: &Model, expr: &Expr, wanted: &dyn Fn(&Expr) -> bool) -> bool {
+pub(crate) fn mentions(model: &Model, expr: &Expr, wanted: &dyn Fn(&Expr) -> bool) -> bool {
     let mut found = false;
     let mut definitions = Vec::new();
     let mut look = |root: &Expr, definitions: &mut Vec<_>| {

@@ -12,7 +12,7 @@ mod text;
 
 use crate::failure::Failure;
 use crate::progress::Waiting;
-use crate::{model_argument, output};
+use crate::{jumps, model_argument, output};
 use near_singular::Nearest;
 use rank::Rank;
 use report::Report;
@@ -88,7 +88,8 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
 }
 
 fn report(model: &Model, program: &Program, rank: &Rank, nearest: Option<&Nearest>) -> Report {
-    let found = model_argument::warnings(model, program);
+    let mut found = model_argument::warnings(model, program);
+    found.items.extend(jumps::warnings(model));
     let mut warnings: Vec<String> = found.items.iter().map(|w| w.message.clone()).collect();
     let numeric = numeric_warnings(model, program, rank, nearest);
     warnings.extend(numeric.iter().cloned());

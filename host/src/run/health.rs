@@ -2,6 +2,7 @@
 //!
 //! In: coordinates and energies, row by row. Out: one line per kind of finding. It observes; no step is changed.
 
+use crate::jumps;
 use crate::number::worst;
 use std::collections::BTreeMap;
 
@@ -65,6 +66,8 @@ pub struct Health {
     moved: f64,
     size: f64,
     epsilon: f64,
+    /// Loads and laws that chatter.
+    chatter: Vec<String>,
 }
 
 /// Energies at a row (J).
@@ -83,7 +86,8 @@ impl Health {
     #[must_use]
     pub fn new(ranges: BTreeMap<String, Range>, epsilon: f64) -> Self {
         let (outside, infinite) = (BTreeMap::new(), BTreeMap::new());
-        Self { ranges, outside, infinite, pivot: (1.0, None), imbalance: 0.0, moved: 0.0, size: 0.0, epsilon }
+        let (pivot, chatter) = ((1.0, None), Vec::new());
+        Self { ranges, outside, infinite, pivot, imbalance: 0.0, moved: 0.0, size: 0.0, epsilon, chatter }
     }
 
     /// Observes a coordinate at a time.
@@ -123,10 +127,16 @@ impl Health {
         self.size = self.size.max(size);
     }
 
+    /// Notes the loads and laws whose `sign` of a speed changed from step to step.
+    pub fn chatter(&mut self, of: Vec<String>) {
+        self.chatter = of;
+    }
+
     /// The findings, as messages for the user.
     #[must_use]
     pub fn findings(&self) -> Vec<String> {
-        let findings = [self.unbalanced(), self.left_ranges(), self.singular(), self.not_finite()];
+        let findings =
+            [self.unbalanced(), self.left_ranges(), self.singular(), self.not_finite(), self.chattering()];
         findings.into_iter().flatten().collect()
     }
 
@@ -140,6 +150,20 @@ impl Health {
             format!(
                 "outputs are not finite: {}{more}; something they are divided by is 0, or a number is too large",
                 named.join(", ")
+            )
+        })
+    }
+
+    fn chattering(&self) -> Option<String> {
+        let named: Vec<String> = self.chatter.iter().take(NAMED).map(|name| format!("`{name}`")).collect();
+        let more = self.chatter.len().saturating_sub(NAMED);
+        let more = if more > 0 { format!(" and {more} more") } else { String::new() };
+        (!named.is_empty()).then(|| {
+            format!(
+                "a `sign` of a speed in {}{more} changed again and again within a few steps: it chatters about rest, and what it should \
+                 hold creeps; {}",
+                named.join(", "),
+                jumps::SMOOTH
             )
         })
     }

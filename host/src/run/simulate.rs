@@ -3,6 +3,7 @@
 //! In: a program, its observers, settings, the start. Out: rows at equal intervals, each a list of numbers named by
 //! [`columns`], and a [`Summary`]. Observers only read states; without them the motion is the same bit for bit.
 
+use super::chatter::Chatter;
 use super::health::{Energies, Health, Range};
 use super::kink::pass;
 use super::ledger::{self, Ledger};
@@ -97,6 +98,7 @@ struct Recorder<'a, F> {
     sink: F,
     summary: Summary,
     columns: Vec<String>,
+    chatter: Chatter,
 }
 
 impl<F: FnMut(&Row) -> Result<(), Failure>> Recorder<'_, F> {
@@ -193,6 +195,7 @@ pub fn simulate<S: EngineScalar>(
             last: Vec::new(),
         },
         columns: columns(setup.program, setup.observers),
+        chatter: Chatter::new(setup.observers),
     };
     let ledger = Ledger::open(setup.program, setup.observers, 0.0, &widened(&x))
         .map_err(|fault| Failure::Wrong(format!("t = 0 s: {}", explain(fault))))?;
@@ -205,6 +208,7 @@ pub fn simulate<S: EngineScalar>(
         None => adaptive(setup, &mut plant, &mut state, ledger, &mut recorder)?,
     }
     recorder.summary.evaluations = plant.evaluations();
+    recorder.summary.health.chatter(recorder.chatter.found());
     Ok(recorder.summary)
 }
 
@@ -276,6 +280,7 @@ where
                 };
                 recorder.took(report, to, state.x());
                 ledger.step(to, &widened(state.x())).map_err(|fault| refused(to, fault))?;
+                recorder.chatter.observe(to, state.x(), &plant.inputs).map_err(|fault| refused(to, fault))?;
             }
             let Some(kink) = kink else { break };
             if cut == MOST {

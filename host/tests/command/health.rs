@@ -84,6 +84,29 @@ step = 1e-3
 "#;
 
 #[test]
+fn dry_friction_that_chatters_is_told_of() {
+    let sliding = |friction: &str| {
+        format!(
+            "format = 1\nname = \"sliding\"\n[coordinates]\nx = {{ unit = \"m\" }}\n[points]\nP = \"x*N.x\"\n\
+             [bodies]\nb = {{ centre = \"P\", mass = 2 }}\n[forces]\nfr = {{ point = \"P\", force = \"-6_N*{friction}*N.x\" }}\n\
+             [springs]\ns = {{ coordinate = \"x\", stiffness = 50, rest = 0 }}\n[start]\nx = 1\n\
+             [run]\nseconds = 3\nstep = 1e-3\nevery = 100\n"
+        )
+    };
+    let rough = written("rough.toml", &sliding("sign(u_x)"));
+    let found = warnings(&["run", &rough]);
+    assert!(found.len() == 1 && found[0].contains("in `fr` changed again and again"), "{found:?}");
+    let facts = smartbed(&["check", &rough, "--json"]).json();
+    let warned = facts["warnings"].to_string();
+    assert!(warned.contains("`fr` jumps where a speed changes sign"), "{warned}");
+    // While it slides nothing chatters; a smooth law never does.
+    assert_eq!(warnings(&["run", &rough, "--seconds", "1"]), [""; 0]);
+    let smooth = written("smooth.toml", &sliding("tanh(u_x/0.01_m*1_s)"));
+    assert_eq!(warnings(&["run", &smooth]), [""; 0]);
+    assert_eq!(smartbed(&["check", &smooth, "--json"]).json()["warnings"].to_string(), "[]");
+}
+
+#[test]
 fn calibrations_end_in_time() {
     let top = written("heavy_top.toml", TOP);
     for start in [["theta=1e-6", "u_phi=300"], ["theta=0.3", "u_phi=0"], ["theta=0.3", "u_phi=200"]] {
