@@ -14,6 +14,7 @@ use smartbed_codegen::{
     Asked, Core, Effort, EmitOptions, Function, Optimise, ParameterChoice, Program, Request, ScalarType,
     Settings, program, rust,
 };
+use std::collections::BTreeMap;
 use std::path::Path;
 
 /// Derive a model's equations of motion and write them as `no_std` Rust.
@@ -282,11 +283,12 @@ fn report(
     options: &EmitOptions,
     written: &str,
 ) -> Result<(), Failure> {
+    let emitted = rust::function_names(program, options);
+    tell_renamed(&emitted);
     if written == "-" {
         return Ok(());
     }
     let functions = all(program, &options.functions);
-    let emitted = rust::function_names(program, options);
     let name = |function: &Function| emitted.get(&function.name).unwrap_or(&function.name).clone();
     let operations = |function: &Function| program.dag.state_cost(&program.function_roots(function));
     let text = if arguments.json {
@@ -301,6 +303,17 @@ fn report(
         format!("{}: {operations} per evaluation{what}, in {written}\n", program.name)
     };
     output::print(&text)
+}
+
+/// Says which functions are emitted under other names, because these are in use; that characters which no name in Rust
+/// has become underscores goes without saying.
+fn tell_renamed(emitted: &BTreeMap<String, String>) {
+    let plain = |c: char| if c.is_ascii_alphanumeric() { c } else { '_' };
+    for (asked, name) in emitted.iter().filter(|(asked, name)| !asked.chars().map(plain).eq(name.chars())) {
+        output::say(&format!(
+            "note: the function `{asked}` is emitted as `{name}`: the file has something else of that name, or Rust reserves it"
+        ));
+    }
 }
 
 /// Parameters kept and changed, by names that exist.

@@ -187,12 +187,18 @@ fn forms_give_what_they_say_or_explain_why_not() {
 #[test]
 fn functions_named_like_other_items_are_renamed_and_named_as_emitted() {
     let file = written("renamed.rs", "");
-    for (asked, emitted) in
-        [("START_Q", "START_Q_2"), ("Q_NAMES", "Q_NAMES_2"), ("fn", "fn_"), ("Some", "Some_2")]
-    {
+    for (asked, emitted) in [
+        ("START_Q", "START_Q_2"),
+        ("Q_NAMES", "Q_NAMES_2"),
+        ("fn", "fn_"),
+        ("Some", "Some_2"),
+        ("prepare", "prepare_2"),
+    ] {
         let done =
             smartbed(&["derive", "pendulum", "--answers", &format!("{asked}=rates,bias"), "-o", &file]);
         assert!(done.out.contains(&format!(" of {emitted}, in ")), "{done:?}");
+        let note = format!("note: the function `{asked}` is emitted as `{emitted}`");
+        assert!(done.err.contains(&note), "{done:?}");
         let text = std::fs::read_to_string(&file).expect("written");
         assert!(text.contains(&format!("pub fn {emitted}(")), "{asked}");
         let done = smartbed(&[
@@ -206,6 +212,9 @@ fn functions_named_like_other_items_are_renamed_and_named_as_emitted() {
         ]);
         assert!(done.json()["operations"][emitted].is_number(), "{done:?}");
     }
+    // Characters that no name has are no other name.
+    let done = smartbed(&["derive", "tile", "--answers", "pose:platform", "-o", &file]);
+    assert!(!done.err.contains("is emitted as"), "{done:?}");
 }
 
 #[test]
@@ -388,7 +397,8 @@ fn a_derived_crate_compiles_in_half_a_second_of_processor_time() {
 #[test]
 fn a_derived_crate_without_parameters_compiles_without_a_warning() {
     let model = "format = 1\nname = \"plain\"\n[inputs]\nF = { unit = \"N\" }\n[coordinates]\nx = { unit = \"m\" }\n[points]\nP = \"x*N.x\"\n\
-        [bodies]\nb = { centre = \"P\", mass = 2 }\n[forces]\nf = { point = \"P\", force = \"F*N.x\" }\n";
+        [bodies]\nb = { centre = \"P\", mass = 2 }\n[forces]\nf = { point = \"P\", force = \"F*N.x\" }\n\
+        [outputs]\na = \"atan2(-0.7_m, x)\"\nb = \"min(-0.5_m, x)\"\nc = \"max(x, -0.5_m)\"\n";
     let model = written("plain.toml", model);
     for more in [&[][..], &["--scalar", "f32", "--integrator"]] {
         let folder = file(&format!("plain_{}", more.len()));
@@ -400,6 +410,21 @@ fn a_derived_crate_without_parameters_compiles_without_a_warning() {
         let done = finish(cargo);
         assert_eq!((done.status, done.err.as_str()), (0, ""), "{more:?}");
     }
+}
+
+#[test]
+fn a_derived_crate_with_thousands_of_values_builds_with_debugging_information() {
+    let folder = file("arm6_linearised");
+    let path = folder.display().to_string();
+    let done = smartbed(&["derive", "arm6", "--answers", "linearisation", "--crate", &path]);
+    assert_eq!(done.status, 0, "{done:?}");
+    lock(&folder);
+    let mut cargo = Command::new(env!("CARGO"));
+    cargo.args(["build", "--quiet", "--target-dir"]).arg(file("derived")).current_dir(&folder);
+    // As for a user, whatever this build was told.
+    cargo.env("CARGO_PROFILE_DEV_DEBUG", "2");
+    let done = finish(cargo);
+    assert_eq!((done.status, done.err.as_str()), (0, ""));
 }
 
 /// A crate of equations in f32, with the workspace's lock file: its versions are at hand without a network.

@@ -8,6 +8,7 @@ use super::evaluate::Constants;
 use crate::diagnostic::Diagnostic;
 use crate::id::IdVec;
 use crate::model::data::*;
+use crate::model::expression::{Expr, ExprKind, Function};
 use crate::model::ids::*;
 
 /// Tolerance of the triangle inequality of principal moments for rounding, relative to the sum of two.
@@ -42,6 +43,31 @@ impl Model {
             let [x, y, z, ..] = entries;
             found.extend(wrong_moments(body, [x, y, z]).or_else(|| wrong_products(body, entries)));
         }
+        found.extend(self.wrong_widths(&constants));
+        found
+    }
+}
+
+impl Model {
+    /// Errors for the widths of smooth steps that are constant and not above 0: a negative one would mirror the step.
+    fn wrong_widths(&self, constants: &Constants) -> Vec<Diagnostic> {
+        let mut found = Vec::new();
+        let mut look = |e: &Expr| {
+            if let ExprKind::Call(Function::SmoothStep, arguments) = &e.kind
+                && let Some(width) = arguments.get(1)
+                && constants.value(width) <= 0.0
+            {
+                found.push(
+                    Diagnostic::error("the width of a `smooth_step` is not positive")
+                        .label(width.span, format!("evaluates to {}", constants.value(width)))
+                        .help(
+                            "smooth_step(x, width) rises from -width to width: give a width above 0, and write \
+                             1 - smooth_step(x, width) for a step down",
+                        ),
+                );
+            }
+        };
+        self.expressions().into_iter().for_each(|(_, expr)| expr.visit(&mut |e| look(e)));
         found
     }
 }
