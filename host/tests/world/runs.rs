@@ -23,7 +23,7 @@ fn a_world_has_rows_plots_and_a_page() {
         assert!(plot.contains(word), "{word}");
     }
     let page = std::fs::read_to_string(&page).expect("a page");
-    assert!(page.contains("\"kind\":\"box\"") && page.contains("\"ground\":{"), "stage");
+    assert!(page.contains("\"kind\":\"box\"") && page.contains("\"grounds\":[{"), "stage");
 }
 
 #[test]
