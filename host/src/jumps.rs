@@ -4,7 +4,7 @@
 //! of speeds, as dry friction is written, a warning: in steps of fixed size friction chatters about rest, and what sticks
 //! creeps.
 
-use crate::observers::{is_speed, mentions};
+use crate::reads::{is_speed, mentions};
 use smartbed_codegen::diagnostic::Diagnostic;
 use smartbed_codegen::id::Id;
 use smartbed_codegen::model::Model;

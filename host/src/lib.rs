@@ -75,6 +75,7 @@ pub mod origin;
 pub mod plan;
 #[cfg(feature = "whole")]
 pub mod plan_file;
+mod reads;
 #[cfg(feature = "whole")]
 pub mod report;
 pub mod run;

@@ -9,6 +9,7 @@
 
 use crate::columns::told_apart;
 use crate::jumps;
+use crate::reads::{is_speed, mentions};
 use smartbed_codegen::id::Id;
 use smartbed_codegen::model::expression::{Expr, ExprKind, Function};
 use smartbed_codegen::model::unit::Unit;
@@ -269,35 +270,6 @@ fn split(model: &Model, load: &Expr, velocity: &Expr) -> Vec<(usize, Expr)> {
     let power = dot(passive.clone(), velocity.clone());
     parts.push(if mentions(model, &passive, &is_speed) { (3, negate(power)) } else { (4, power) });
     parts
-}
-
-/// Is it a speed or a velocity?
-pub(crate) fn is_speed(e: &Expr) -> bool {
-    use ExprKind::{AngularVelocity, Rate, Speed, Velocity};
-    matches!(e.kind, Speed(_) | Rate(_) | Velocity(_) | AngularVelocity(_))
-}
-
-/// Does the expression, or a definition in it, contain such a node?
-pub(crate) fn mentions(model: &Model, expr: &Expr, wanted: &dyn Fn(&Expr) -> bool) -> bool {
-    let mut found = false;
-    let mut definitions = Vec::new();
-    let mut look = |root: &Expr, definitions: &mut Vec<_>| {
-        root.visit(&mut |e| {
-            found |= wanted(e);
-            if let ExprKind::Definition(id) = e.kind
-                && !definitions.contains(&id)
-            {
-                definitions.push(id);
-            }
-        });
-    };
-    look(expr, &mut definitions);
-    let mut next = 0;
-    while let Some(&id) = definitions.get(next) {
-        look(&model.definitions[id].value, &mut definitions);
-        next += 1;
-    }
-    found
 }
 
 /// The expression with every input set to 0; definitions that depend on inputs are written out.

@@ -85,7 +85,7 @@ fn roots_of_smooth_guards_take_few_evaluations() {
         ("parabola", parabola, 1e-12, 11.2),
         ("exponential", exponential, 1e-12, 12.6),
         ("kink", kinked, 1e-12, 10.9),
-        ("jump", jump, 1e-12, 20.5),
+        ("jump", jump, 1e-12, 20.6),
         ("step", step, 1e-12, 52.0),
         ("flat", flat, 1e-12, 52.0),
         ("far", far, 1e-12, 12.0),
