@@ -2,13 +2,15 @@
 //!
 //! [`Search`] proposes times and takes the values of g there, so that its caller may evaluate g in any way, by a whole
 //! trial step for instance. Proposals: inverse quadratic interpolation through the last three values; where it leaves
-//! the bracket, false position (Anderson & Bjorck 1973). They are drawn towards the middle as far as needed to never take
-//! [`SPARE`] evaluations more than bisection, also where g jumps (Oliveira & Takahashi 2020).
+//! the bracket, false position (Anderson & Bjorck 1973). Those of [`locate()`] are drawn towards the middle as far as needed
+//! to never take [`SPARE`] evaluations more than bisection, also where g jumps (Oliveira & Takahashi 2020).
 //! [`locate()`] runs it on a function and returns a bracket (low, high) of the root. g at `low` has the sign of the
 //! start, so the caller may stop before the event (low) or behind it (high).
 
 use crate::real::Scalar;
 
+/// One proposal in so many is the middle of a bracket that is not [`Search::bounded`].
+const BISECTION: u32 = 6;
 /// Proposals that may leave the bracket as it is, more than bisection would make.
 pub const SPARE: i32 = 10;
 /// Most evaluations of [`locate()`]: halvings down to the smallest numbers are fewer where the root is not near 0.
@@ -30,16 +32,23 @@ pub struct Search<S> {
     new: (S, S),
     last: [(S, S); 3],
     guess: Option<S>,
-    /// Half of the length that the bracket may have after the next proposal.
-    allowed: S,
+    /// Half of the length that the bracket may have after the next proposal; without, every sixth one is the middle.
+    allowed: Option<S>,
+    proposals: u32,
 }
 
 impl<S: Scalar> Search<S> {
     /// Between two (t, g) of opposite signs; `guess`, if it lies between, is proposed first.
     #[must_use]
     pub fn new(low: (S, S), high: (S, S), guess: Option<S>) -> Self {
+        Self { old: low, new: high, last: [low, low, high], guess, allowed: None, proposals: 0 }
+    }
+
+    /// The same, never more than [`SPARE`] proposals more than bisection makes.
+    #[must_use]
+    pub fn bounded(low: (S, S), high: (S, S)) -> Self {
         let allowed = (high.0 - low.0).abs() * S::from_f64(0.25 * f64::from(1 << SPARE));
-        Self { old: low, new: high, last: [low, low, high], guess, allowed }
+        Self { allowed: Some(allowed), ..Self::new(low, high, None) }
     }
 
     /// Ends of the bracket in the order in which they were found, not by size.
@@ -53,14 +62,19 @@ impl<S: Scalar> Search<S> {
         let ((old, f_old), (new, f_new)) = (self.old, self.new);
         let inside = |t: &S| *t > new.min(old) && *t < new.max(old);
         let secant = (old * f_new - new * f_old) / (f_new - f_old);
-        let curved = self.guess.take().filter(inside).unwrap_or_else(|| inverse_parabola(self.last));
+        let curved = if self.proposals == 0 { self.guess } else { Some(inverse_parabola(self.last)) };
+        let guess = curved.filter(inside).or(Some(secant).filter(inside));
+        self.proposals += 1;
         let half = S::from_f64(0.5);
+        let Some(allowed) = self.allowed else {
+            let is_bisection = self.proposals % BISECTION == 0;
+            return if is_bisection { None } else { guess }.unwrap_or(half * (old + new));
+        };
         let (middle, reach) = (old + half * (new - old), half * (new - old).abs());
-        let guess = Some(curved).filter(inside).or(Some(secant).filter(inside)).unwrap_or(middle);
         // The longer part that it leaves must not be longer than allowed.
-        let slack = (self.allowed - reach).max(S::ZERO);
-        self.allowed = half * self.allowed;
-        let drawn = guess.max(middle - slack).min(middle + slack);
+        let slack = (allowed - reach).max(S::ZERO);
+        self.allowed = Some(half * allowed);
+        let drawn = guess.unwrap_or(middle).max(middle - slack).min(middle + slack);
         if inside(&drawn) { drawn } else { middle }
     }
 
@@ -100,7 +114,7 @@ pub fn locate<S: Scalar>(mut g: impl FnMut(S) -> S, low: S, high: S, width: S) -
     // Search for a guard that falls below 0; one that ends at exactly 0 counts as falling there.
     let sign = if rising { -S::ONE } else { S::ONE };
     let beyond = if g_high == S::ZERO { -S::EPSILON } else { sign * g_high };
-    let mut search = Search::new((low, sign * g_low), (high, beyond), None);
+    let mut search = Search::bounded((low, sign * g_low), (high, beyond));
     for _ in 0..MAX_EVALUATIONS {
         let (a, b) = search.ends();
         let (low, high) = (a.min(b), a.max(b));
