@@ -67,7 +67,7 @@ impl<S: Scalar> Search<S> {
         self.proposals += 1;
         let half = S::from_f64(0.5);
         let Some(allowed) = self.allowed else {
-            let is_bisection = self.proposals % BISECTION == 0;
+            let is_bisection = self.proposals.is_multiple_of(BISECTION);
             return if is_bisection { None } else { guess }.unwrap_or(half * (old + new));
         };
         let (middle, reach) = (old + half * (new - old), half * (new - old).abs());
