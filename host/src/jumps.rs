@@ -4,7 +4,7 @@
 //! of speeds, as dry friction is written, a warning: in steps of fixed size friction chatters about rest, and what sticks
 //! creeps.
 
-use crate::reads::{is_speed, mentions};
+use crate::reads::{is_speed, mentions, visit};
 use smartbed_codegen::diagnostic::Diagnostic;
 use smartbed_codegen::id::Id;
 use smartbed_codegen::model::Model;
@@ -60,19 +60,18 @@ pub fn warnings(model: &Model) -> impl Iterator<Item = Diagnostic> {
     })
 }
 
+/// Each `sign` in expressions and in the definitions that these read.
 fn signs<'m>(model: &'m Model, owner: &str, expressions: impl Iterator<Item = &'m Expr>) -> Vec<Jump> {
-    let mut found = Vec::new();
-    expressions.for_each(|e| collect(model, e, &mut found));
-    found.into_iter().map(|(span, argument)| Jump { owner: owner.to_owned(), span, argument }).collect()
-}
-
-/// The places and arguments of `sign` in an expression and in the definitions that it reads.
-fn collect(model: &Model, expression: &Expr, found: &mut Vec<(Span, Expr)>) {
-    expression.visit(&mut |e| match &e.kind {
-        ExprKind::Call(Function::Sign, arguments) if found.iter().all(|(span, _)| *span != e.span) => {
-            found.extend(arguments.iter().map(|argument| (e.span, argument.clone())));
+    let mut found: Vec<Jump> = Vec::new();
+    let mut look = |e: &Expr| {
+        if let ExprKind::Call(Function::Sign, arguments) = &e.kind
+            && found.iter().all(|known| known.span != e.span)
+        {
+            let jump =
+                |argument: &Expr| Jump { owner: owner.to_owned(), span: e.span, argument: argument.clone() };
+            found.extend(arguments.iter().map(jump));
         }
-        ExprKind::Definition(id) => collect(model, &model.definitions[*id].value, found),
-        _ => {}
-    });
+    };
+    expressions.for_each(|e| visit(model, e, &mut look));
+    found
 }

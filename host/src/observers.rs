@@ -9,7 +9,7 @@
 
 use crate::columns::told_apart;
 use crate::jumps;
-use crate::reads::{is_speed, mentions};
+use crate::reads::{is_speed, mentions, visit};
 use smartbed_codegen::id::Id;
 use smartbed_codegen::model::expression::{Expr, ExprKind, Function};
 use smartbed_codegen::model::unit::Unit;
@@ -94,7 +94,7 @@ impl Observers {
     /// arguments of `abs` and `sign`, the differences of those of `min` and `max`.
     #[must_use]
     pub fn switches(&self) -> Program {
-        self.part(self.law_inputs.len() + LEDGER.len() + 2 * self.closed.len(), self.switches.iter().sum())
+        self.part(self.before_switches(), self.switches.iter().sum())
     }
 
     /// A program whose outputs are the arguments of each `sign` of a speed.
@@ -103,10 +103,12 @@ impl Observers {
         self.part(self.before_jumps(), self.jumps.len())
     }
 
-    /// Number of outputs before those arguments.
+    fn before_switches(&self) -> usize {
+        self.law_inputs.len() + LEDGER.len() + 2 * self.closed.len()
+    }
+
     fn before_jumps(&self) -> usize {
-        let switches: usize = self.switches.iter().sum();
-        self.law_inputs.len() + LEDGER.len() + 2 * self.closed.len() + switches
+        self.before_switches() + self.switches.iter().sum::<usize>()
     }
 
     /// A program whose outputs are the data of a picture of the mechanism: x, y, z of every point; for every body with
@@ -204,14 +206,13 @@ fn switches(model: &Model) -> [Vec<Expr>; 2] {
 
 /// Those of an expression and of the definitions that it reads.
 fn switches_of(model: &Model, expr: &Expr, found: &mut Vec<Expr>) {
-    expr.visit(&mut |e| match &e.kind {
+    visit(model, expr, &mut |e| match &e.kind {
         ExprKind::Call(Function::Abs | Function::Sign, arguments) => found.extend(arguments.iter().cloned()),
         ExprKind::Call(Function::Min | Function::Max, arguments) => {
             if let [a, b] = &arguments[..] {
                 found.push(node(ExprKind::Subtract(Box::new(a.clone()), Box::new(b.clone()))));
             }
         }
-        ExprKind::Definition(id) => switches_of(model, &model.definitions[*id].value, found),
         _ => {}
     });
 }

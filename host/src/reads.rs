@@ -1,6 +1,6 @@
 //! What an expression of a model reads.
 //!
-//! In: an expression and a kind of node. Out: whether it contains one, directly or through definitions.
+//! In: an expression. Out: its nodes and those of its definitions, and whether some kind is among them.
 
 use smartbed_codegen::model::Model;
 use smartbed_codegen::model::expression::{Expr, ExprKind};
@@ -11,25 +11,26 @@ pub(crate) fn is_speed(e: &Expr) -> bool {
     matches!(e.kind, Speed(_) | Rate(_) | Velocity(_) | AngularVelocity(_))
 }
 
-/// Does the expression, or a definition in it, contain such a node?
-pub(crate) fn mentions(model: &Model, expr: &Expr, wanted: &dyn Fn(&Expr) -> bool) -> bool {
-    let mut found = false;
-    let mut definitions = Vec::new();
-    let mut look = |root: &Expr, definitions: &mut Vec<_>| {
-        root.visit(&mut |e| {
-            found |= wanted(e);
+/// Shows every node of an expression and of the definitions that it reads, each of these once.
+pub(crate) fn visit(model: &Model, root: &Expr, show: &mut dyn FnMut(&Expr)) {
+    let (mut definitions, mut next, mut expr) = (Vec::new(), 0, root);
+    loop {
+        expr.visit(&mut |e| {
+            show(e);
             if let ExprKind::Definition(id) = e.kind
                 && !definitions.contains(&id)
             {
                 definitions.push(id);
             }
         });
-    };
-    look(expr, &mut definitions);
-    let mut next = 0;
-    while let Some(&id) = definitions.get(next) {
-        look(&model.definitions[id].value, &mut definitions);
-        next += 1;
+        let Some(&id) = definitions.get(next) else { break };
+        (expr, next) = (&model.definitions[id].value, next + 1);
     }
+}
+
+/// Does the expression, or a definition in it, contain such a node?
+pub(crate) fn mentions(model: &Model, expr: &Expr, wanted: &dyn Fn(&Expr) -> bool) -> bool {
+    let mut found = false;
+    visit(model, expr, &mut |e| found |= wanted(e));
     found
 }

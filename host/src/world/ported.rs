@@ -25,19 +25,11 @@ pub struct Ported<S = f64> {
     law: Interpreted<S>,
     observer: Interpreted<S>,
     places: Interpreted<S>,
-    law_inputs: Vec<usize>,
     /// The model's own inputs, then six for each port.
     inputs: Vec<S>,
     own: usize,
-    own_inputs: Vec<String>,
-    /// By port: index of the first input of its wrench.
-    wrenches: Vec<usize>,
     u_dot: Vec<S>,
-    /// First numbers of each port's answers, in the order of [`PARTS`].
-    first: Vec<[usize; 5]>,
     place: [S; 3],
-    /// The ports in use.
-    pub ports: Vec<String>,
     projections: u8,
     reads_time: bool,
     is_driven: bool,
@@ -57,8 +49,6 @@ pub struct Ported<S = f64> {
     pub(super) smooth: [S; 2],
     /// Smallest pivot of all rates so far, relative to nominal.
     pub(super) pivot: S,
-    /// Names and units of the coordinates in closed form, commanded ones among them.
-    pub closed: Vec<(String, String)>,
 }
 
 /// Energies (J) and powers (W) of a state.
@@ -76,22 +66,17 @@ impl<S: Scalar> Ported<S> {
     /// Interprets derived equations, the origin of the mechanism at a place in N (m).
     #[must_use]
     pub fn new(derived: &Arc<Derived>, place: [f64; 3]) -> Self {
-        let Derived { model, ports, program, observers, .. } = &**derived;
+        let Derived { model, program, observers, .. } = &**derived;
         let quantities = program.q.iter().chain(&program.u);
         Self {
             engine: Interpreted::new(program),
             law: Interpreted::new(&observers.laws()),
             observer: Interpreted::new(&observers.ledger()),
             places: Interpreted::new(&observers.places()),
-            law_inputs: observers.law_inputs.clone(),
             inputs: vec![S::ZERO; program.inputs.len()],
             own: model.inputs.len(),
-            own_inputs: model.inputs.iter().map(|input| input.name.clone()).collect(),
-            wrenches: derived.wrenches.clone(),
             u_dot: vec![S::ZERO; program.u_dot.len()],
-            first: derived.first.clone(),
             place: place.map(S::from_f64),
-            ports: ports.clone(),
             projections: u8::from(!program.correction.is_empty()),
             reads_time: model.is_driven() || model.reads_time(),
             is_driven: model.is_driven(),
@@ -107,9 +92,20 @@ impl<S: Scalar> Ported<S> {
             name: model.name.clone(),
             smooth: [f64::NEG_INFINITY, f64::INFINITY].map(S::from_f64),
             pivot: S::ONE,
-            closed: observers.closed.clone(),
             derived: Arc::clone(derived),
         }
+    }
+
+    /// The ports in use.
+    #[must_use]
+    pub fn ports(&self) -> &[String] {
+        &self.derived.ports
+    }
+
+    /// Names and units of the coordinates in closed form, commanded ones among them.
+    #[must_use]
+    pub fn closed(&self) -> &[(String, String)] {
+        &self.derived.observers.closed
     }
 
     /// The same in another scalar.
@@ -122,8 +118,9 @@ impl<S: Scalar> Ported<S> {
     /// start.
     #[must_use]
     pub fn free_inputs(&self) -> Vec<(usize, String)> {
-        let own = self.own_inputs.iter().cloned().enumerate();
-        own.filter(|(input, _)| !self.law_inputs.contains(input)).collect()
+        let Derived { model, observers, .. } = &*self.derived;
+        let own = model.inputs.iter().map(|input| input.name.clone()).enumerate();
+        own.filter(|(input, _)| !observers.law_inputs.contains(input)).collect()
     }
 
     /// Holds one of them at a value; true if that changes it.
@@ -150,10 +147,10 @@ impl<S: Scalar> Ported<S> {
     /// Sets the inputs: laws at this state, wrenches at the ports.
     fn command(&mut self, t: S, q: &[S], u: &[S], wrenches: &[Wrench<S>]) -> Result<(), Fault> {
         let commanded = self.law.outputs(t, q, u, &vec![S::ZERO; self.own])?;
-        for (&input, value) in self.law_inputs.iter().zip(commanded) {
+        for (&input, value) in self.derived.observers.law_inputs.iter().zip(commanded) {
             self.inputs[input] = value;
         }
-        for (&first, wrench) in self.wrenches.iter().zip(wrenches) {
+        for (&first, wrench) in self.derived.wrenches.iter().zip(wrenches) {
             self.inputs[first..first + 3].copy_from_slice(&wrench.force);
             self.inputs[first + 3..first + 6].copy_from_slice(&wrench.moment);
         }
@@ -232,7 +229,7 @@ impl<S: Scalar> Ported<S> {
     /// Number of ports in use.
     #[must_use]
     pub fn n_ports(&self) -> usize {
-        self.first.len()
+        self.derived.first.len()
     }
 
     /// Frames of the ports.
@@ -240,12 +237,12 @@ impl<S: Scalar> Ported<S> {
     /// # Errors
     /// The engine's.
     pub fn frames(&mut self, t: S, q: &[S], u: &[S], frames: &mut [Frame<S>]) -> Result<(), Fault> {
-        if self.first.is_empty() {
+        if self.derived.first.is_empty() {
             return Ok(());
         }
         let answers = self.continued(t, q, u)?;
         let three = |first: usize| [answers[first], answers[first + 1], answers[first + 2]];
-        for ([position, rotation, twist, ..], frame) in self.first.iter().zip(frames) {
+        for ([position, rotation, twist, ..], frame) in self.derived.first.iter().zip(frames) {
             let rows = [0, 3, 6].map(|row| three(rotation + row));
             *frame = Frame {
                 origin: vec3::add(three(*position), self.place),
@@ -289,7 +286,7 @@ impl<S: Scalar> Ported<S> {
     ) -> Result<InverseInertia<S>, Fault> {
         self.remember(t, q, u);
         let answers = self.asked(t, q, u)?;
-        let [.., inverse, jacobian] = *self.first.get(seen).ok_or(Fault::Shape)?;
+        let [.., inverse, jacobian] = *self.derived.first.get(seen).ok_or(Fault::Shape)?;
         if seen == at {
             return Ok(std::array::from_fn(|i| std::array::from_fn(|j| answers[inverse + 6 * i + j])));
         }
@@ -336,7 +333,7 @@ impl<S: Scalar> Ported<S> {
     /// # Errors
     /// The engine's.
     pub fn closed_forms(&mut self, t: S, q: &[S], u: &[S]) -> Result<Vec<[S; 2]>, Fault> {
-        if self.closed.is_empty() {
+        if self.closed().is_empty() {
             return Ok(Vec::new());
         }
         let t = self.switches.moment(t)?;

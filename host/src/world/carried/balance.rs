@@ -159,7 +159,7 @@ impl<S: Scalar> CarriedWorld<S> {
         let Place::Carrier(number, _) = self.places[owner] else { return name.clone() };
         let first: usize = self.carriers[..number].iter().map(Carrier::n_ports).sum();
         match &self.carriers[number] {
-            HostCarrier::Mechanism(own) => format!("{name}.{}", own.ports[port - first]),
+            HostCarrier::Mechanism(own) => format!("{name}.{}", own.ports()[port - first]),
             _ => name.clone(),
         }
     }

@@ -103,7 +103,8 @@ impl<S: Scalar> CarriedWorld<S> {
             }
             let ends = [ported.closed_forms(early, q, u)?, ported.closed_forms(late, q, u)?];
             let form = switches::jumps(ends.each_ref().map(Vec::as_slice), late - early);
-            jumped = jumped.take().or(form.map(|form| format!("{}.{}", ported.name, ported.closed[form].0)));
+            jumped =
+                jumped.take().or(form.map(|form| format!("{}.{}", ported.name, ported.closed()[form].0)));
             let kinetic = |t, u: &[S]| Ok(ported.energy(t, q, u)?.0);
             let (new, work) = switches::pass(kinetic, [early, late], u)?;
             changes.push((number, new, work));

@@ -27,7 +27,7 @@ impl<S: Settle> Engine for CarriedWorld<S> {
                         for (n, (own, unit)) in ported.names.iter().enumerate() {
                             add(format!("{name}.{own}"), unit, n < n_q);
                         }
-                        for (own, unit) in &ported.closed {
+                        for (own, unit) in ported.closed() {
                             add(format!("{name}.{own}"), unit, false);
                         }
                     }

@@ -193,8 +193,8 @@ impl CarriedWorld {
             };
             match (&self.carriers[*number], &part.kind) {
                 (HostCarrier::Mechanism(ported), Kind::Mechanism(mechanism)) => {
-                    let (module, carrier) =
-                        emitted(mechanism, &ported.ports).map_err(|why| format!("`{}`: {why}", part.name))?;
+                    let (module, carrier) = emitted(mechanism, ported.ports())
+                        .map_err(|why| format!("`{}`: {why}", part.name))?;
                     let known = equations.iter().position(|known| *known == module);
                     let own = known.unwrap_or(equations.len());
                     if known.is_none() {
