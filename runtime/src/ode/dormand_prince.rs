@@ -1,7 +1,7 @@
 //! Dormand and Prince's pair 5(4): adaptive step, dense output of order 4.
 //!
-//! In: state at t, the longest step allowed. Out: state after a step that meets the tolerance. The last
-//! stage is the first of the next step, unless a projection has moved the state.
+//! In: state at t, the longest step allowed. Out: state after a step that meets the tolerance. Time goes forward only. The
+//! last stage is the first of the next step, unless a projection has moved the state.
 //! A rejected attempt is repeated with a smaller step, at most [`MAX_REJECTIONS`] times.
 
 use super::state::State;
@@ -40,7 +40,7 @@ pub struct Taken<S> {
 pub struct DormandPrince<'a, S> {
     /// Allowed error per step.
     pub tolerance: Tolerance<S>,
-    /// The step to be tried next; set it before the first step.
+    /// The step to be tried next, above 0.
     pub next: S,
     controller: Controller<S>,
     /// Rates of the seven stages.
@@ -50,7 +50,7 @@ pub struct DormandPrince<'a, S> {
     stage: &'a mut [S],
     x_new: &'a mut [S],
     low_new: &'a mut [S],
-    /// Length of the last step.
+    /// Length of the last step; 0 before the first and after a refused one.
     h: S,
     /// Whether the last stage holds the rates at `x_new`.
     reusable: bool,
@@ -60,7 +60,7 @@ impl<'a, S: Scalar> DormandPrince<'a, S> {
     /// For states of `n` entries, first trying the step `first`; `memory` holds [`scratch`]`(n)` numbers.
     ///
     /// # Errors
-    /// [`Fault::Shape`] if `memory` is shorter or `n` is 0.
+    /// [`Fault::Shape`] if `memory` is shorter.
     pub fn new(n: usize, tolerance: Tolerance<S>, first: S, memory: &'a mut [S]) -> Result<Self, Fault> {
         let [k0, k1, k2, k3, k4, k5, k6, x_old, stage, x_new, low_new] = split(memory, n)?;
         let k = [k0, k1, k2, k3, k4, k5, k6];
@@ -78,8 +78,9 @@ impl<'a, S: Scalar> DormandPrince<'a, S> {
     /// One step, at most `h_max` long.
     ///
     /// # Errors
-    /// [`Fault::StepSize`] if the tolerance is not met after [`MAX_REJECTIONS`] attempts, or the fault of
-    /// the last attempt if it was one (singular, not finite). The state is then unchanged, bit for bit.
+    /// [`Fault::StepSize`] if the tolerance is not met after [`MAX_REJECTIONS`] attempts, or if `h_max` or `next` is not
+    /// above 0, or both are infinite; the fault of the last attempt if it was one (singular, not finite). The state is
+    /// then unchanged, bit for bit.
     pub fn step(
         &mut self,
         system: &mut impl Ode<S>,
@@ -91,6 +92,11 @@ impl<'a, S: Scalar> DormandPrince<'a, S> {
             return Err(Fault::Shape);
         }
         let mut h = self.next.min(h_max);
+        if !h.is_finite() || h <= S::ZERO {
+            return Err(Fault::StepSize);
+        }
+        // Forgets the last step, whose stages the attempts overwrite.
+        self.h = S::ZERO;
         let mut last = Fault::StepSize;
         for rejected in 0..=MAX_REJECTIONS {
             let norm = match self.attempt(system, t, h, state) {
@@ -121,8 +127,8 @@ impl<'a, S: Scalar> DormandPrince<'a, S> {
     /// Steps from `t` to exactly `end`; returns the number of steps.
     ///
     /// # Errors
-    /// Those of [`DormandPrince::step`]; [`Fault::StepSize`] after `max_steps` steps. The state is
-    /// then that of the last good step and `t` its time.
+    /// Those of [`DormandPrince::step`]; [`Fault::StepSize`] after `max_steps` steps, or if `end` is before `t` by more than
+    /// rounding, or not finite. The state is then that of the last good step and `t` its time.
     pub fn advance_to(
         &mut self,
         system: &mut impl Ode<S>,
@@ -134,6 +140,10 @@ impl<'a, S: Scalar> DormandPrince<'a, S> {
         // A remainder below the resolution of t would never shrink to 0.
         let two = S::ONE + S::ONE;
         let resolution = two * S::EPSILON * t.abs().max(end.abs());
+        let whole = end - *t;
+        if !whole.is_finite() || whole < -resolution {
+            return Err(Fault::StepSize);
+        }
         for steps in 0..max_steps {
             let left = end - *t;
             if left <= resolution {
@@ -151,10 +161,14 @@ impl<'a, S: Scalar> DormandPrince<'a, S> {
     /// Dense output: the state at t + `theta` h of the last step, 0 <= `theta` <= 1; order 4.
     ///
     /// # Errors
-    /// [`Fault::Shape`] if `x` and the state differ in length.
+    /// [`Fault::Shape`] if `x` and the state differ in length; [`Fault::StepSize`] before the first step, and after a refused
+    /// one.
     pub fn dense(&self, theta: S, x: &mut [S]) -> Result<(), Fault> {
         if x.len() != self.x_new.len() {
             return Err(Fault::Shape);
+        }
+        if self.h == S::ZERO {
+            return Err(Fault::StepSize);
         }
         let rest = S::ONE - theta;
         let [first, .., last] = &self.k;

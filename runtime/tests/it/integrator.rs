@@ -446,3 +446,54 @@ fn an_unmet_tolerance_is_a_fault() {
     assert_eq!(outcome, Err(Fault::StepSize));
     assert!(state.x() == [0.5] && state.low() == [0.0]);
 }
+
+#[test]
+fn time_goes_forward_only() {
+    let (mut x, mut low, mut memory) = ([1.0, 0.0], [0.0; 2], [0.0; dormand_prince::scratch(2)]);
+    let tolerance = Tolerance { absolute: 1e-9, relative: 1e-9 };
+    let mut solver = DormandPrince::new(2, tolerance, 0.01, &mut memory).unwrap();
+    let mut state = State::new(&mut x, &mut low).unwrap();
+    for h_max in [-0.1, 0.0, f64::NAN, f64::NEG_INFINITY] {
+        let outcome = solver.step(&mut oscillator(), 1.0, h_max, &mut state);
+        assert_eq!(outcome, Err(Fault::StepSize), "{h_max}");
+    }
+    for end in [0.9, f64::INFINITY, f64::NEG_INFINITY, f64::NAN] {
+        let mut t = 1.0;
+        let outcome = solver.advance_to(&mut oscillator(), &mut t, end, 1000, &mut state);
+        assert_eq!((outcome, t), (Err(Fault::StepSize), 1.0), "{end}");
+    }
+    assert!(state.x() == [1.0, 0.0] && solver.next == 0.01);
+    // An end before t by rounding is t.
+    let mut t = 1.0 + f64::EPSILON;
+    assert_eq!(solver.advance_to(&mut oscillator(), &mut t, 1.0, 0, &mut state), Ok(0));
+    // The longest step may be infinite, the next one not as well.
+    assert_eq!(solver.step(&mut oscillator(), t, f64::INFINITY, &mut state).unwrap().h, 0.01);
+    solver.next = f64::INFINITY;
+    assert_eq!(solver.step(&mut oscillator(), t, f64::INFINITY, &mut state), Err(Fault::StepSize));
+}
+
+#[test]
+fn dense_output_is_that_of_an_accepted_step() {
+    let (mut x, mut low, mut memory) = ([1.0], [0.0], [0.0; dormand_prince::scratch(1)]);
+    let tolerance = Tolerance { absolute: 1e-6, relative: 1e-6 };
+    let mut solver = DormandPrince::new(1, tolerance, 0.1, &mut memory).unwrap();
+    let mut state = State::new(&mut x, &mut low).unwrap();
+    let growth = |is_known: bool| Flow {
+        n: 1,
+        n_q: 1,
+        f: move |_, x: &[f64], x_dot: &mut [f64]| {
+            x_dot[0] = if is_known { x[0] } else { f64::NAN };
+            Ok(1.0)
+        },
+    };
+    let mut within = [0.0];
+    assert_eq!(solver.dense(0.5, &mut within), Err(Fault::StepSize));
+    let h = solver.step(&mut growth(true), 0.0, 0.1, &mut state).unwrap().h;
+    // What is refused before it is tried leaves the last step as it is.
+    assert_eq!(solver.step(&mut growth(true), h, -1.0, &mut state), Err(Fault::StepSize));
+    solver.dense(0.5, &mut within).unwrap();
+    assert!((within[0] - (0.5 * h).exp()).abs() < 1e-6, "{within:?}");
+    assert_eq!(solver.step(&mut growth(false), h, 0.1, &mut state), Err(Fault::NonFinite));
+    assert_eq!(solver.dense(0.5, &mut within), Err(Fault::StepSize));
+    assert!((within[0] - (0.5 * h).exp()).abs() < 1e-6, "{within:?}");
+}
