@@ -17,17 +17,24 @@ impl<S: Scalar> Attitude<S> {
         Attitude { scalar: S::ONE, vector: vec3::zero() }
     }
 
-    /// From Euler parameters of any length; the identity if the length is 0.
+    /// From Euler parameters of any length; the identity if the length is 0, NaN if it is not finite.
     #[must_use]
     pub fn new(parameters: [S; 4]) -> Attitude<S> {
-        let [scalar, x, y, z] = parameters;
-        let vector = [x, y, z];
-        let length = (scalar * scalar + vec3::dot(vector, vector)).sqrt();
-        if length > S::ZERO {
-            Attitude { scalar: scalar / length, vector: vec3::scale(vector, S::ONE / length) }
-        } else {
-            Attitude::identity()
+        let square = squares(parameters);
+        if square.is_finite() && square * S::FAR * S::FAR > S::ONE {
+            return Attitude::of_length(square.sqrt(), parameters);
         }
+        let largest = parameters.iter().fold(S::ZERO, |largest, e| largest.max_size(*e));
+        if largest == S::ZERO {
+            return Attitude::identity();
+        }
+        // Brings back into range what overflows or vanishes when squared.
+        let parameters = parameters.map(|e| e / largest);
+        Attitude::of_length(squares(parameters).sqrt(), parameters)
+    }
+
+    fn of_length(length: S, [scalar, x, y, z]: [S; 4]) -> Attitude<S> {
+        Attitude { scalar: scalar / length, vector: vec3::scale([x, y, z], S::ONE / length) }
     }
 
     /// The attitude with exactly these [`Attitude::parameters`], bit for bit.
@@ -76,4 +83,9 @@ impl<S: Scalar> Attitude<S> {
         let [x, y, z] = vector;
         Attitude::new([scalar, x, y, z])
     }
+}
+
+/// Sum of the squares of four numbers.
+fn squares<S: Scalar>([scalar, x, y, z]: [S; 4]) -> S {
+    scalar * scalar + vec3::dot([x, y, z], [x, y, z])
 }

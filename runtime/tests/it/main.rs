@@ -1,5 +1,6 @@
 //! Tests of the runtime through its public interface.
 
+mod attitude;
 mod by_blocks;
 mod conserve;
 mod conserving;
