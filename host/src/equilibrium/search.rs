@@ -6,7 +6,9 @@
 //! r = (u', q' of every coordinate that the rates depend on),   J dz = -r,   dz the solution of least norm
 //! ```
 //! in units of each unknown's own range. If the solutions form a line, steps of least norm lead to one near the start.
-//! A step is halved as long as it does not reduce r or cannot be assembled. `balance` says whether the end is a solution.
+//! A step is cut to half a range, and to twice as much after every cut one that reduced r as a whole: inputs, speeds and
+//! many coordinates have no range, and may end far from the start. It is halved as long as it does not reduce r or cannot
+//! be assembled. `balance` says whether the end is a solution.
 //! Where it is none, or outside a range, the search starts again elsewhere (`restart`).
 
 use crate::configuration::Configurations;
@@ -19,6 +21,8 @@ use smartbed_codegen::{Interpreted, Program};
 
 /// Most Newton steps.
 const STEPS: usize = 100;
+/// How far the first step may reach, in units of half the ranges.
+const HALF_RANGE: f64 = 1.0;
 /// Most halvings of one step.
 const HALVINGS: usize = 40;
 /// The search ends if every rate is below this fraction of its change over the ranges of the state.
@@ -259,13 +263,14 @@ impl<'p> Search<'p> {
     /// Newton's method from here.
     pub(super) fn settle(&mut self, mut here: Rates) -> End {
         let mut rest = self.off_balance(&here);
+        let mut reach = HALF_RANGE;
         for _ in 0..STEPS {
             if rest.1 <= ROUNDING && self.is_balanced(&here) {
                 break;
             }
-            let mut next = self.improved(&here, Flat::Ranges, rest.1);
+            let mut next = self.improved(&here, Flat::Ranges, (rest.1, &mut reach));
             if next.is_none() && !self.is_balanced(&here) {
-                next = self.improved(&here, Flat::Scaled, rest.1);
+                next = self.improved(&here, Flat::Scaled, (rest.1, &mut reach));
             }
             let Some(better) = next else { break };
             (here, rest) = better;
@@ -273,10 +278,15 @@ impl<'p> Search<'p> {
         End { fault: self.fault(&here), rates: here, rest }
     }
 
-    /// A step from here that reduces the rates.
-    fn improved(&mut self, here: &Rates, flat: Flat, before: f64) -> Option<(Rates, Rest)> {
+    /// A step from here that reduces the rates below what they were before.
+    fn improved(
+        &mut self,
+        here: &Rates,
+        flat: Flat,
+        (before, reach): (f64, &mut f64),
+    ) -> Option<(Rates, Rest)> {
         let step = self.newton_step(here, flat)?;
-        self.shortened(&step, before)
+        self.shortened(&step, before, reach)
     }
 
     /// The end of a search as the equilibrium here.
@@ -321,11 +331,12 @@ impl<'p> Search<'p> {
         Ok(())
     }
 
-    /// Takes the step, or the part of it that reduces the rates.
-    fn shortened(&mut self, step: &DVector<f64>, before: f64) -> Option<(Rates, Rest)> {
+    /// Takes the step, or the part of it that reduces the rates, at most as long as the reach; says how far the next
+    /// step may reach.
+    fn shortened(&mut self, step: &DVector<f64>, before: f64, reach: &mut f64) -> Option<(Rates, Rest)> {
         let old = self.place();
-        // At most half a range in one step.
-        let mut part = 1.0 / step.amax().max(1.0);
+        let mut part = (*reach / step.amax()).min(1.0);
+        *reach *= if part < 1.0 { 2.0 } else { 1.0 };
         for _ in 0..HALVINGS {
             if self.go(&old, step, part)
                 && let Ok(here) = self.rates()
@@ -336,6 +347,7 @@ impl<'p> Search<'p> {
                 }
             }
             part *= 0.5;
+            *reach = HALF_RANGE;
         }
         self.return_to(old);
         None

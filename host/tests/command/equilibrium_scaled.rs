@@ -59,6 +59,32 @@ fn masses_on_a_stiff_link_hang_where_their_soft_spring_carries_them() {
 }
 
 #[test]
+fn equilibria_far_from_the_start_are_found() {
+    let hoist = format!(
+        "{WEIGHT}[inputs]\nF = {{ unit = \"N\" }}\n[coordinates]\nz = {{ unit = \"m\" }}\n\
+         [points]\nP = \"z*N.z\"\n[bodies]\nload = {{ centre = \"P\", mass = \"2e6_kg\" }}\n\
+         [forces]\nrope = {{ point = \"P\", force = \"F*N.z\" }}\n"
+    );
+    let held = asked(&[&model("hoist", &hoist), "--trim", "--json"]).json();
+    close(number(&held["inputs"]["F"]), 2e6 * 9.81, 1e-14, "force");
+    let tile = asked(&["tile", "--trim", "--set", "M=31", "--json"]).json();
+    for thrust in ["FA", "FB", "FC"] {
+        close(number(&tile["inputs"][thrust]), 110.6895, 1e-12, thrust);
+    }
+    let spring = "[coordinates]\nx = { unit = \"m\" }\n[points]\nP = \"x*N.x\"\n[bodies]\n\
+                  p = { centre = \"P\", mass = 1 }\n[springs]\n\
+                  s = { coordinate = \"x\", stiffness = 100, rest = \"150_m\" }\n";
+    close(number(&found(&model("far_spring", spring))["q"]["x"]), 150.0, 1e-14, "x");
+    let coupled = "[joints]\na = { kind = \"revolute\", axis = \"z\", child = \"A\" }\n\
+                   b = { kind = \"revolute\", axis = \"z\", child = \"B\" }\n[bodies]\n\
+                   a = { centre = \"A\", frame = \"A\", mass = 1, box = [0.1, 0.1, 0.1] }\n\
+                   b = { centre = \"B\", frame = \"B\", mass = 1, box = [0.1, 0.1, 0.1] }\n[torques]\n\
+                   oil = { frame = \"B\", torque = \"0.2_N*1_m*1_s*(u_a - u_b)*N.z\" }\n";
+    let turning = asked(&[&model("coupled", coupled), "--hold", "u_a=150", "--json"]).json();
+    close(number(&turning["speeds"]["u_b"]), 150.0, 1e-14, "u_b");
+}
+
+#[test]
 fn what_falls_is_at_no_equilibrium_however_stiff_or_light_it_is() {
     let linked = "[coordinates]\na = { unit = \"m\", nominal = 0.1, range = [-1000, 1000] }\n\
                   b = { unit = \"m\", range = [-1000, 1000] }\n[points]\nP = \"a*N.z\"\nQ = \"b*N.z\"\n\
