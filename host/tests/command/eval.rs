@@ -286,6 +286,28 @@ fn parameters_at_which_a_mass_is_negative_are_refused() {
     let rate = state(&at("0.7"))["u_dot"]["u_x"].as_f64().expect("a number");
     assert!((rate - 2.0).abs() < 1e-15, "{rate}");
     let done = at("0.1");
+#[test]
+fn ports_are_answered_beside_coordinates_in_closed_form() {
+    // The same tile, with its legs in closed form and with loops solved by Newton.
+    let text =
+        r#"{"states": [{"q": {"hA": 0.01, "hB": 0, "hC": 0.02}, "inputs": {"platform_force_z": -20}}]}"#;
+    let port = |model: &str| {
+        let done = eval(&format!("port_{model}.json"), model, text, &["--answers", "port:platform"]);
+        state(&done)["port:platform"].clone()
+    };
+    let numbers = |port: &Value| {
+        let place = ["x", "y", "z"].map(|axis| port["position"][axis].clone());
+        let row = port["inverse_inertia"][2].as_array().expect("a row");
+        let number = |value: &Value| value.as_f64().expect("a number");
+        place.iter().chain(row).map(number).collect::<Vec<f64>>()
+    };
+    let [closed, solved] = ["tile_minimal", "tile"].map(|model| numbers(&port(model)));
+    assert_eq!(closed.len(), 9);
+    for (closed, solved) in closed.iter().zip(&solved) {
+        assert!((closed - solved).abs() < 1e-14, "{closed:e} {solved:e}");
+    }
+}
+
     assert_eq!(done.status, 1, "{done:?}");
     assert!(
         done.err.contains("states[0]: parameters: the mass of `b` is negative (-0.1 kg)"),
