@@ -203,6 +203,16 @@ fn answers_may_be_chosen() {
 }
 
 #[test]
+fn answers_that_messages_advise_exist() {
+    let done =
+        eval("rolling.json", "rolling_disc", r#"{"states": [{"q": {}}]}"#, &["--answers", "multipliers"]);
+    assert!(done.message().contains("`derive --form augmented`"), "{done:?}");
+    let out = crate::support::file("rolling.rs").display().to_string();
+    let derived = smartbed(&["derive", "rolling_disc", "--form", "augmented", "-o", &out]);
+    assert_eq!(derived.status, 0, "{derived:?}");
+}
+
+#[test]
 fn answers_on_request_are_those_of_both_engines() {
     let states = "{\"states\": [{\"q\": {\"hA\": 0.01, \"hB\": 0, \"hC\": 0.02}, \"u\": {\"u_hA\": 0.1},\
                   \"inputs\": {\"FA\": 30, \"platform_force_z\": -20}, \"u_dot\": {\"u_hB\": 0.5}}]}";
@@ -272,21 +282,6 @@ fn coordinates_in_closed_form_are_answered_and_may_be_given() {
 }
 
 #[test]
-fn parameters_at_which_a_mass_is_negative_are_refused() {
-    let text = "format = 1\nname = \"less\"\n[parameters]\nm = { value = 1, unit = \"kg\" }\ndm = { value = 0.2, unit = \"kg\" }\n\
-        [inputs]\nF = { unit = \"N\" }\n[coordinates]\nx = { unit = \"m\" }\n[points]\nP = \"x*N.x\"\n\
-        [bodies]\nb = { centre = \"P\", mass = \"m - dm\" }\n[forces]\nf = { point = \"P\", force = \"F*N.x\" }\n";
-    let model = written("less.toml", text);
-    let at = |m: &str| {
-        let states = format!(
-            "{{\"states\": [{{\"q\": {{\"x\": 0}}, \"inputs\": {{\"F\": 1}}, \"parameters\": {{\"m\": {m}}}}}]}}"
-        );
-        eval("less.json", &model, &states, &[])
-    };
-    let rate = state(&at("0.7"))["u_dot"]["u_x"].as_f64().expect("a number");
-    assert!((rate - 2.0).abs() < 1e-15, "{rate}");
-    let done = at("0.1");
-#[test]
 fn ports_are_answered_beside_coordinates_in_closed_form() {
     // The same tile, with its legs in closed form and with loops solved by Newton.
     let text =
@@ -308,6 +303,21 @@ fn ports_are_answered_beside_coordinates_in_closed_form() {
     }
 }
 
+#[test]
+fn parameters_at_which_a_mass_is_negative_are_refused() {
+    let text = "format = 1\nname = \"less\"\n[parameters]\nm = { value = 1, unit = \"kg\" }\ndm = { value = 0.2, unit = \"kg\" }\n\
+        [inputs]\nF = { unit = \"N\" }\n[coordinates]\nx = { unit = \"m\" }\n[points]\nP = \"x*N.x\"\n\
+        [bodies]\nb = { centre = \"P\", mass = \"m - dm\" }\n[forces]\nf = { point = \"P\", force = \"F*N.x\" }\n";
+    let model = written("less.toml", text);
+    let at = |m: &str| {
+        let states = format!(
+            "{{\"states\": [{{\"q\": {{\"x\": 0}}, \"inputs\": {{\"F\": 1}}, \"parameters\": {{\"m\": {m}}}}}]}}"
+        );
+        eval("less.json", &model, &states, &[])
+    };
+    let rate = state(&at("0.7"))["u_dot"]["u_x"].as_f64().expect("a number");
+    assert!((rate - 2.0).abs() < 1e-15, "{rate}");
+    let done = at("0.1");
     assert_eq!(done.status, 1, "{done:?}");
     assert!(
         done.err.contains("states[0]: parameters: the mass of `b` is negative (-0.1 kg)"),

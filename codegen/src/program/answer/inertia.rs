@@ -76,12 +76,12 @@ pub(super) fn multipliers(stages: &mut Stages, target: &Target) -> Parts {
     let Some(lambda) = dynamics::multipliers(stages.alg, stages.k, stages.table, stages.solution, &missing)
     else {
         return Err(Diagnostic::error(format!("`{}`: there are more constraint rows than dependent speeds", target.request))
-            .help("the multipliers of such rows are not determined one by one; ask for `augmented` and solve in the least squares"));
+            .help("the multipliers of such rows are not determined one by one; solve the equations of `derive --form augmented` in the least squares"));
     };
     let lambda = stages.solved(&lambda);
     let names = names_of_rows(stages);
     let doc =
-        "of J' lambda = M y' - f over all speeds and lifted twists, one a row of J as `augmented` has them";
+        "of J' lambda = M y' - f over all speeds and lifted twists, one a row of J as `derive --form augmented` has them";
     Ok(vec![Part::list("multipliers", doc, names, lambda)])
 }
 

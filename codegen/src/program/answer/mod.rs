@@ -165,7 +165,7 @@ fn redundant(request: &Request) -> Diagnostic {
     ))
     .help(
         "this answer needs independent speeds: choose such as pass no dead point, or keep it out of `range`; \
-         `augmented` gives masses and constraints of all speeds",
+         `derive --form augmented` gives masses and constraints of all speeds",
     )
 }
 
