@@ -14,7 +14,7 @@ use crate::number::fewest_digits;
 use crate::observers::Observers;
 use crate::progress::{Progress, Waiting};
 use crate::{answers, model_argument, output, speeds};
-use smartbed_codegen::diagnostic::Severity;
+use smartbed_codegen::diagnostic::{Diagnostics, Severity};
 use smartbed_codegen::model::Model;
 use smartbed_codegen::program::answer;
 use smartbed_codegen::{Asked, Function, Interpreted, ParameterChoice, Program, Request, Settings, program};
@@ -64,11 +64,11 @@ pub struct Arguments {
     pub json: bool,
 }
 
-/// One function per answer that not every program has.
-fn on_request(requests: &[Request]) -> Vec<Function> {
+/// A function with those of its answers that not every program has, if there are any.
+fn on_request(asked: &Function) -> Vec<Function> {
     let is_asked = |r: &&Request| answer::find(&r.answer).is_some_and(|kind| !kind.is_standing());
-    let requests: Vec<Request> = requests.iter().filter(is_asked).cloned().collect();
-    if requests.is_empty() { Vec::new() } else { vec![Function { name: "answers".to_owned(), requests }] }
+    let requests: Vec<Request> = asked.requests.iter().filter(is_asked).cloned().collect();
+    if requests.is_empty() { Vec::new() } else { vec![Function { name: asked.name.clone(), requests }] }
 }
 
 /// Runs the command.
@@ -79,11 +79,14 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let model = model_argument::read(&arguments.model)?;
     let states = states::read(&arguments.states)?;
     let choice = ParameterChoice { keep: states::parameters(&states, &model)?, ..Default::default() };
-    let requests: Vec<Request> =
-        answers::functions(&arguments.answers)?.into_iter().flat_map(|f| f.requests).collect();
-    let asked = Asked::besides(on_request(&requests));
+    let requests = answers::functions(&arguments.answers)?.into_iter().flat_map(|f| f.requests).collect();
+    let asked = Function { name: "answers".to_owned(), requests };
+    asked
+        .distinct()
+        .map_err(|twice| model_argument::wrong(&Diagnostics::one(model.source.clone(), twice)))?;
+    let besides = Asked::besides(on_request(&asked));
     let waiting = Waiting::deriving();
-    let program = program::derive_asked(&model, &choice, Settings::default(), &asked);
+    let program = program::derive_asked(&model, &choice, Settings::default(), &besides);
     drop(waiting);
     let program = program.map_err(|e| model_argument::wrong(&e))?;
     model_argument::print_warnings(&program);
@@ -93,10 +96,10 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     };
     let text = match arguments.scalar {
         ScalarKind::F32 => {
-            evaluate::<f32>(arguments, &model, &program, closed.as_ref(), (&states, &requests))?
+            evaluate::<f32>(arguments, &model, &program, closed.as_ref(), (&states, &asked.requests))?
         }
         ScalarKind::F64 => {
-            evaluate::<f64>(arguments, &model, &program, closed.as_ref(), (&states, &requests))?
+            evaluate::<f64>(arguments, &model, &program, closed.as_ref(), (&states, &asked.requests))?
         }
     };
     output::write(&arguments.output, text.as_bytes())?;
@@ -169,11 +172,11 @@ fn evaluate<S: EngineScalar>(
         }
         if let Some(closed_forms) = &mut closed_forms {
             closed_forms.set_parameters(&parameters);
+            // Leaves out the wrenches at ports, which answers add as inputs behind the model's own.
+            let inputs = &given.inputs[..model.inputs.len()];
             let values = closed_forms
                 .outputs(S::from_f64(state.t), &rounded(&near), &rounded(&u), &rounded(inputs))
                 .map_err(|fault| at(explain(fault).to_owned()))?;
-            // Leaves out the wrenches at ports, which answers add as inputs behind the model's own.
-            let inputs = &given.inputs[..model.inputs.len()];
             evaluated.closed = values.into_iter().map(S::to_f64).collect();
             agree(names, &given.closed, &evaluated.closed).map_err(at)?;
         }

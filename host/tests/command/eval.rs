@@ -200,6 +200,11 @@ fn answers_may_be_chosen() {
     assert_eq!(keys, ["energy", "q", "speeds", "u"]);
     let done = eval("chosen.json", "fourbar", CRANK, &["--answers", "energie"]);
     assert!(done.message().contains("did you mean `energy`?"), "{done:?}");
+    // Two members of one name are no JSON.
+    for twice in [&["--answers", "rates,energy,rates"][..], &["--answers", "rates", "--answers", "rates"]] {
+        let done = eval("chosen.json", "fourbar", CRANK, twice);
+        assert!(done.message().contains("`answers` asks for `rates` twice"), "{done:?}");
+    }
 }
 
 #[test]

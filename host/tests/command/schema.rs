@@ -75,12 +75,14 @@ fn what_commands_print_is_what_the_schema_says() {
     let states = written("schema_states.json", r#"{"states": [{"q": {"q1": 1}, "u": {"u1": 2}}]}"#);
     let out = file("schema_fourbar.rs").display().to_string();
     let picture = file("schema_figure.svg").display().to_string();
-    let commands: [(&str, &[&str]); 15] = [
+    let answers = file("schema_answers.json").display().to_string();
+    let commands: [(&str, &[&str]); 16] = [
         ("check", &["check", "fourbar", "--json", "--rounding"]),
         ("check", &["check", "free_body", "--json"]),
         ("derive", &["derive", "fourbar", "-o", &out, "--json"]),
         ("costs", &["derive", "fourbar", "--answers", "rates,energy", "--costs", "--json"]),
         ("eval", &["eval", "fourbar", "--states", &states]),
+        ("evaluated", &["eval", "fourbar", "--states", &states, "-o", &answers, "--json"]),
         ("equilibrium", &["equilibrium", "double_pendulum", "--json"]),
         ("run", &["run", "fourbar", "--seconds", "0.01", "--json"]),
         // The book of a drive has one column more.

@@ -199,10 +199,7 @@ fn ambiguous(functions: &[Function]) -> impl Iterator<Item = Diagnostic> {
             let error = Diagnostic::error(format!("the function `{name}` would not be the answer `{name}`"));
             return Some(error.help("that is the name of another answer: choose one of your own"));
         }
-        let twice = requests.iter().enumerate().find(|(n, request)| requests[..*n].contains(request));
-        twice.map(|(_, request)| {
-            Diagnostic::error(format!("`{name}` asks for `{request}` twice")).help("once is enough")
-        })
+        function.distinct().err()
     })
 }
 

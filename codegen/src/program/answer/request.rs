@@ -3,6 +3,7 @@
 //! In: text such as `rates`, `pose:platform` or `jacobian:arm@tip`. Out: [`Request`]s, and [`Function`]s of requests
 //! that are answered together and share sub-expressions.
 
+use crate::diagnostic::Diagnostic;
 use crate::model::Model;
 use std::fmt;
 use std::str::FromStr;
@@ -105,6 +106,18 @@ impl Function {
         let usual = if place == 0 { "answers".to_owned() } else { format!("answers_{}", place + 1) };
         let function = Self::together(name.as_deref().unwrap_or(&usual), requests);
         Ok(Self { name: name.unwrap_or(function.name), requests: function.requests })
+    }
+
+    /// Checks that it asks for nothing twice.
+    ///
+    /// # Errors
+    /// The first request that is there twice.
+    pub fn distinct(&self) -> Result<(), Diagnostic> {
+        let Self { name, requests } = self;
+        let twice = requests.iter().enumerate().find(|(n, request)| requests[..*n].contains(request));
+        twice.map_or(Ok(()), |(_, request)| {
+            Err(Diagnostic::error(format!("`{name}` asks for `{request}` twice")).help("once is enough"))
+        })
     }
 
     /// A function for each of these answers about the mechanism.
