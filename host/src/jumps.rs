@@ -1,8 +1,8 @@
-//! Signs in loads and laws: where their arguments are 0 the equations jump.
+//! Signs in loads and laws, where the equations jump; and kinks of loads, where their slopes do.
 //!
-//! In: a model. Out: each `sign` that a load or a law reads, directly or through definitions, with its argument; of those
-//! of speeds, as dry friction is written, a warning: in steps of fixed size friction chatters about rest, and what sticks
-//! creeps.
+//! In: a model. Out: each `sign` that a load or a law reads, directly or through definitions, with its argument; each `abs`,
+//! `min` and `max` that a load reads, with what is 0 at its kink; for signs of speeds, as dry friction is written, a
+//! warning: in steps of fixed size friction chatters about rest, and what sticks creeps.
 
 use crate::reads::{is_speed, mentions, visit};
 use smartbed_codegen::diagnostic::Diagnostic;
@@ -15,25 +15,56 @@ use smartbed_codegen::source::Span;
 pub const SMOOTH: &str =
     "write tanh(u/w), or 2*smooth_step(u, w) - 1, for sign(u), with a width w in the unit of the speed";
 
-/// A `sign` in a load or a law.
+/// A function in a load or a law that jumps, or has a kink.
 #[derive(Clone, Debug)]
 pub struct Jump {
     /// Name of the load, or of the input of the law.
     pub owner: String,
     /// Where it stands.
     pub span: Span,
-    /// What it is the sign of.
+    /// What is 0 where it jumps.
     pub argument: Expr,
 }
 
-/// Those of the loads.
+/// Each `sign` of the loads.
 #[must_use]
 pub fn of_loads(model: &Model) -> Vec<Jump> {
+    in_loads(model, sign)
+}
+
+/// Each `abs`, `min` and `max` of the loads.
+#[must_use]
+pub fn kinks_of_loads(model: &Model) -> Vec<Jump> {
+    in_loads(model, kink)
+}
+
+fn in_loads(model: &Model, argument: fn(&Expr) -> Option<Expr>) -> Vec<Jump> {
     let all = model.loads.iter().flat_map(|load| {
         let expressions = load.kind.expressions().into_iter().map(|(_, e)| e);
-        signs(model, &load.name, expressions)
+        found(model, &load.name, expressions, argument)
     });
     all.collect()
+}
+
+/// The argument of a `sign`.
+pub(crate) fn sign(e: &Expr) -> Option<Expr> {
+    match &e.kind {
+        ExprKind::Call(Function::Sign, arguments) => arguments.first().cloned(),
+        _ => None,
+    }
+}
+
+/// What is 0 at the kink of an `abs`, `min` or `max`.
+pub(crate) fn kink(e: &Expr) -> Option<Expr> {
+    match &e.kind {
+        ExprKind::Call(Function::Abs, arguments) => arguments.first().cloned(),
+        ExprKind::Call(Function::Min | Function::Max, arguments) => {
+            let [a, b] = &arguments[..] else { return None };
+            let kind = ExprKind::Subtract(Box::new(a.clone()), Box::new(b.clone()));
+            Some(Expr { kind, span: e.span, unit: a.unit })
+        }
+        _ => None,
+    }
 }
 
 /// Those of loads and laws whose arguments depend on speeds.
@@ -41,7 +72,7 @@ pub fn of_loads(model: &Model) -> Vec<Jump> {
 pub fn of_speeds(model: &Model) -> Vec<Jump> {
     let laws = model.laws.iter().flat_map(|(input, law)| {
         let name = model.inputs.iter().nth(input.index()).map_or("", |input| input.name.as_str());
-        signs(model, name, std::iter::once(law))
+        found(model, name, std::iter::once(law), sign)
     });
     let mut all: Vec<Jump> = of_loads(model).into_iter().chain(laws).collect();
     all.retain(|jump| mentions(model, &jump.argument, &is_speed));
@@ -60,16 +91,19 @@ pub fn warnings(model: &Model) -> impl Iterator<Item = Diagnostic> {
     })
 }
 
-/// Each `sign` in expressions and in the definitions that these read.
-fn signs<'m>(model: &'m Model, owner: &str, expressions: impl Iterator<Item = &'m Expr>) -> Vec<Jump> {
+/// Each such function in expressions and in the definitions that these read.
+fn found<'m>(
+    model: &'m Model,
+    owner: &str,
+    expressions: impl Iterator<Item = &'m Expr>,
+    argument: fn(&Expr) -> Option<Expr>,
+) -> Vec<Jump> {
     let mut found: Vec<Jump> = Vec::new();
     let mut look = |e: &Expr| {
-        if let ExprKind::Call(Function::Sign, arguments) = &e.kind
+        if let Some(argument) = argument(e)
             && found.iter().all(|known| known.span != e.span)
         {
-            let jump =
-                |argument: &Expr| Jump { owner: owner.to_owned(), span: e.span, argument: argument.clone() };
-            found.extend(arguments.iter().map(jump));
+            found.push(Jump { owner: owner.to_owned(), span: e.span, argument });
         }
     };
     expressions.for_each(|e| visit(model, e, &mut look));

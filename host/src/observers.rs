@@ -11,7 +11,7 @@ use crate::columns::told_apart;
 use crate::jumps;
 use crate::reads::{is_speed, mentions, visit};
 use smartbed_codegen::id::Id;
-use smartbed_codegen::model::expression::{Expr, ExprKind, Function};
+use smartbed_codegen::model::expression::{Expr, ExprKind};
 use smartbed_codegen::model::unit::Unit;
 use smartbed_codegen::model::{Axis, FrameId, Load, LoadKind, Model, Output};
 use smartbed_codegen::source::Span;
@@ -206,15 +206,7 @@ fn switches(model: &Model) -> [Vec<Expr>; 2] {
 
 /// Those of an expression and of the definitions that it reads.
 fn switches_of(model: &Model, expr: &Expr, found: &mut Vec<Expr>) {
-    visit(model, expr, &mut |e| match &e.kind {
-        ExprKind::Call(Function::Abs | Function::Sign, arguments) => found.extend(arguments.iter().cloned()),
-        ExprKind::Call(Function::Min | Function::Max, arguments) => {
-            if let [a, b] = &arguments[..] {
-                found.push(node(ExprKind::Subtract(Box::new(a.clone()), Box::new(b.clone()))));
-            }
-        }
-        _ => {}
-    });
+    visit(model, expr, &mut |e| found.extend(jumps::sign(e).or_else(|| jumps::kink(e))));
 }
 
 /// Does it depend on more than time?

@@ -18,7 +18,7 @@ use smartbed_runtime::mechanism::Mechanism;
 use smartbed_runtime::real::{Real, Scalar};
 
 /// The equilibrium is at most this far away, in units of half the ranges.
-const CLOSE: f64 = 1e-9;
+pub(super) const CLOSE: f64 = 1e-9;
 /// Dependent coordinates are solved for to this many epsilons of half their ranges.
 const SOLVED: f64 = 4.0;
 /// What is within this many bounds of its rounding is 0.

@@ -71,7 +71,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     };
     let (model, settings) = Settings::new(model, &asked)?;
     let model = &*model;
-    let (watched, jumps) = jumps::watched(model);
+    let (watched, [jumps, kinks]) = jumps::watched(model);
     let waiting = Waiting::deriving();
     let mut requests = vec![Request::new("linearisation")];
     if !model.laws.is_empty() {
@@ -103,12 +103,16 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     hold(arguments, &program, &mut search)?;
     let found = search.find().map_err(|why| Failure::Wrong(format!("{}: {why}", arguments.model)))?;
     model_argument::print_findings(&jumps::warnings(model, &jumps, &mut search));
+    let kinks = jumps::kinks(model, &kinks, &mut search);
+    model_argument::print_findings(&kinks);
     if let Some(outside) = search.outside() {
         output::say(&format!("warning: {outside}"));
     }
     let modes = modes::of(&found.slopes, &found.errors, &search.state_names())
         .ok_or_else(|| Failure::Wrong("the eigenvalues were not found in 10,000 sweeps".to_owned()))?;
-    let answer = text::Answer { model, program: &program, search: &search, found: &found, modes: &modes };
+    let is_smooth = kinks.items.is_empty();
+    let answer =
+        text::Answer { model, program: &program, search: &search, found: &found, modes: &modes, is_smooth };
     output::print(&if arguments.json { answer.json() } else { answer.text() })
 }
 

@@ -82,7 +82,7 @@ impl Search<'_> {
     }
 
     /// What the derived function gives here: the linearisation, and the inputs as the laws command them.
-    fn near(&mut self) -> Result<Vec<f64>, &'static str> {
+    pub(super) fn near(&mut self) -> Result<Vec<f64>, &'static str> {
         self.engine.function(0, (0.0, &self.q, &self.u, &self.inputs, &[])).map_err(|fault| fault.reason())
     }
 

@@ -20,6 +20,8 @@ pub(super) struct Answer<'a> {
     pub search: &'a Search<'a>,
     pub found: &'a Found,
     pub modes: &'a [Mode],
+    /// Do the modes hold all around, not on one side of a kink alone?
+    pub is_smooth: bool,
 }
 
 impl Fate {
@@ -101,6 +103,10 @@ impl Answer<'_> {
 
     /// Whether it is stable.
     fn verdict(&self) -> String {
+        if !self.is_smooth {
+            return "stable or not, these modes do not tell: they do not hold on both sides of a kink"
+                .to_owned();
+        }
         let has = |fate| self.modes.iter().any(|mode| mode.fate == fate);
         let words = match (has(Fate::Grows), has(Fate::Persists)) {
             (true, _) => "unstable: a small push grows",
