@@ -2,7 +2,7 @@
 //!
 //! In: a quantity at times in whole ticks. Out: the reading available at a tick.
 //! ```text
-//! quantity -> transducer (`kinds`) -> + bias + drift + noise -> range -> quantised -> sampled every period -> held, delayed
+//! quantity -> transducer (`kinds`) -> + bias + drift + noise -> quantised -> range -> sampled every period -> held, delayed
 //! ```
 //! Sensors only observe: nothing here can change the state of what is measured. Time is counted in ticks and noise by
 //! sample (`noise`), so neither step size nor order of calls changes a reading.

@@ -21,6 +21,8 @@ const SIN_COS_F64_ULP: f64 = 0.8;
 const DIFFERENCE_ULP: f64 = 1.4;
 /// Bounds of the other f32 functions [ulp], everywhere in their domain.
 const TAN_ULP: f64 = 2.6;
+/// What the f32 tangent has besides next to its zeros and poles, |x| <= 100: the error of its angle.
+const TAN_ANGLE: f64 = 1.7e-13;
 const ASIN_ULP: f64 = 2.0;
 const ACOS_ULP: f64 = 1.5;
 const ATAN2_ULP: f64 = 2.3;
@@ -109,6 +111,20 @@ fn sin_cos_f64_stays_within_its_bound() {
 fn other_functions_f32_stay_within_their_bounds() {
     let n = POINTS / 4;
     check("tan", sweep(-100.0, 100.0, n), Real::tan, f64::tan, TAN_ULP);
+    let near = |place: f64| {
+        (-200..=200).map(move |n| f32::from_bits((place as f32).to_bits().wrapping_add_signed(n)))
+    };
+    let places = (-63..=63).filter(|n| *n != 0).map(|n| f64::from(n) * std::f64::consts::FRAC_PI_2);
+    let mut worst = (0.0, 0.0);
+    for x in places.flat_map(near) {
+        let want = f64::from(x).tan();
+        let place = f64::from((want as f32).abs().next_up()) - f64::from((want as f32).abs());
+        let beyond = (f64::from(Real::tan(x)) - want).abs() - TAN_ULP * place;
+        let angle = beyond / (1.0 + want * want);
+        worst = if angle > worst.0 { (angle, x) } else { worst };
+    }
+    println!("tan next to zeros and poles: an angle of {:e} at {:e}", worst.0, worst.1);
+    assert!(worst.0 <= TAN_ANGLE, "{worst:?}");
     check("asin", sweep(-1.0, 1.0, n).chain(magnitudes(1.0)), Real::asin, f64::asin, ASIN_ULP);
     check("acos", sweep(-1.0, 1.0, n).chain(magnitudes(1.0)), Real::acos, f64::acos, ACOS_ULP);
     check("acos near 1", sweep(0.999, 1.0, n), Real::acos, f64::acos, ACOS_ULP);
