@@ -1,7 +1,9 @@
 //! Largest stable step of an explicit method: h_max = (sqrt(C^2 + K m) - C)/K of the square grid, for any graph.
 //!
-//! x.Kx = sum k (d.(x_j - x_i))^2 <= 2 sum_i x_i.A_i x_i with A_i = sum k d d^T over the springs of
-//! point i, so no mode is stiffer than 2 lambda_max(A_i)/m_i, and a stable h is at most 2 over its square root.
+//! With tension T and length l of a spring, its ends apart by z = x_j - x_i,
+//! x.Kx = sum k (d.z)^2 + T/l (z.z - (d.z)^2) <= 2 sum_i x_i.A_i x_i with A_i = sum k d d^T + T/l (1 - d d^T) over the springs
+//! of point i, so no mode is stiffer than 2 lambda_max(A_i)/m_i, and a stable h is at most 2 over its square root.
+//! Compression softens: without its T the sums stay a bound.
 //! A point of the square grid has A = 2 K 1, so K stands for lambda_max/2 here; C likewise for the dampers.
 //! A soft ground counts as one more spring along its normal, fixed at its other end, at every point, because
 //! each may touch.
@@ -17,7 +19,7 @@ use crate::vec3::{self, Vec3};
 
 /// The formula of [`largest_stable_step`], for messages.
 pub const FORMULA: &str = "h_max = min over points of (sqrt(C^2 + K m) - C)/K, with 2 K and 2 C the largest eigenvalues of the sums \
-     of k d d^T and c d d^T over the springs of a point and the ground";
+     of k d d^T + max(T, 0)/l (1 - d d^T) and of c d d^T over the springs of a point, with tension T and length l, and the ground";
 
 /// Squarings of A/trace(A) before its largest eigenvalue is read off: the 64th power.
 const SQUARINGS: usize = 6;
@@ -25,7 +27,7 @@ const SQUARINGS: usize = 6;
 /// Sums over the springs of one point, in memory that the caller lends.
 #[derive(Clone, Copy, Debug)]
 pub struct Sums<S> {
-    /// Sum of k d d^T (N/m).
+    /// Sum of k d d^T + max(T, 0)/l (1 - d d^T) (N/m).
     pub stiffness: [Vec3<S>; 3],
     /// Sum of c d d^T (N s/m).
     pub damping: [Vec3<S>; 3],
@@ -38,16 +40,16 @@ impl<S: Scalar> Sums<S> {
         Sums { stiffness: [vec3::zero(); 3], damping: [vec3::zero(); 3] }
     }
 
-    /// Adds a spring along d, or along every direction where d is None.
-    fn add(&mut self, d: Option<Vec3<S>>, share: S, stiffness: S, damping: S) {
-        for (sum, weight) in [(&mut self.stiffness, stiffness), (&mut self.damping, damping)] {
+    /// Adds a spring along d, or along every direction where d is None, with a stiffness across d.
+    fn add(&mut self, d: Option<Vec3<S>>, share: S, (stiffness, across): (S, S), damping: S) {
+        let parts =
+            [(&mut self.stiffness, stiffness - across, across), (&mut self.damping, damping, S::ZERO)];
+        for (sum, along, all) in parts {
             for (r, row) in sum.iter_mut().enumerate() {
                 for (c, entry) in row.iter_mut().enumerate() {
-                    let dyad = match d {
-                        Some(d) => component(d, r) * component(d, c),
-                        None => S::from_f64(f64::from(u8::from(r == c))),
-                    };
-                    *entry = *entry + share * weight * dyad;
+                    let one = S::from_f64(f64::from(u8::from(r == c)));
+                    let dyad = d.map_or(one, |d| component(d, r) * component(d, c));
+                    *entry = *entry + share * (along * dyad + all * one);
                 }
             }
         }
@@ -69,7 +71,7 @@ pub fn largest_stable_step<S: Scalar, R: Repertoire<S>>(
     add_bonds(system, pos, sums);
     if let Some(ground) = &system.ground {
         let (stiffness, damping) = slopes(system, ground, pos, vel);
-        sums.iter_mut().for_each(|sum| sum.add(Some(ground.normal), half, stiffness, damping));
+        sums.iter_mut().for_each(|sum| sum.add(Some(ground.normal), half, (stiffness, S::ZERO), damping));
     }
     let mut smallest: Option<S> = None;
     for (i, (mass, sum)) in system.body.mass.iter().zip(sums.iter()).enumerate() {
@@ -87,12 +89,13 @@ pub fn largest_stable_step<S: Scalar, R: Repertoire<S>>(
 }
 
 fn add_bonds<S: Scalar, R: Repertoire<S>>(system: &System<S, R>, pos: &[Vec3<S>], sums: &mut [Sums<S>]) {
-    system.elements().each_bond(pos, &mut |Bond { ends: [tail, head], direction, stiffness, damping }| {
+    system.elements().each_bond(pos, &mut |bond| {
+        let Bond { ends: [tail, head], direction, stiffness, across, damping } = bond;
         for (i, other) in [(tail, head), (head, tail)] {
             // The factor 2 of the bound is shared by two moving ends; a single moving end counts half.
             let share = S::from_f64(if system.body.inverse_mass(other) == S::ZERO { 0.5 } else { 1.0 });
             if let Some(sum) = sums.get_mut(i) {
-                sum.add(direction, share, stiffness, damping);
+                sum.add(direction, share, (stiffness, across), damping);
             }
         }
     });

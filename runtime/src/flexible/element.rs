@@ -25,6 +25,8 @@ pub struct Bond<S> {
     pub direction: Option<Vec3<S>>,
     /// Stiffness (N/m).
     pub stiffness: S,
+    /// Stiffness across the direction, by which tension turns it back (N/m); 0 under compression.
+    pub across: S,
     /// Damping (N s/m).
     pub damping: S,
 }
@@ -82,9 +84,11 @@ impl<S: Scalar> Element<S> for [Spring<S>] {
     fn each_bond(&self, pos: &[Vec3<S>], visit: &mut impl FnMut(Bond<S>)) {
         for spring in self {
             let (d, length) = spring.direction(pos);
-            let direction = (length > S::ZERO).then_some(d);
+            let is_long = length > S::ZERO;
+            let across = if is_long { (spring.tension(length) / length).max(S::ZERO) } else { S::ZERO };
+            let direction = is_long.then_some(d);
             let (stiffness, damping) = (spring.stiffness, spring.damping);
-            visit(Bond { ends: [spring.tail, spring.head], direction, stiffness, damping });
+            visit(Bond { ends: [spring.tail, spring.head], direction, stiffness, across, damping });
         }
     }
 

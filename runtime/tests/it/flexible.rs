@@ -524,6 +524,26 @@ fn the_stable_step_knows_how_deep_a_fall_goes() {
     close(found.expect("a bound"), longest, 1e-9 * longest, "a damped spring");
 }
 
+/// A mass between fixed points, one ahead and one behind along each axis: the springs along an axis give 2 k, and those
+/// across it 4 T/l where they pull. For springs to fixed points the bound is exact: 2 over the frequency.
+#[test]
+fn the_stable_step_knows_the_stiffness_of_tension() {
+    let (m, k) = (0.7, 1000.0);
+    for (rest, across) in [(0.3, 700.0), (1.0, 0.0), (1.4, 0.0)] {
+        let mut star = Trial::point([0.0; 3], [0.0; 3]);
+        star.mass[0] = m;
+        for (axis, side) in [0, 1, 2].into_iter().flat_map(|axis| [(axis, -1.0), (axis, 1.0)]) {
+            let mut end = [0.0; 3];
+            end[axis] = side;
+            star = star.anchored(end);
+            star.springs.push(spring([0, star.pos.len() - 1], k, 0.0, rest));
+        }
+        let longest = 2.0 * (m / (2.0 * k + 4.0 * across)).sqrt();
+        let found = largest_stable_step(&star.system(), &star.pos, &star.vel, &mut [Sums::none(); 7]);
+        close(found.expect("a bound"), longest, 1e-9 * longest, "springs under tension");
+    }
+}
+
 /// One touch of Newton's e with friction: J = (1 + e) m v, the slip loses mu J/m, and the accounts have both.
 #[test]
 fn a_touch_with_friction_is_in_the_accounts() {
