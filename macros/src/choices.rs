@@ -114,11 +114,21 @@ fn value(input: ParseStream) -> syn::Result<(Ident, f64)> {
     let name: Ident = input.parse()?;
     input.parse::<Token![=]>()?;
     let sign = if input.parse::<Option<Token![-]>>()?.is_some() { -1.0 } else { 1.0 };
-    let size: f64 = match input.peek(LitInt) {
-        true => input.parse::<LitInt>()?.base10_parse()?,
-        false => input.parse::<LitFloat>()?.base10_parse()?,
+    let (size, suffix, span) = if input.peek(LitInt) {
+        let number: LitInt = input.parse()?;
+        (number.base10_parse::<f64>()?, number.suffix().to_owned(), number.span())
+    } else {
+        let number: LitFloat = input.parse()?;
+        (number.base10_parse()?, number.suffix().to_owned(), number.span())
     };
-    Ok((name, sign * size))
+    if suffix.is_empty() {
+        return Ok((name, sign * size));
+    }
+    let message = format!(
+        "set: `{name}` ends in `{suffix}`; expected a number without suffix, in SI units as for `derive --set`: 0.3 for \
+         300 mm"
+    );
+    Err(syn::Error::new(span, message))
 }
 
 #[cfg(test)]
@@ -154,6 +164,10 @@ mod tests {
             ("\"p.toml\", scalar = f32, scalar = f64", "`scalar` is there twice; keep one of them"),
             ("\"p.toml\", keep = [], effort = all, keep = []", "`keep` is there twice"),
             ("\"p.toml\", set = { m = 1.0, M = 1.0, m = 2.0 }", "`m` is there twice"),
+            ("\"p.toml\", set = { l = 300_mm }", "`l` ends in `mm`; expected a number without suffix, in SI"),
+            ("\"p.toml\", set = { l = -2i64 }", "`l` ends in `i64`"),
+            ("\"p.toml\", set = { l = 1e3f32 }", "`l` ends in `f32`"),
+            ("\"p.toml\", set = { l = true }", "expected floating point literal"),
         ] {
             let said = syn::parse_str::<Choices>(text).err().map(|e| e.to_string()).unwrap_or_default();
             assert!(said.contains(message), "{text}: {said}");
