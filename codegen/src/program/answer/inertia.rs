@@ -80,8 +80,7 @@ pub(super) fn multipliers(stages: &mut Stages, target: &Target) -> Parts {
     };
     let lambda = stages.solved(&lambda);
     let names = names_of_rows(stages);
-    let doc =
-        "of J' lambda = M y' - f over all speeds and lifted twists, one a row of J as `derive --form augmented` has them";
+    let doc = "of J' lambda = M y' - f over all speeds and lifted twists, one a row of J as `derive --form augmented` has them";
     Ok(vec![Part::list("multipliers", doc, names, lambda)])
 }
 
