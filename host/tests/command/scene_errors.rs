@@ -103,6 +103,7 @@ fn every_refusal_of_a_scene_has_its_cause_and_cure() {
         pair(""),
         pair("impact = \"newton\"\nfriction = 0.1"),
         pair("impact = \"plastic\"\n[[contacts]]\nbetween = [\"ball\", \"ground\"]\nimpact = \"stronge\""),
+        format!("{}[parts.ball-ground]\nrigid = \"half_space\"", pair("impact = \"plastic\"\n")),
         format!("{BALL}[[contacts]]\nbetween = [\"ball\", \"ball\"]\nimpact = \"plastic\""),
         format!("{BALL}[[contacts]]\nbetween = [\"ball\"]\nimpact = \"plastic\""),
         format!("{GROUND}[run]\nseconds = 1e9\nstep = 1e-9"),

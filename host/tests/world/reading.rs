@@ -169,6 +169,30 @@ fn what_is_wrong_in_a_world_is_said_with_its_place() {
 
 /// Parts that overlap at the start are refused, a pair or not; only a pair can be moved apart.
 #[test]
+fn parts_and_pairs_of_one_name_are_refused() {
+    let ball = |name: &str, x: f64| {
+        format!(
+            "[parts.{name}]\nrigid = \"sphere\"\nradius = 0.1\nmass = 1\nstart = {{ position = [{x}, 0, 1] }}\n"
+        )
+    };
+    let pair = |one: &str, other: &str| {
+        format!("[[contacts]]\nbetween = [\"{one}\", \"{other}\"]\nimpact = \"stronge\"\n")
+    };
+    let one_pair =
+        format!("{GROUND}{}{}{}", ball("ball", 0.0), ball("ball-ground", 1.0), pair("ball", "ground"));
+    let said = "part `ball-ground` and the pair of `ball` and `ground` have one name in rows and accounts, `ball-ground`";
+    refused(&one_pair, said, 4);
+    let names = ["a", "b-c", "a-b", "c"];
+    let balls: String = names.iter().zip(0..).map(|(name, n)| ball(name, f64::from(n))).collect();
+    let two_pairs = format!("format = 2\n{balls}{}{}", pair("a", "b-c"), pair("a-b", "c"));
+    refused(&two_pairs, "the pair of `a` and `b-c` and the pair of `a-b` and `c` have one name", 12);
+    let sheet = format!("{SHEET}attach = [{{ nodes = [0], to = \"ball\" }}]\n").replace("bladder", "s");
+    let seam = format!("{GROUND}{}{}{sheet}", ball("ball", 0.0), ball("\"s@ball\"", 3.0));
+    refused(&seam, "part `s@ball` and the attachment of `s` to `ball` have one name", 14);
+    assert!(parse(&one_pair.replace("ball-ground", "other")).is_ok());
+}
+
+#[test]
 fn overlapping_parts_are_told_of_settling_where_they_are_a_pair() {
     let other = BALL.replace("ball", "other");
     let pair = |of: &str| format!("[[contacts]]\nbetween = [\"ball\", \"{of}\"]\nimpact = \"moreau\"\n");

@@ -1,13 +1,14 @@
 //! Scene text of format 2 -> [`Assembly`]: settings, parts, joins, run; reports all errors with their places.
 //!
 //! `value` reads numbers with units, `settings` applies `--set`; `mechanism`, `flexible` and `rigid` read one kind of
-//! part each, `join` attachments and contacts, `view` the options of pictures; `overlap` checks the initial positions
-//! of rigid parts.
+//! part each, `join` attachments and contacts, `view` the options of pictures; `names` checks that rows can tell
+//! parts and pairs apart, `overlap` the initial positions of rigid parts.
 
 mod controller;
 mod flexible;
 mod join;
 mod mechanism;
+mod names;
 mod overlap;
 mod rigid;
 mod sensor;
@@ -139,6 +140,7 @@ fn read(
         let own = name.split('[').next().unwrap_or(name);
         named.and_then(|t| t.entries.iter().find(|(key, _)| key.name == own)).map(|(key, _)| key.span)
     };
+    names::check(&assembly, spans, found);
     // Rest is searched for by a step that moves parts apart; rigid parts alone have none.
     if assembly.is_rigid() || !(to_settle || assembly.run.settled) {
         overlap::check(&assembly, spans, found);
