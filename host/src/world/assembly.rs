@@ -322,6 +322,20 @@ impl Assembly {
         })
     }
 
+    /// Refuses contacts between parts that no force moves.
+    ///
+    /// # Errors
+    /// A message with the names of the first two.
+    pub fn refuse_immovable_pairs(&self, is_immovable: impl Fn(usize) -> bool) -> Result<(), String> {
+        let fixed = |contact: &&Contact| contact.between.iter().all(|part| is_immovable(*part));
+        let Some(pair) = self.contacts.iter().find(fixed) else { return Ok(()) };
+        let [one, other] = pair.between.map(|part| &self.parts[part].name);
+        Err(format!(
+            "contacts: `{one}` and `{other}` are both fixed or follow commands, so that no force keeps them apart; \
+             leave the pair out, or let one of them move"
+        ))
+    }
+
     /// Does the world consist of rigid bodies alone, with impacts located in time?
     #[must_use]
     pub fn is_rigid(&self) -> bool {

@@ -77,6 +77,7 @@ impl RigidWorld {
             parts.push(Part { shape: rigid.shape, body: rigid.body });
             states.push(rigid.start);
         }
+        assembly.refuse_immovable_pairs(|part| parts[part].body.is_none())?;
         let located = |c: &Contact| match c.law {
             Law::Located(law) => Some(Pair { parts: c.between, law }),
             Law::Moreau { .. } => None,

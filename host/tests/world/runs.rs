@@ -267,6 +267,13 @@ fn parts_that_no_force_moves_are_no_pair() {
         let said = fails(&["run", &scene(&format!("runs_immovable_{law}"), &text(law))]);
         assert!(said.contains("`plate` and `ground` are both fixed or follow commands"), "{law}: {said}");
     }
+    // Rigid parts alone, too.
+    let text = "format = 2\n[parts]\nground = { rigid = \"half_space\" }\n\
+                w = { rigid = \"half_space\", start = { position = [0, 0, -3] } }\n\
+                ball = { rigid = \"sphere\", radius = 0.1, mass = 1, start = { height = 1 } }\n\
+                [[contacts]]\nbetween = [\"w\", \"ground\"]\nimpact = \"stronge\"\n";
+    let said = fails(&["run", &scene("runs_immovable_rigid", text)]);
+    assert!(said.contains("`w` and `ground` are both fixed or follow commands"), "{said}");
 }
 
 #[test]

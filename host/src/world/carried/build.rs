@@ -217,26 +217,17 @@ impl CarriedWorld {
         let answers = Inertias::answers(&Group { members: &mut self.carriers });
         let size = [self.room.frames.len(), self.room.pos.len(), answers, self.x.len()];
         self.touching = Some(Touching::new(assembly, &touchable, size, self.ode_method())?);
-        self.refuse_immovable_pairs()
+        self.refuse_immovable_pairs(assembly)
     }
 
     /// Refuses contacts between parts that no force moves.
-    fn refuse_immovable_pairs(&self) -> Result<(), String> {
+    fn refuse_immovable_pairs(&self, assembly: &Assembly) -> Result<(), String> {
         let [ports, held] = self.immovable();
-        let is_immovable = |part: usize| match &self.places[part] {
+        assembly.refuse_immovable_pairs(|part| match &self.places[part] {
             Place::Carrier(number, _) => self.carriers[*number].n_u() == 0,
             Place::Shape(port, ..) => ports[*port],
             Place::Nodes(nodes, ..) => held[nodes.clone()].iter().all(|held| *held),
-        };
-        let parts = self.touching.as_ref().map_or(&[][..], |touching| &touching.parts);
-        let Some(parts) = parts.iter().find(|parts| parts.iter().all(|part| is_immovable(*part))) else {
-            return Ok(());
-        };
-        let [one, other] = parts.map(|part| &self.names[part]);
-        Err(format!(
-            "contacts: `{one}` and `{other}` are both fixed or follow commands, so that no force keeps them apart; \
-             leave the pair out, or let one of them move"
-        ))
+        })
     }
 
     /// Frames of the ports of mechanisms whose motion is completely prescribed.
