@@ -15,7 +15,8 @@ is saved, it is simulated anew and the page shows the new motion. To write the p
 pub struct Arguments {
     /// The model or scene: a path, or a name under models/.
     pub model: String,
-    /// Write the picture at time T (s) to a PNG file, and end. Needs a Chromium browser.
+    /// Write the picture at time T (s) to a PNG file, and end: that of the nearest row, whose time it says. Needs a
+    /// Chromium browser.
     #[arg(long, num_args = 2, value_names = ["t=T", "FILE.png"])]
     pub still: Option<Vec<String>>,
     /// TCP port of the page; 0 takes any free one.

@@ -48,8 +48,9 @@ fn take_still(_: &Arguments, _: &str, _: &str) -> Result<(), Failure> {
 fn take_still(arguments: &Arguments, time: &str, file: &str) -> Result<(), Failure> {
     still::check(file)?;
     let time = still::time(time)?;
-    let page = page(&run::film(&arguments.run(None))?);
-    still::take(&page, time, file)?;
+    let film = run::film(&arguments.run(None))?;
+    let time = still::shown(&film, time)?;
+    still::take(&page(&film), time, file)?;
     let name = crate::number::json_string(file);
     crate::output::print(&if arguments.json {
         format!("{{\"still\": {name}}}\n")

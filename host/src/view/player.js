@@ -190,7 +190,7 @@ const asked = location.hash.match(/^#t=([0-9.eE+-]+)(,still)?$/);
 if (asked) {
   if (asked[2]) {
     document.body.className = "still"; stage.look();
-    element("note").textContent = film.note + ", t = " + Number(asked[1]) + " s";
+    element("note").textContent = film.note + ", t = " + Number(Number(asked[1]).toPrecision(9)) + " s";
   }
   play(false); wind(Number(asked[1]));
 }

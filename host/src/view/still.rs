@@ -33,6 +33,26 @@ pub fn time(text: &str) -> Result<f64, Failure> {
     })
 }
 
+/// The time that a still shows: of the moments that the page keeps the one nearest to the time asked for. Places between
+/// two of them are nobody's: a ball that bounced there would hang in the air.
+///
+/// # Errors
+/// [`Failure::Wrong`] for a time after the last of them.
+pub fn shown(data: &str, time: f64) -> Result<f64, Failure> {
+    let data: serde_json::Value = serde_json::from_str(data).unwrap_or_default();
+    let times: Vec<f64> =
+        data["times"].as_array().into_iter().flatten().filter_map(serde_json::Value::as_f64).collect();
+    let end = times.last().copied().unwrap_or_default();
+    // The end of a run may be below its length by rounding.
+    if time > end * (1.0 + 1e-9) {
+        return Err(Failure::Wrong(format!(
+            "--still t={time}: the run ends at {end} s; expected a time up to there, or a longer run: --seconds {time}"
+        )));
+    }
+    let apart = |t: &f64| (t - time).abs();
+    Ok(times.into_iter().min_by(|a, b| apart(a).total_cmp(&apart(b))).unwrap_or_default())
+}
+
 /// Opens the page at a time, and writes a picture of it.
 ///
 /// # Errors

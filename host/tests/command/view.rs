@@ -188,6 +188,29 @@ fn a_still_is_a_picture() {
     assert!(wrong.message().contains("for example t=0.5"), "{wrong:?}");
     let wrong = smartbed(&["view", "pendulum", "--still", "t=0.3", "x.jpg"]);
     assert!(wrong.message().contains("ends in .png"), "{wrong:?}");
+    let late = smartbed(&["view", "pendulum", "--seconds", "0.1", "--still", "t=5", &png]);
+    assert_eq!(late.status, 1, "{late:?}");
+    assert!(late.message().contains("--still t=5: the run ends at 0.1 s;"), "{late:?}");
+}
+
+#[test]
+fn a_still_shows_a_row_and_says_its_time() {
+    // A ball that bounces between its rows, at 0, 0.4 and 0.6 s.
+    let text = "format = 2\ntitle = \"b\"\n[parts.ground]\nrigid = \"half_space\"\n\
+        [parts.ball]\nrigid = \"sphere\"\nradius = 0.1\nmass = 1\nstart = { height = 0.5 }\n\
+        [[contacts]]\nbetween = [\"ball\", \"ground\"]\nimpact = \"stronge\"\nrestitution = 0.5\n\
+        [run]\nseconds = 0.6\nevery = 400\n";
+    let world = written("still_rows.toml", text);
+    let taken = |t: &str| {
+        let png = file(&format!("still_rows_{t}.png")).display().to_string();
+        let done = smartbed(&["view", &world, "--still", &format!("t={t}"), &png]);
+        assert_eq!(done.status, 0, "{done:?}");
+        std::fs::read(png).expect("a picture")
+    };
+    let row = taken("0.4");
+    assert!(row == taken("0.3") && row != taken("0"), "the picture and its caption are those of the row");
+    let page = page(&world, "0.6");
+    assert!(open(&page, "t=0.30000000000000004,still").text("note").ends_with(", t = 0.3 s"));
 }
 
 /// A wheel with a bob, as the guide's page on pictures shows it; `hide` says what it leaves out.
