@@ -231,7 +231,7 @@ pub fn run<E: From<String>>(
     if let Some(checkpoint) = from {
         feedback.load(&checkpoint.seen, engine)?;
     }
-    let (mut t, mut events) = (first as f64 * assembly.run.step, Vec::new());
+    let (mut t, mut events, mut tick) = (first as f64 * assembly.run.step, Vec::new(), first as u64);
     for n in first..=assembly.run.steps() {
         if n > first {
             let before_step = events.len();
@@ -245,14 +245,16 @@ pub fn run<E: From<String>>(
             // Computed as a product: a sum would accumulate rounding errors.
             t = if n == assembly.run.steps() { assembly.run.seconds } else { n as f64 * assembly.run.step };
         }
-        // After the step of a checkpoint they have been observed already.
-        if n > first || from.is_none() {
-            feedback.look(n as u64, engine).map_err(|why| at(t, why))?;
+        // Sensors count whole steps, and have observed that of a checkpoint already.
+        let is_whole = n > first && assembly.run.length(n) == assembly.run.step;
+        if is_whole || n == 0 {
+            tick = n as u64;
+            feedback.look(tick, engine).map_err(|why| at(t, why))?;
         }
         if n % assembly.run.every == 0 || n == assembly.run.steps() {
             let (state, energies) = (engine.state(), engine.energies());
             let (state, energies) = (state.map_err(|why| at(t, why))?, energies.map_err(|why| at(t, why))?);
-            let readings = feedback.readings(n as u64);
+            let readings = feedback.readings(tick);
             let row = Row {
                 t,
                 state: &state,

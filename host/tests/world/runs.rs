@@ -277,6 +277,31 @@ fn parts_that_no_force_moves_are_no_pair() {
 }
 
 #[test]
+fn a_last_step_that_is_shorter_is_no_tick_of_sensors() {
+    let text = |seconds: f64| {
+        format!(
+            "format = 2\ngravity = [0, 0, 0]\n\
+             [parts.ball]\nrigid = \"sphere\"\nradius = 0.1\nmass = 1\nstart = {{ velocity = [1, 0, 0] }}\n\
+             [sensors]\nslow = {{ of = \"ball.x\", period = 0.011 }}\nlate = {{ of = \"ball.x\", delay = 0.001 }}\n\
+             lag = {{ of = \"ball.x\", kind = \"pressure\", lag = 0.005 }}\n\
+             [run]\nseconds = {seconds}\nstep = 0.001\nevery = 100\n"
+        )
+    };
+    let at = |seconds: f64, wanted: &str| {
+        let (names, found) = rows(&[&scene(&format!("runs_ticks_{seconds}"), &text(seconds))]);
+        found[1][names.iter().position(|name| name == wanted).expect(wanted)]
+    };
+    assert_eq!((at(0.01, "t"), at(0.0101, "t")), (0.01, 0.0101));
+    assert!((at(0.0101, "ball.x") - 0.0101).abs() < 1e-12, "the ball moves on");
+    for name in ["sensors.slow", "sensors.late", "sensors.lag"] {
+        assert_eq!(at(0.0101, name), at(0.01, name), "{name}");
+    }
+    assert_eq!(at(0.0101, "sensors.slow"), 0.0, "its next sample is that of 0.011 s");
+    assert!((at(0.0101, "sensors.late") - 0.009).abs() < 1e-12, "{}", at(0.0101, "sensors.late"));
+    assert!((at(0.011, "sensors.slow") - 0.011).abs() < 1e-12);
+}
+
+#[test]
 fn what_a_mechanism_warns_of_alone_it_warns_of_in_a_scene() {
     let part = "[parts.m]\nmechanism = \"parallelogram\"\n";
     let text = |others: &str| format!("format = 2\n{part}{others}[run]\nseconds = 0.5\n");
