@@ -1,6 +1,6 @@
 //! What a run of a world writes: rows, plots, pages, checkpoints, sensors.
 
-use super::support::{fails, json, number, rows, run, scene, times};
+use super::support::{ELSEWHERE, fails, json, number, rows, run, scene, times};
 use std::path::Path;
 
 #[test]
@@ -251,6 +251,24 @@ fn a_checkpoint_is_continued_with_or_without_sleep_but_with_the_same_sensors() {
     assert!(refused(&awake, &sensor).contains("this one is with sensors.high;"), "a new sensor");
     assert!(refused(&seen, &[]).contains("this one is without sensors.high;"), "a sensor that is gone");
     run(&[&["0.02", "--resume", &seen], &sensor[..]].concat());
+}
+
+#[test]
+fn rows_have_euler_parameters_of_unit_length() {
+    // As a part of any world a box is integrated in Euler parameters, whose length drifts.
+    let text = format!(
+        "format = 2\ngravity = [0, 0, 0]\n[parts.box]\nrigid = \"box\"\nsize = [0.1, 0.2, 0.3]\nmass = 1\n\
+         start = {{ spin = [10, 1, 30] }}\n{ELSEWHERE}\
+         [sensors.turn]\nof = \"box.e0\"\n[run]\nseconds = 2\nstep = 0.005\nmethod = \"rk4\"\nevery = 20\n"
+    );
+    let (names, found) = rows(&[&scene("runs_unit_length", &text)]);
+    let place = |name: &str| names.iter().position(|own| own == name).expect(name);
+    let (e0, turn) = (place("box.e0"), place("sensors.turn"));
+    for row in &found {
+        let length: f64 = row[e0..e0 + 4].iter().map(|e| e * e).sum();
+        assert!((length - 1.0).abs() < 1e-12, "t = {}: {length}", row[0]);
+        assert_eq!(row[turn], row[e0], "a sensor reads the row");
+    }
 }
 
 #[test]

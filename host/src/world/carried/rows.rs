@@ -79,7 +79,9 @@ impl<S: Settle> Engine for CarriedWorld<S> {
                 HostCarrier::Floating(floating) => {
                     let state = floating.state(own_q, own_u).map_err(words)?;
                     let spin = floating.body.angular_velocity(&state);
-                    [own_q, &own_u[..3], &spin[..]].concat()
+                    // The method integrates Euler parameters of any length.
+                    let turn = state.attitude.parameters();
+                    [&state.position[..], &turn, &state.velocity, &spin].concat()
                 }
                 HostCarrier::Mechanism(own) => {
                     let closed = own.closed_forms(t, own_q, own_u).map_err(words)?;
