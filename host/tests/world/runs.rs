@@ -346,6 +346,21 @@ fn what_a_mechanism_warns_of_alone_it_warns_of_in_a_scene() {
 }
 
 #[test]
+fn an_iteration_over_contacts_that_fails_names_what_helps() {
+    // A cube is squeezed flat between the ground and a ball of a hundred times its mass.
+    let text = "format = 2\n[parts.ground]\nrigid = \"half_space\"\n\
+                [parts.cube]\nshape = \"cube\"\nside = 0.1\nmass = 0.1\nK = 100\nstart = { height = 0.5, velocity = [3, 0, -30] }\n\
+                [parts.ball]\nrigid = \"sphere\"\nradius = 0.05\nmass = 10\nstart = { position = [0.05, 0.05, 1.5], velocity = [0, 0, -60] }\n\
+                [[contacts]]\nbetween = [\"cube\", \"ground\"]\nimpact = \"moreau\"\nrestitution = 0.5\nfriction = 0.5\n\
+                [[contacts]]\nbetween = [\"cube\", \"ball\"]\nimpact = \"moreau\"\nfriction = 0.5\n\
+                [run]\nseconds = 0.3\nstep = 0.01\nmethod = \"energy_momentum\"\n";
+    let file = scene("runs_unsettled", text);
+    let said = fails(&["run", &file]);
+    assert!(said.contains("does not converge") && said.contains("method = \"moreau\" or laws"), "{said}");
+    run(&["run", &file, "--method", "moreau"]);
+}
+
+#[test]
 fn energies_that_are_no_numbers_end_a_run() {
     let text = "format = 2\n[parts.ball]\nrigid = \"sphere\"\nradius = 0.1\nmass = 1\nstart = { velocity = [1e200, 0, 0] }\n";
     let said = fails(&["run", &scene("runs_infinite", text)]);

@@ -126,6 +126,11 @@ fn words(fault: Fault) -> String {
     match fault {
         Fault::Jammed => rigid::JAMMED.to_owned(),
         Fault::Unbalanced => rigid::UNBALANCED.to_owned(),
+        Fault::Unsettled => format!(
+            "{}; take a smaller step, or in contact, where that may not help, method = \"moreau\" or laws of contact that \
+             locate touches",
+            fault.reason()
+        ),
         _ => format!("{}; take a smaller step or a smaller load", fault.reason()),
     }
 }
