@@ -72,7 +72,7 @@ impl Axis {
             return "0".to_owned();
         }
         if !(1e-3..1e5).contains(&largest) {
-            let digits = (largest.log10().floor() - self.tick.log10().floor()).clamp(0.0, 9.0) as usize;
+            let digits = (largest.log10().floor() - self.tick.log10().floor()).clamp(0.0, 15.0) as usize;
             return format!("{value:.digits$e}");
         }
         let digits = (-self.tick.log10().floor()).clamp(0.0, 9.0) as usize;
@@ -108,5 +108,9 @@ mod tests {
             assert!(labels.len() >= 2, "{low} {high}: {labels:?}");
             assert!(labels.windows(2).all(|w| w[0] != w[1]), "{low} {high}: {labels:?}");
         }
+        // Far from the origin, at a scale of its own.
+        let axis = Axis::scaled(&[1e9, 1e9 + 1.5], (0.0, 300.0), 150.0);
+        let labels: Vec<String> = axis.ticks().map(|t| axis.label(t)).collect();
+        assert!(labels.len() > 2 && labels.windows(2).all(|w| w[0] != w[1]), "{labels:?}");
     }
 }

@@ -7,6 +7,7 @@
 use super::Axis;
 use super::chart::{SMALL, line, text};
 use super::drawing::{Anchor, Color, Drawing, INK, Item, PALE};
+use super::font;
 
 /// Right per depth.
 const DEPTH: f64 = 0.35;
@@ -199,12 +200,16 @@ fn frame_items(items: &mut Vec<Item>, x: &Axis, z: &Axis, is_first: bool) {
             items.push(text((x.from - 8.0, at), &z.label(tick), SMALL, Anchor::End));
         }
     }
+    let mut free = f64::NEG_INFINITY;
     for tick in x.ticks() {
-        let at = x.place(tick);
+        let (at, words) = (x.place(tick), x.label(tick));
         items.push(line(vec![(at, z.from), (at, z.to)], PALE, 1.0));
-        // Half a word over the edge would meet the neighbour's.
-        if at - x.from > EDGE && x.to - at > EDGE {
-            items.push(text((at, z.from + 16.0), &x.label(tick), SMALL, Anchor::Middle));
+        // Words far over the edge would meet the next picture's, long ones their neighbours.
+        let half = 0.5 * font::width(&words, SMALL);
+        let inside = EDGE.max(half - 0.5 * BETWEEN);
+        if at - x.from > inside && x.to - at > inside && at - half > free {
+            items.push(text((at, z.from + 16.0), &words, SMALL, Anchor::Middle));
+            free = at + half + EDGE;
         }
     }
     let corners = [(x.from, z.from), (x.to, z.from), (x.to, z.to), (x.from, z.to), (x.from, z.from)];

@@ -44,3 +44,18 @@ fn a_hostile_model_runs_compiled_as_it_runs_interpreted() {
     };
     assert_eq!(run("interpreter"), run("compiled"));
 }
+
+#[test]
+fn a_plot_has_no_character_that_xml_lacks() {
+    let payload = "a\\u0000b\\u0001c\\uFFFEd\\uFFFFe<&";
+    let text = model("pendulum").replace("Simple pendulum with friction in the pin.", payload);
+    let svg = file("hostile.svg").display().to_string();
+    let path = file("hostile_plot.toml");
+    std::fs::write(&path, text).expect("the test folder can be written");
+    let done = smartbed(&["run", &path.display().to_string(), "--seconds", "0.1", "--plot", &svg]);
+    assert_eq!(done.status, 0, "{done:?}");
+    let plot = std::fs::read_to_string(svg).expect("a plot");
+    assert!(plot.contains("a b c d e&lt;&amp;"), "{plot}");
+    let lacks = |c: char| c.is_control() && c != '\n' || matches!(c, '\u{fffe}' | '\u{ffff}');
+    assert!(!plot.contains(lacks), "{plot}");
+}

@@ -27,6 +27,33 @@ fn a_world_has_rows_plots_and_a_page() {
 }
 
 #[test]
+fn numbers_of_a_picture_far_from_the_origin_keep_apart() {
+    let text = "format = 2\n[parts.ground]\nrigid = \"half_space\"\n\
+                [parts.ball]\nrigid = \"sphere\"\nradius = 0.1\nmass = 1\n\
+                start = { position = [1e9, 0, 1], velocity = [1, 0, 0] }\n\
+                [[contacts]]\nbetween = [\"ball\", \"ground\"]\nimpact = \"stronge\"\n[run]\nseconds = 1\n";
+    let svg = Path::new(env!("CARGO_TARGET_TMPDIR")).join("runs_far.svg").display().to_string();
+    run(&["run", &scene("runs_far", text), "--plot", &svg]);
+    let plot = std::fs::read_to_string(&svg).expect("a plot");
+    // Left and right end of each number below the three pictures.
+    let field = |element: &str, name: &str| -> f64 {
+        let rest = element.split_once(&format!("{name}=\"")).expect(name).1;
+        rest.split('"').next().and_then(|number| number.parse().ok()).expect("a number")
+    };
+    let numbers = plot.split("<text ").filter(|element| element.contains(">1.0000000"));
+    let found: Vec<(f64, f64, &str)> = numbers
+        .map(|element| {
+            let (middle, half) = (field(element, "x"), 0.5 * field(element, "textLength"));
+            let words = element.split_once('>').and_then(|(_, rest)| rest.split('<').next());
+            (middle - half, middle + half, words.expect("a number"))
+        })
+        .collect();
+    assert!(found.len() >= 3, "{found:?}");
+    assert!(found.iter().all(|(_, _, words)| words.ends_with("5e9")), "half a metre: {found:?}");
+    assert!(found.windows(2).all(|pair| pair[0].1 < pair[1].0), "they meet: {found:?}");
+}
+
+#[test]
 fn names_with_commas_stay_one_column_each() {
     let text = r#"
 format = 2
