@@ -25,6 +25,9 @@ const PIECE: f64 = 0.04;
 const RUBS: usize = 60;
 /// Most sweeps for the normal impulses of e = 0.
 const SWEEPS: usize = 2000;
+/// Closing speeds below this share of the fastest do not start to push any more: less than the error of the pieces. What is
+/// left of them at the end is stopped.
+const SLOWEST: f64 = 1e-6;
 /// Restitution coefficients below this do not shorten pieces: the end of the contact is located anyway.
 const SOFTEST: f64 = 0.05;
 
@@ -43,6 +46,8 @@ pub struct Struck<S> {
     lasts: S,
     piece: vec3::Vec3<S>,
     before: vec3::Vec3<S>,
+    /// Whether it has ended at the end of the piece.
+    ended: bool,
     /// Friction per normal impulse in the last piece, from which the next one starts.
     ratio: [S; 2],
 }
@@ -71,6 +76,7 @@ impl<S: Scalar> Struck<S> {
             lasts: S::ZERO,
             piece,
             before,
+            ended: false,
             ratio,
         }
     }
@@ -157,17 +163,24 @@ pub fn strike_all<S: Scalar>(
         strike_one(only, inertia, twists);
         return Outcome { pieces: 1, complete: true };
     }
-    let closing = S::from_f64(64.0) * S::EPSILON * fastest;
-    for number in 0..PIECES {
-        let Some(length) = piece_length(struck, closing) else {
-            return Outcome { pieces: number, complete: true };
-        };
-        shorten(struck, inertia, twists, spare, length, closing);
-        accept(struck, twists, spare);
+    let rounding = S::from_f64(64.0) * S::EPSILON;
+    let closing = rounding.max(S::from_f64(SLOWEST)) * fastest;
+    let (mut pieces, mut complete) = (0, false);
+    while pieces < PIECES && !complete {
+        match piece_length(struck, closing) {
+            Some(length) => {
+                shorten(struck, inertia, twists, spare, length, closing);
+                accept(struck, twists, spare);
+                pieces += 1;
+            }
+            None => complete = true,
+        }
     }
-    // Whether or not the sweeps were enough: the impact was cut short.
-    let _ = stop(struck, inertia, twists);
-    Outcome { pieces: PIECES, complete: false }
+    if !complete || struck.iter().any(|s| s.before[0] < -(rounding * fastest)) {
+        // Whether or not the sweeps were enough: what is left is slow, or the impact was cut short.
+        let _ = stop(struck, inertia, twists);
+    }
+    Outcome { pieces, complete }
 }
 
 fn strike_one<S: Scalar>(
@@ -214,9 +227,15 @@ fn shorten<S: Scalar>(
     }
     // At length 0 nothing has been given back.
     let guard = |tau: S| if tau > S::ZERO { least(tau) } else { S::ZERO };
-    let found = locate(guard, S::ZERO, length, S::EPSILON * length);
-    let end = found.map_or(length, |(_, beyond)| beyond);
-    try_piece(struck, inertia, twists, spare, end, closing);
+    // As fine as friction is: its rounding would keep a finer search going.
+    let found = locate(guard, S::ZERO, length, S::EPSILON.sqrt() * length);
+    let (before, beyond) = found.unwrap_or((length, length));
+    try_piece(struck, inertia, twists, spare, beyond, closing);
+    for s in struck.iter_mut() {
+        s.ended = s.piece[0] > S::ZERO && s.lasts < S::ZERO;
+    }
+    // Up to there none has given back more than it had.
+    try_piece(struck, inertia, twists, spare, before, closing);
 }
 
 /// Tries a piece of this length: impulses, velocities after it in `spare`, stored energies after it.
@@ -249,7 +268,7 @@ fn accept<S: Scalar>(struck: &mut [Struck<S>], twists: &mut [Twist<S>], spare: &
     // A contact that ended at the same time as another keeps a rounding error of E, which is no energy.
     let rounding = S::from_f64(256.0) * S::EPSILON;
     for s in struck.iter_mut() {
-        let ended = s.trial <= rounding * s.stored;
+        let ended = core::mem::take(&mut s.ended) || s.trial <= rounding * s.stored;
         s.stored = if ended { S::ZERO } else { s.trial };
         s.contact.impulse = vec3::add(s.contact.impulse, s.piece);
         let [normal, x, y] = s.piece;

@@ -211,7 +211,7 @@ pub(super) fn press<S: Scalar>(h: S, memory: &mut StepMemory<'_, S>) -> sweep::S
     if now.is_empty() {
         return sweep::Sweeps { number: 0, settled: true, left: S::ZERO };
     }
-    let sweeps = sweep(now, h, inertias, end);
+    let sweeps = sweep(now, h, ports, inertias, end);
     sweep::take_no_more(now, free, inertias, end);
     // Sweeps accumulate rounding errors in the velocities that they change: recompute them from the impulses.
     restore(now, ports, free, end);

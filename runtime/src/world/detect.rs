@@ -56,6 +56,8 @@ pub struct Touch<S> {
     pub(super) out: S,
     /// History of the sweeps over it.
     pub(super) trail: Trail<S>,
+    /// The impulse (N s) at which a contact that yields has not given way (`sweep`).
+    pub(super) unyielded: Vec3<S>,
 }
 
 impl<S: Scalar> Touch<S> {
@@ -99,6 +101,7 @@ impl<S: Scalar> Touch<S> {
             start: zero,
             out: S::ZERO,
             trail: Trail::empty(),
+            unyielded: zero,
         }
     }
 }

@@ -69,7 +69,8 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         }
         let [.., twists] = &mut memory.twists;
         twists.fill(Twist::zero());
-        sweep(touches, h, &memory.inertias, twists);
+        let ports = memory.inertias.couplings.len();
+        sweep(touches, h, ports, &memory.inertias, twists);
 
         // Speeds caused by the impulses alone: rates with them minus rates without.
         self.island.load_seams()?;

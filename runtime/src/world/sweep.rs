@@ -11,6 +11,9 @@
 //! Kinetic energy changes by P . (v- + v+)/2. Its normal part is never positive, because w <= -v_n- (e <= 1). Friction
 //! that reverses the slip within a step, or sweeps that stop early, could add a little energy: then all impulses are
 //! scaled down until they add none ([`take_no_more`]). So contacts only dissipate, whatever their sides are.
+//!
+//! Redundant contacts that rub in different directions share their load as if each yielded a little, all alike, as
+//! forces do (`rigid::share`): else the order of the sweeps would decide how a box turns on its four corners.
 
 use super::detect::Touch;
 use crate::real::Scalar;
@@ -33,6 +36,16 @@ const COARSE: f64 = 1e-9;
 
 /// Change of the speeds by one sweep that is rounding, in rounding units of the speeds of the points in contact.
 const ROUNDING: f64 = 16.0;
+
+/// Share of what an impulse gives its bodies by which redundant contacts yield to it.
+const YIELDS: f64 = 0.01;
+/// Number of times that they yield, each time from the impulses before, so that what is left falls by that share: always
+/// as many, because the iteration of a conserving step would not converge on impulses that jump.
+const TIMES: usize = 8;
+/// Fewest contacts whose normal impulses fit in more than one way.
+const REDUNDANT: usize = 4;
+/// Directions of slip that differ by more (rad) are different.
+const TURNED: f64 = 1e-6;
 
 /// How the sweeps went.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -63,31 +76,71 @@ fn wanted<S: Scalar>(touch: &Touch<S>, h: S) -> Option<S> {
 pub(super) fn sweep<S: Scalar>(
     touches: &mut [Touch<S>],
     h: S,
+    ports: usize,
     inertia: &impl Inertia<S>,
     twists: &mut [Twist<S>],
 ) -> Sweeps<S> {
-    let few = touches.len() <= FEW;
-    let (limit, fine) =
-        if few { (SWEEPS[0], S::from_f64(32.0) * S::EPSILON) } else { (SWEEPS[1], S::from_f64(COARSE)) };
     let (mut fastest, mut moving) = (S::ZERO, S::ZERO);
     for touch in touches.iter() {
         let speeds = vec3::norm(touch.contact.relative(twists)) + vec3::norm(touch.start);
         fastest = fastest.max(speeds + touch.out);
         moving = moving.max(touch.contact.fastest(twists));
     }
-    // Relative speeds of points that move together are known to the rounding of their own.
-    let rounding = S::from_f64(ROUNDING) * S::EPSILON * moving;
     for touch in touches.iter() {
         touch.contact.push(inertia, twists, touch.contact.impulse);
     }
-    let mut number = 0;
-    let mut settled = touches.is_empty() || fastest <= S::ZERO;
+    if touches.is_empty() || fastest <= S::ZERO {
+        return Sweeps { number: 0, settled: true, left: S::ZERO };
+    }
+    // Relative speeds of points that move together are known to the rounding of their own.
+    let speeds = [fastest, S::from_f64(ROUNDING) * S::EPSILON * moving];
+    if !are_redundant(touches, ports) {
+        return settle(touches, (h, S::ZERO), speeds, inertia, twists);
+    }
+    // Contacts that yield in the end, too, may contradict one another by rounding, which moves the others for ever.
+    touches.iter_mut().for_each(|touch| touch.unyielded = vec3::zero());
+    let mut sum = Sweeps { number: 0, settled: true, left: S::ZERO };
+    for _ in 0..TIMES {
+        let sweeps = settle(touches, (h, S::from_f64(YIELDS)), speeds, inertia, twists);
+        sum = Sweeps { number: sum.number + sweeps.number, ..sweeps };
+        touches.iter_mut().for_each(|touch| touch.unyielded = touch.contact.impulse);
+    }
+    sum
+}
+
+/// Whether impulses fit in more than one way, and which are taken makes a difference: contacts of rigid parts that rub in
+/// different directions.
+fn are_redundant<S: Scalar>(touches: &[Touch<S>], ports: usize) -> bool {
+    let is_rigid = |touch: &Touch<S>| touch.contact.points().all(|(_, point)| point.body < ports);
+    let rubs = |touch: &&Touch<S>| touch.contact.friction > S::ZERO && is_rigid(touch);
+    let slip = |touch: &Touch<S>| {
+        vec3::direction(touch.contact.to_inertial([S::ZERO, touch.start[1], touch.start[2]])).0
+    };
+    let mut slips = touches.iter().filter(rubs).map(slip);
+    let Some(first) = slips.next() else { return false };
+    touches.iter().filter(rubs).count() >= REDUNDANT
+        && slips.any(|slip| vec3::norm(vec3::sub(slip, first)) > S::from_f64(TURNED))
+}
+
+/// Sweeps until the speeds do not change any more, over contacts that yield to their impulses by a share of what these
+/// give their bodies.
+fn settle<S: Scalar>(
+    touches: &mut [Touch<S>],
+    how: (S, S),
+    [fastest, rounding]: [S; 2],
+    inertia: &impl Inertia<S>,
+    twists: &mut [Twist<S>],
+) -> Sweeps<S> {
+    let few = touches.len() <= FEW;
+    let (limit, fine) =
+        if few { (SWEEPS[0], S::from_f64(32.0) * S::EPSILON) } else { (SWEEPS[1], S::from_f64(COARSE)) };
+    let (mut number, mut settled) = (0, false);
     let (mut left, mut ahead) = (S::ZERO, Ahead::new());
     while number < limit && !settled {
         let mut moved = S::ZERO;
         for touch in touches.iter_mut() {
             let before = touch.contact.impulse;
-            moved = moved.max(relax(touch, h, inertia, twists));
+            moved = moved.max(relax(touch, how, inertia, twists));
             touch.trail.moved = vec3::sub(touch.contact.impulse, before);
         }
         number += 1;
@@ -105,21 +158,30 @@ pub(super) fn sweep<S: Scalar>(
 }
 
 /// Solves one contact's impulse with the others held; returns the change of velocity.
-fn relax<S: Scalar>(touch: &mut Touch<S>, h: S, inertia: &impl Inertia<S>, twists: &mut [Twist<S>]) -> S {
-    let (k, before) = (touch.inverse_mass, touch.contact.impulse);
+fn relax<S: Scalar>(
+    touch: &mut Touch<S>,
+    (h, yields): (S, S),
+    inertia: &impl Inertia<S>,
+    twists: &mut [Twist<S>],
+) -> S {
+    let (mut k, before) = (touch.inverse_mass, touch.contact.impulse);
     let size = touch.weight();
     let Some(end) = wanted(touch, h).filter(|_| k[0][0] > S::ZERO) else {
         touch.contact.push(inertia, twists, vec3::scale(before, -S::ONE));
         touch.contact.impulse = vec3::zero();
         return size * vec3::norm(before);
     };
-    let rate = touch.contact.relative(twists)[0];
+    // A contact that yields by `soft` (1/kg) gives way to the impulse that it has more than before.
+    let soft = yields * (k[0][0] + k[1][1] + k[2][2]) / S::from_f64(3.0);
+    (0..3).for_each(|i| k[i][i] = k[i][i] + soft);
+    let given = vec3::scale(vec3::sub(before, touch.unyielded), soft);
+    let rate = touch.contact.relative(twists)[0] + given[0];
     let normal = (before[0] + (end - rate) / k[0][0]).max(S::ZERO);
     touch.contact.push(inertia, twists, [normal - before[0], S::ZERO, S::ZERO]);
     let radius = touch.contact.friction * normal;
     let mut rub = [S::ZERO; 2];
     if radius > S::ZERO {
-        let [_, x, y] = touch.contact.relative(twists);
+        let [_, x, y] = vec3::add(touch.contact.relative(twists), given);
         rub = friction(&k, [before[1], before[2]], [x, y], radius);
     }
     touch.contact.push(inertia, twists, [S::ZERO, rub[0] - before[1], rub[1] - before[2]]);

@@ -278,3 +278,29 @@ fn without_friction_impulses_are_shared_as_equal_springs_share_them() {
     let off = [a, b, c].iter().zip(exact).map(|(v, exact)| (v - exact).abs()).fold(0.0, f64::max);
     assert!(off < 2e-4 && (a * a + b * b + c * c - 1.0).abs() < 1e-12, "{a} {b} {c}");
 }
+
+#[test]
+fn contacts_that_close_one_another_again_and_again_end_soon() {
+    // A rod comes down on two points, one first: what stops an end pushes the other down, half as fast each time.
+    for (e, friction) in [(0.0, 0.0), (0.0, 0.9), (0.3, 0.6)] {
+        let (half, body) = (0.5, of_box(2.0, [1.0, 0.01, 0.01]));
+        let state = RigidState { velocity: [0.1, 0.0, -0.5], ..still([0.0; 3]) };
+        let mut scene = Scene::new(vec![Some(body), None], vec![state, still([0.0; 3])]);
+        scene.twists[0].angular = [0.0, 1.0, 0.0];
+        let contacts = [-half, half].map(|x| {
+            let mut contact = Contact::new([0, 1], [x, 0.0, 0.0], [0.0, 0.0, 1.0], [[0.0; 3]; 2]);
+            (contact.restitution, contact.friction) = (e, friction);
+            contact
+        });
+        let (before, ..) = scene.totals();
+        let mut struck = scene.struck(&contacts);
+        let outcome = scene.strike(&mut struck);
+        let (after, ..) = scene.totals();
+        println!("e = {e}, mu = {friction}: {} pieces, {before} J, then {after} J", outcome.pieces);
+        assert!(outcome.complete && outcome.pieces < 900, "{}", outcome.pieces);
+        assert!(after <= before);
+        // What closes more slowly than the pieces are exact is stopped in the end.
+        let slowest = struck.iter().map(|s| s.contact.relative(&scene.twists)[0]).fold(f64::MAX, f64::min);
+        assert!(slowest > -1e-13, "{slowest:e}");
+    }
+}
