@@ -7,7 +7,7 @@ use crate::plot::drawing::Drawing;
 use smartbed_runtime::rigid::contact::{Mobility, Twist};
 use smartbed_runtime::rigid::law::Law;
 use smartbed_runtime::rigid::scene::{Memory, Pair, Part, RigidScene, Touching};
-use smartbed_runtime::rigid::several::Struck;
+use smartbed_runtime::rigid::struck::Struck;
 use smartbed_runtime::rigid::{RigidBody, RigidState};
 use smartbed_runtime::surface::{Shape, Sphere};
 

@@ -12,7 +12,7 @@ use smartbed_runtime::rigid::RigidState;
 use smartbed_runtime::rigid::attitude::Attitude;
 use smartbed_runtime::rigid::contact::{Mobility, Twist};
 use smartbed_runtime::rigid::scene::{Fault, Memory, Pair, Part, Piece, RigidScene, Strike, Touching};
-use smartbed_runtime::rigid::several::Struck;
+use smartbed_runtime::rigid::struck::Struck;
 use smartbed_runtime::vec3::{self, Vec3};
 use smartbed_runtime::world::Push;
 use std::cell::RefCell;

@@ -277,3 +277,15 @@ pub(crate) fn onto_disc<S: Scalar>([x, y]: [S; 2], radius: S) -> [S; 2] {
     let size = (x * x + y * y).sqrt();
     if size > radius { [x * (radius / size), y * (radius / size)] } else { [x, y] }
 }
+
+/// One contact's friction for the slip that is left: the one that stops it, or one on the rim of the friction disc.
+pub(super) fn rubbed<S: Scalar>(k: &InverseMass<S>, at: [S; 2], slip: [S; 2], radius: S) -> [S; 2] {
+    let [x, y] = solve_tangential(k, slip);
+    let rest = [at[0] - x, at[1] - y];
+    if rest[0] * rest[0] + rest[1] * rest[1] <= radius * radius {
+        return rest;
+    }
+    // Projected gradient step, its length the inverse of a bound on the larger eigenvalue.
+    let step = S::ONE / (k[1][1] + k[2][2]).max(S::EPSILON);
+    onto_disc([at[0] - step * slip[0], at[1] - step * slip[1]], radius)
+}

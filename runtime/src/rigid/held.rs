@@ -4,9 +4,8 @@
 //! accelerations after the sweep, and how much changed. `hold` repeats sweeps until nothing does, `share` with contacts
 //! that yield.
 
-use super::contact::{Contact, Inertia, Twist, onto_disc};
+use super::contact::{Contact, Inertia, Twist, onto_disc, rubbed};
 use super::impact::InverseMass;
-use super::several::rubbed;
 use super::trail::{Swept, Trail};
 use crate::real::Scalar;
 use crate::vec3::{self, Vec3};

@@ -11,8 +11,10 @@
 //! v is linear in dP, so the energy balance is exact for any length of the piece; a piece ends where the first E_j
 //! becomes 0. Every E >= 0 and friction opposes slip, so no impact creates energy, whatever e, mu and the shapes.
 
-use super::contact::{Contact, Inertia, Twist, onto_disc, solve_tangential};
-use super::impact::{InverseMass, Touch, resolve};
+use super::contact::{Inertia, Twist, rubbed};
+use super::impact::{Touch, resolve};
+use super::plastic::stop;
+use super::struck::{Outcome, Struck};
 use crate::ode::root::locate;
 use crate::real::Scalar;
 use crate::vec3;
@@ -23,69 +25,13 @@ const PIECES: usize = 10_000;
 const PIECE: f64 = 0.04;
 /// Most friction sweeps of one piece: stopped early, friction still opposes slip within its cone.
 const RUBS: usize = 60;
-/// Most sweeps for the normal impulses of e = 0.
-const SWEEPS: usize = 2000;
 /// Closing speeds below this share of the fastest do not start to push any more: less than the error of the pieces. What is
 /// left of them at the end is stopped.
 const SLOWEST: f64 = 1e-6;
 /// Restitution coefficients below this do not shorten pieces: the end of the contact is located anyway.
 const SOFTEST: f64 = 0.05;
 
-/// A contact during an impact.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Struck<S> {
-    /// The contact; its impulse is the result.
-    pub contact: Contact<S>,
-    /// The contact's inverse mass matrix K.
-    inverse_mass: InverseMass<S>,
-    /// E (J), stored.
-    stored: S,
-    /// Of the piece on trial: E after it, its impulse, the relative velocity before it.
-    trial: S,
-    /// Positive before the contact ends within the piece, negative beyond: E, or with e = 0 the energy that closing takes.
-    lasts: S,
-    piece: vec3::Vec3<S>,
-    before: vec3::Vec3<S>,
-    /// Whether it has ended at the end of the piece.
-    ended: bool,
-    /// Friction per normal impulse in the last piece, from which the next one starts.
-    ratio: [S; 2],
-}
-
-/// Result of an impact at several points.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Outcome {
-    /// Number of pieces.
-    pub pieces: usize,
-    /// Whether the pieces sufficed; if not, the rest ended as with e = 0.
-    pub complete: bool,
-}
-
 impl<S: Scalar> Struck<S> {
-    /// A contact that takes part, with its inverse mass.
-    #[must_use]
-    pub fn new(contact: Contact<S>, inertia: &(impl Inertia<S> + ?Sized)) -> Struck<S> {
-        let inverse_mass = contact.inverse_mass(inertia);
-        let zero = vec3::zero();
-        let (piece, before, ratio) = (zero, zero, [S::ZERO; 2]);
-        Struck {
-            contact,
-            inverse_mass,
-            stored: S::ZERO,
-            trial: S::ZERO,
-            lasts: S::ZERO,
-            piece,
-            before,
-            ended: false,
-            ratio,
-        }
-    }
-
-    /// The speed that its normal impulse alone would stop (m/s).
-    pub(crate) fn stopped(&self) -> S {
-        self.contact.impulse[0] * self.inverse_mass[0][0]
-    }
-
     /// Whether it pushes, or starts to.
     fn active(&self, closing: S) -> bool {
         self.stored > S::ZERO || self.before[0] < -closing
@@ -312,141 +258,4 @@ fn rub<S: Scalar>(struck: &mut [Struck<S>], inertia: &(impl Inertia<S> + ?Sized)
             (s.piece[1], s.piece[2]) = (S::ZERO, S::ZERO);
         }
     }
-}
-
-/// One contact's friction for the slip that is left: the one that stops it, or one on the rim of the friction disc.
-pub(super) fn rubbed<S: Scalar>(k: &InverseMass<S>, at: [S; 2], slip: [S; 2], radius: S) -> [S; 2] {
-    let [x, y] = solve_tangential(k, slip);
-    let rest = [at[0] - x, at[1] - y];
-    if rest[0] * rest[0] + rest[1] * rest[1] <= radius * radius {
-        return rest;
-    }
-    // Projected gradient step, its length the inverse of a bound on the larger eigenvalue.
-    let step = S::ONE / (k[1][1] + k[2][2]).max(S::EPSILON);
-    onto_disc([at[0] - step * slip[0], at[1] - step * slip[1]], radius)
-}
-
-/// The largest relative speed at a contact (m/s).
-fn fastest<S: Scalar>(struck: &[Struck<S>], twists: &[Twist<S>]) -> S {
-    struck.iter().fold(S::ZERO, |most, s| most.max(vec3::norm(s.contact.relative(twists))))
-}
-
-/// Stops the approach that is left, without friction: normal impulses J >= 0 with J v_n = 0.
-///
-/// Every update lowers the kinetic energy, so stopping early creates none. Returns false if the sweeps did not
-/// converge.
-pub fn stop<S: Scalar>(
-    struck: &mut [Struck<S>],
-    inertia: &(impl Inertia<S> + ?Sized),
-    twists: &mut [Twist<S>],
-) -> bool {
-    let (mut settled, fastest) = (false, fastest(struck, twists));
-    for s in struck.iter_mut() {
-        s.piece = vec3::zero();
-    }
-    for _ in 0..SWEEPS {
-        let mut moved = S::ZERO;
-        for s in struck.iter_mut() {
-            let yields = s.inverse_mass[0][0];
-            if yields > S::ZERO {
-                let next = (s.piece[0] - s.contact.relative(twists)[0] / yields).max(S::ZERO);
-                let change = next - s.piece[0];
-                s.piece[0] = next;
-                s.contact.push(inertia, twists, [change, S::ZERO, S::ZERO]);
-                moved = moved.max(change.abs() * yields);
-            }
-        }
-        settled = moved <= S::from_f64(4.0) * S::EPSILON * fastest;
-        if settled {
-            break;
-        }
-    }
-    for s in struck.iter_mut() {
-        s.contact.impulse[0] = s.contact.impulse[0] + s.piece[0];
-    }
-    settled
-}
-
-/// Impact by energy compensation: first with e = 0, then a share `eta` of the loss Q is given back along the same
-/// impulses.
-///
-/// ```text
-/// J0: as `stop`;  u = M^-1 W' J0;  A = u.M u/2;  b = u.M v;  A lambda^2 + b lambda = eta Q;  J = (1 + lambda) J0 >= 0
-/// ```
-/// Friction acts afterwards within mu J and only dissipates.
-pub fn compensate_all<S: Scalar>(
-    struck: &mut [Struck<S>],
-    eta: S,
-    inertia: &(impl Inertia<S> + ?Sized),
-    twists: &mut [Twist<S>],
-) -> Outcome {
-    for s in struck.iter_mut() {
-        s.contact.impulse = vec3::zero();
-        s.before = s.contact.relative(twists);
-    }
-    let settled = stop(struck, inertia, twists);
-    let half = S::from_f64(0.5);
-    // u = change by J0: J0 . W u = 2 A, J0 . W v+ = b (0 but for rounding), Q = -(J0 . W v- + A) .
-    let (mut work, mut change) = (S::ZERO, S::ZERO);
-    for s in struck.iter() {
-        let (j, after) = (s.contact.impulse[0], s.contact.relative(twists)[0]);
-        (work, change) = (work + j * after, change + j * (after - s.before[0]));
-    }
-    let (a, b) = (half * change, work);
-    let loss = (a - b).max(S::ZERO);
-    if a > S::ZERO {
-        let share = eta * loss;
-        let root = b + (b * b + S::from_f64(4.0) * a * share).max(S::ZERO).sqrt();
-        let lambda = if root > S::ZERO { S::from_f64(2.0) * share / root } else { S::ZERO };
-        for s in struck.iter_mut() {
-            let more = lambda * s.contact.impulse[0];
-            s.contact.impulse[0] = s.contact.impulse[0] + more;
-            s.contact.push(inertia, twists, [more, S::ZERO, S::ZERO]);
-        }
-    }
-    let complete = rub_within(struck, inertia, twists) && settled;
-    Outcome { pieces: 1, complete }
-}
-
-/// Friction within mu J of known impulses J, with the normal impulses needed to keep the bodies apart: each update
-/// lowers the kinetic energy. Returns false if the sweeps did not converge.
-pub(crate) fn rub_within<S: Scalar>(
-    struck: &mut [Struck<S>],
-    inertia: &(impl Inertia<S> + ?Sized),
-    twists: &mut [Twist<S>],
-) -> bool {
-    for s in struck.iter_mut() {
-        s.piece = vec3::zero();
-        s.trial = s.contact.impulse[0];
-    }
-    let (mut settled, fastest) = (false, fastest(struck, twists));
-    for _ in 0..SWEEPS {
-        let mut moved = S::ZERO;
-        for s in struck.iter_mut() {
-            let before = s.piece;
-            let yields = s.inverse_mass[0][0];
-            if yields > S::ZERO {
-                let next = (s.piece[0] - s.contact.relative(twists)[0] / yields).max(S::ZERO);
-                s.contact.push(inertia, twists, [next - s.piece[0], S::ZERO, S::ZERO]);
-                s.piece[0] = next;
-            }
-            let radius = s.contact.friction * s.trial;
-            if radius > S::ZERO {
-                let [_, x, y] = s.contact.relative(twists);
-                let [x, y] = rubbed(&s.inverse_mass, [s.piece[1], s.piece[2]], [x, y], radius);
-                s.contact.push(inertia, twists, [S::ZERO, x - s.piece[1], y - s.piece[2]]);
-                (s.piece[1], s.piece[2]) = (x, y);
-            }
-            let size = yields.max(s.inverse_mass[1][1]).max(s.inverse_mass[2][2]);
-            moved = moved.max(vec3::norm(vec3::sub(s.piece, before)) * size);
-        }
-        settled = moved <= S::from_f64(4.0) * S::EPSILON * fastest;
-        if settled {
-            break;
-        }
-    }
-    for s in struck.iter_mut() {
-        s.contact.impulse = vec3::add(s.contact.impulse, s.piece);
-    }
-    settled
 }

@@ -21,7 +21,9 @@ use crate::flexible::element::Element;
 use crate::real::Scalar;
 use crate::rigid::contact::{Inertia, Twist};
 use crate::rigid::law::Kind;
-use crate::rigid::several::{Struck, compensate_all, rub_within, stop, strike_all};
+use crate::rigid::plastic::{compensate_all, rub_within, stop};
+use crate::rigid::several::strike_all;
+use crate::rigid::struck::Struck;
 use crate::vec3::{self, Vec3};
 
 /// Rounding errors of speeds, in units of the largest.

@@ -8,7 +8,7 @@
 use super::detect::Touch;
 use crate::real::Scalar;
 use crate::rigid::contact::{Contact, Twist};
-use crate::rigid::several::Struck;
+use crate::rigid::struck::Struck;
 use crate::vec3::Vec3;
 
 /// Velocities of ports, then of nodes, at two ends; what acts between them works over their mean.

@@ -5,7 +5,7 @@ use smartbed_runtime::contact::pair;
 use smartbed_runtime::flexible::{Body, Massless, Spring};
 use smartbed_runtime::rigid::contact::{Contact, Point, Side, Twist};
 use smartbed_runtime::rigid::law::Kind;
-use smartbed_runtime::rigid::several::Struck;
+use smartbed_runtime::rigid::struck::Struck;
 use smartbed_runtime::vec3::{self, Vec3};
 use smartbed_runtime::world::{Coupling, Inertias, InverseInertia, Setting, Spare};
 

@@ -7,7 +7,7 @@ use smartbed_runtime::rigid::impact::{Touch, resolve};
 use smartbed_runtime::rigid::law::{Law, LawFault};
 use smartbed_runtime::rigid::narrow::{Placed, features};
 use smartbed_runtime::rigid::scene::{Fault, Memory, Pair, Part, Report, RigidScene, Touching};
-use smartbed_runtime::rigid::several::Struck;
+use smartbed_runtime::rigid::struck::Struck;
 use smartbed_runtime::rigid::{RigidBody, RigidState};
 use smartbed_runtime::surface::{Capsule, Cuboid, Shape, Sphere};
 

@@ -8,7 +8,7 @@ use smartbed_runtime::ode::{Method, Ode, State};
 use smartbed_runtime::rigid::RigidBody;
 use smartbed_runtime::rigid::contact::{Mobility, Twist};
 use smartbed_runtime::rigid::law::Kind;
-use smartbed_runtime::rigid::several::Struck;
+use smartbed_runtime::rigid::struck::Struck;
 use smartbed_runtime::surface::{Cuboid, Frame, Shape, Sphere};
 use smartbed_runtime::vec3::{self, Vec3};
 use smartbed_runtime::world::{

@@ -5,7 +5,9 @@ use crate::vector::{Vector, cross, dot};
 use smartbed_runtime::rigid::attitude::Attitude;
 use smartbed_runtime::rigid::contact::{Contact, Mobility, Twist};
 use smartbed_runtime::rigid::impact::{Touch, resolve};
-use smartbed_runtime::rigid::several::{Outcome, Struck, compensate_all, strike_all};
+use smartbed_runtime::rigid::plastic::compensate_all;
+use smartbed_runtime::rigid::several::strike_all;
+use smartbed_runtime::rigid::struck::{Outcome, Struck};
 use smartbed_runtime::rigid::{RigidBody, RigidState};
 
 /// Bodies at rest in their poses, with velocities beside them.

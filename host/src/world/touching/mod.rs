@@ -20,7 +20,7 @@ use smartbed_runtime::real::Scalar;
 use smartbed_runtime::rigid::contact::Mobility;
 use smartbed_runtime::rigid::law::Kind as Impact;
 use smartbed_runtime::rigid::narrow::CAPACITY;
-use smartbed_runtime::rigid::several::Struck;
+use smartbed_runtime::rigid::struck::Struck;
 use smartbed_runtime::surface::Frame;
 use smartbed_runtime::vec3::Vec3;
 use smartbed_runtime::world::{

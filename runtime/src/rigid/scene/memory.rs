@@ -3,7 +3,7 @@
 use super::touching::Touching;
 use crate::rigid::RigidState;
 use crate::rigid::contact::{Mobility, Twist};
-use crate::rigid::several::Struck;
+use crate::rigid::struck::Struck;
 
 /// Working memory; its contents mean nothing between steps. One entry per part, except for `touching`, `along` and
 /// `struck`: as many as contacts are expected at once.

@@ -8,7 +8,9 @@ use crate::ode::root::locate;
 use crate::real::Scalar;
 use crate::rigid::RigidState;
 use crate::rigid::law::Kind;
-use crate::rigid::several::{Struck, compensate_all, stop, strike_all};
+use crate::rigid::plastic::{compensate_all, stop};
+use crate::rigid::several::strike_all;
+use crate::rigid::struck::Struck;
 use crate::vec3;
 
 /// Most splits of one step.

@@ -30,7 +30,7 @@ use crate::ode::{Method, Ode, State, trial::split};
 use crate::real::Scalar;
 use crate::rigid::law::Kind;
 use crate::rigid::scene::{PIECES, SPLITS};
-use crate::rigid::several::Struck;
+use crate::rigid::struck::Struck;
 use crate::vec3;
 
 /// How far a lasting contact may move away from where it was detected in a step, relative to the world's size.

@@ -6,7 +6,7 @@ use crate::ode::Ode;
 use crate::real::Scalar;
 use crate::rigid::law::Kind;
 use crate::rigid::scene::{HIGHEST, OVERLAP};
-use crate::rigid::several::Struck;
+use crate::rigid::struck::Struck;
 use crate::world::carrier::Carrier;
 use crate::world::detect::Touch;
 use crate::world::impact::{Setting, Spare};

@@ -1,0 +1,63 @@
+//! A contact that takes part in an impact, and how an impact ended: what the laws at several points (`several`,
+//! `plastic`) have in common.
+
+use super::contact::{Contact, Inertia};
+use super::impact::InverseMass;
+use crate::real::Scalar;
+use crate::vec3;
+
+/// A contact during an impact.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Struck<S> {
+    /// The contact; its impulse is the result.
+    pub contact: Contact<S>,
+    /// The contact's inverse mass matrix K.
+    pub(super) inverse_mass: InverseMass<S>,
+    /// E (J), stored.
+    pub(super) stored: S,
+    /// Of the piece on trial: E after it, its impulse, the relative velocity before it.
+    pub(super) trial: S,
+    /// Positive before the contact ends within the piece, negative beyond: E, or with e = 0 the energy that closing takes.
+    pub(super) lasts: S,
+    pub(super) piece: vec3::Vec3<S>,
+    pub(super) before: vec3::Vec3<S>,
+    /// Whether it has ended at the end of the piece.
+    pub(super) ended: bool,
+    /// Friction per normal impulse in the last piece, from which the next one starts.
+    pub(super) ratio: [S; 2],
+}
+
+/// Result of an impact at several points.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Outcome {
+    /// Number of pieces.
+    pub pieces: usize,
+    /// Whether the pieces sufficed; if not, the rest ended as with e = 0.
+    pub complete: bool,
+}
+
+impl<S: Scalar> Struck<S> {
+    /// A contact that takes part, with its inverse mass.
+    #[must_use]
+    pub fn new(contact: Contact<S>, inertia: &(impl Inertia<S> + ?Sized)) -> Struck<S> {
+        let inverse_mass = contact.inverse_mass(inertia);
+        let zero = vec3::zero();
+        let (piece, before, ratio) = (zero, zero, [S::ZERO; 2]);
+        Struck {
+            contact,
+            inverse_mass,
+            stored: S::ZERO,
+            trial: S::ZERO,
+            lasts: S::ZERO,
+            piece,
+            before,
+            ended: false,
+            ratio,
+        }
+    }
+
+    /// The speed that its normal impulse alone would stop (m/s).
+    pub(crate) fn stopped(&self) -> S {
+        self.contact.impulse[0] * self.inverse_mass[0][0]
+    }
+}
