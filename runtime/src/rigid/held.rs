@@ -4,7 +4,7 @@
 //! accelerations after the sweep, and how much changed. `hold` repeats sweeps until nothing does, `share` with contacts
 //! that yield.
 
-use super::contact::{Contact, Inertia, Twist, onto_disc, rubbed};
+use super::contact::{Contact, Inertia, Twist, onto_disc, rubbed, softness};
 use super::impact::InverseMass;
 use super::trail::{Swept, Trail};
 use crate::real::Scalar;
@@ -161,13 +161,13 @@ impl<S: Scalar> Held<S> {
             self.slip = Some(Slip { against: self.turned(&slip, [x, y]), ..slip });
         }
         let direction = self.slip.map(|slip| slip.against);
-        let ([[k, kx, ky], [_, kxx, _], [.., kyy]], [n, tx, ty]) = (self.inverse_mass, self.contact.impulse);
+        let ([[k, kx, ky], ..], [n, tx, ty]) = (self.inverse_mass, self.contact.impulse);
         // Sliding, friction on the rim changes the normal acceleration too.
         let rigid = direction.map_or(k, |[x, y]| k - mu * (kx * x + ky * y));
         if k <= S::ZERO || rigid <= S::from_f64(JAMMED) * k {
             return Err(Unheld::Jammed);
         }
-        let soft = yields * (k + kxx + kyy) / S::from_f64(3.0);
+        let soft = softness(yields, &self.inverse_mass);
         let normal = n - self.yielding(bodies, soft)[0] / (rigid + soft);
         let normal = if pulls { normal } else { normal.max(S::ZERO) };
         let radius = mu * normal;

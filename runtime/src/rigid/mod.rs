@@ -16,7 +16,7 @@ pub mod narrow;
 pub mod plastic;
 pub mod scene;
 pub mod several;
-mod share;
+pub(crate) mod share;
 pub mod struck;
 pub(crate) mod sweeps;
 mod swerve;

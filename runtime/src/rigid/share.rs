@@ -17,12 +17,12 @@ use super::contact::{Inertia, Twist};
 use super::held::{Held, Slip, Sought, Unheld, sweep};
 use super::sweeps::{Patience, accepted, fine};
 use crate::real::Scalar;
-use crate::vec3;
+use crate::vec3::{self, Vec3};
 
 /// D: the acceleration by which a contact yields to a force, as a share of the one that the force gives its bodies.
 const YIELDS: f64 = 1e-3;
 /// Fewest contacts whose normal forces fit in more than one way.
-const REDUNDANT: usize = 4;
+pub(crate) const REDUNDANT: usize = 4;
 /// D of contacts that contradict one another, as the share above.
 const SOFT: f64 = 0.1;
 /// Most repetitions with it, and those within which what is left halves at least.
@@ -113,17 +113,18 @@ pub(super) fn soften<S: Scalar>(
 
 /// Whether contacts slip in different directions: else all forces that fit give the same accelerations.
 fn turns<S: Scalar>(held: &mut [impl AsMut<Held<S>>]) -> bool {
-    let mut first = None;
-    held.iter_mut().any(|h| {
+    differ(held.iter_mut().filter_map(|h| {
         let Held { contact, slip, .. } = h.as_mut();
-        let Some(Slip { direction: [x, y], .. }) = slip.filter(|_| contact.friction > S::ZERO) else {
-            return false;
-        };
+        let Slip { direction: [x, y], .. } = slip.filter(|_| contact.friction > S::ZERO)?;
         let [_, t1, t2] = contact.axes;
-        let slip = vec3::axpy(vec3::scale(t1, x), y, t2);
-        let other = *first.get_or_insert(slip);
-        vec3::norm(vec3::sub(slip, other)) > S::from_f64(TURNED)
-    })
+        Some(vec3::axpy(vec3::scale(t1, x), y, t2))
+    }))
+}
+
+/// Whether these directions are not all the same.
+pub(crate) fn differ<S: Scalar>(mut slips: impl Iterator<Item = Vec3<S>>) -> bool {
+    let Some(first) = slips.next() else { return false };
+    slips.any(|slip| vec3::norm(vec3::sub(slip, first)) > S::from_f64(TURNED))
 }
 
 /// Sweeps over contacts that yield; returns whether they came to an end.

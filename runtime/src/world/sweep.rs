@@ -18,8 +18,9 @@
 use super::detect::Touch;
 use crate::real::Scalar;
 use crate::rigid::anderson::Ahead;
-use crate::rigid::contact::{Inertia, Twist, onto_disc, solve_tangential};
+use crate::rigid::contact::{Inertia, Twist, onto_disc, softness, solve_tangential};
 use crate::rigid::impact::InverseMass;
+use crate::rigid::share::{REDUNDANT, differ};
 use crate::vec3;
 
 /// Up to this number of contacts, impulses converge to rounding.
@@ -42,10 +43,6 @@ const YIELDS: f64 = 0.01;
 /// Number of times that they yield, each time from the impulses before, so that what is left falls by that share: always
 /// as many, because the iteration of a conserving step would not converge on impulses that jump.
 const TIMES: usize = 8;
-/// Fewest contacts whose normal impulses fit in more than one way.
-const REDUNDANT: usize = 4;
-/// Directions of slip that differ by more (rad) are different.
-const TURNED: f64 = 1e-6;
 
 /// How the sweeps went.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -116,10 +113,7 @@ fn are_redundant<S: Scalar>(touches: &[Touch<S>], ports: usize) -> bool {
     let slip = |touch: &Touch<S>| {
         vec3::direction(touch.contact.to_inertial([S::ZERO, touch.start[1], touch.start[2]])).0
     };
-    let mut slips = touches.iter().filter(rubs).map(slip);
-    let Some(first) = slips.next() else { return false };
-    touches.iter().filter(rubs).count() >= REDUNDANT
-        && slips.any(|slip| vec3::norm(vec3::sub(slip, first)) > S::from_f64(TURNED))
+    touches.iter().filter(rubs).count() >= REDUNDANT && differ(touches.iter().filter(rubs).map(slip))
 }
 
 /// Sweeps until the speeds do not change any more, over contacts that yield to their impulses by a share of what these
@@ -171,8 +165,8 @@ fn relax<S: Scalar>(
         touch.contact.impulse = vec3::zero();
         return size * vec3::norm(before);
     };
-    // A contact that yields by `soft` (1/kg) gives way to the impulse that it has more than before.
-    let soft = yields * (k[0][0] + k[1][1] + k[2][2]) / S::from_f64(3.0);
+    // A contact that yields gives way to the impulse that it has more than before.
+    let soft = softness(yields, &k);
     (0..3).for_each(|i| k[i][i] = k[i][i] + soft);
     let given = vec3::scale(vec3::sub(before, touch.unyielded), soft);
     let rate = touch.contact.relative(twists)[0] + given[0];
