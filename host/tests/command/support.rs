@@ -131,9 +131,12 @@ pub fn lock(folder: &Path) {
     std::fs::copy(locked, folder.join("Cargo.lock")).expect("copied");
 }
 
-/// A file of one test, in a folder that cargo keeps for tests.
+/// A file of one test, in a folder of its own: tests run at once and write the same names.
 pub fn file(name: &str) -> PathBuf {
-    Path::new(env!("CARGO_TARGET_TMPDIR")).join(name)
+    let test = std::thread::current().name().unwrap_or("unnamed").replace("::", "-");
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(test);
+    std::fs::create_dir_all(&folder).expect("a folder");
+    folder.join(name)
 }
 
 /// Writes a file of one test and returns its path.

@@ -37,9 +37,12 @@ pub fn parse(text: &str) -> Result<Assembly, String> {
     read::parse("w.toml", text, &[], &find).map_err(|found| found.to_string())
 }
 
-/// File of a scene with this text.
+/// File of a scene with this text, in a folder of the test's own: tests run at once and write the same names.
 pub fn scene(name: &str, text: &str) -> String {
-    let file = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("{name}.toml"));
+    let test = std::thread::current().name().unwrap_or("unnamed").replace("::", "-");
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(test);
+    std::fs::create_dir_all(&folder).expect("a folder");
+    let file = folder.join(format!("{name}.toml"));
     std::fs::write(&file, text).expect("a file");
     file.display().to_string()
 }
