@@ -33,14 +33,20 @@ pub fn markdown(text: &str) -> String {
     let mut before: Option<char> = None;
     let mut letters = text.chars().peekable();
     while let Some(c) = letters.next() {
+        // Most of a text, and never markup.
+        if c.is_ascii_alphanumeric() || c == ' ' {
+            shown.push(c);
+            before = Some(c);
+            continue;
+        }
         let next = letters.peek().copied();
         let inside_word =
-            before.is_some_and(char::is_alphanumeric) && next.is_some_and(char::is_alphanumeric);
+            || before.is_some_and(char::is_alphanumeric) && next.is_some_and(char::is_alphanumeric);
         let is_markup = match c {
             '\\' | '`' | '*' | '[' | '|' | '~' => true,
             '<' => next.is_some_and(|c| c.is_ascii_alphabetic() || "/!?".contains(c)),
             '&' => next.is_some_and(|c| c.is_ascii_alphabetic() || c == '#'),
-            '_' => !inside_word,
+            '_' => !inside_word(),
             '#' | '>' | '/' => before.is_none(),
             '-' | '+' => before.is_none() && next == Some(' '),
             _ => false,

@@ -52,6 +52,7 @@ pub mod escape;
 pub mod expr;
 pub mod id;
 pub mod section;
+mod sorted;
 pub mod source;
 pub mod words;
 

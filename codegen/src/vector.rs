@@ -12,8 +12,8 @@ mod triads;
 
 use crate::expr::{Dag, ExprId};
 use crate::model::{Axis, PointId};
+use crate::sorted::Sorted;
 use merged_turn::MergedTurn;
-use std::collections::BTreeMap;
 
 pub use components::{along_axis, cross_components, dot_components, turn_components};
 pub use triads::{Components, Spin, TriadId, Triads, Turn};
@@ -22,9 +22,9 @@ pub use triads::{Components, Spin, TriadId, Triads, Turn};
 #[derive(Clone, PartialEq, Debug, Default)]
 pub struct Vector {
     /// Non-zero terms.
-    pub terms: BTreeMap<TriadId, Components>,
+    pub terms: Sorted<TriadId, Components>,
     /// Coefficients of the positions of lifted points, whose velocities are unknowns of their own.
-    pub points: BTreeMap<PointId, ExprId>,
+    pub points: Sorted<PointId, ExprId>,
 }
 
 impl Vector {
@@ -52,7 +52,7 @@ impl Vector {
 
     /// The position of a lifted point, kept whole.
     pub fn position(dag: &mut Dag, point: PointId) -> Self {
-        Self { terms: BTreeMap::new(), points: BTreeMap::from([(point, dag.one())]) }
+        Self { terms: Sorted::default(), points: Sorted::from_iter([(point, dag.one())]) }
     }
 
     /// Zero?
@@ -159,7 +159,7 @@ impl Algebra {
 impl Triads {
     /// `vector` with every term moved to `target` whose unit vectors are known to be constant there.
     pub fn with_constants(&self, dag: &mut Dag, vector: &Vector, target: TriadId) -> Vector {
-        let mut result = Vector { terms: BTreeMap::new(), points: vector.points.clone() };
+        let mut result = Vector { terms: Sorted::default(), points: vector.points.clone() };
         for (&triad, components) in &vector.terms {
             let replaced = match self.constant_in(dag, triad, components, target) {
                 Some(constant) => Vector::new(dag, target, constant),

@@ -2,6 +2,7 @@
 //! time that the operations take.
 
 use super::node::NO_OPERATION;
+use super::print::{binary_name, unary_name};
 use super::{Binary, Dag, Dependence, ExprId, Node, NodeSet, Unary};
 use crate::id::Id;
 use rustc_hash::{FxHashMap as HashMap, FxHashSet as HashSet};
@@ -142,12 +143,13 @@ impl Dag {
         roots: &[ExprId],
         dependence: Dependence,
     ) -> BTreeMap<&'static str, usize> {
-        let mut counts: Vec<(&'static str, usize)> = Vec::new();
+        // Kinds are compared as numbers, which is faster than by their names.
+        let mut counts: Vec<((Option<Unary>, Option<Binary>), usize)> = Vec::new();
         let counted = |&id: &ExprId| self.dependence(id) == dependence && self.is_operation(id);
         for id in self.cone(roots).iter().filter(counted) {
             let kind = match self.node(id) {
-                Node::Unary(function, _) => super::print::unary_name(function),
-                Node::Binary(operator, ..) => super::print::binary_name(operator),
+                Node::Unary(function, _) => (Some(function), None),
+                Node::Binary(operator, ..) => (None, Some(operator)),
                 _ => continue,
             };
             match counts.iter_mut().find(|(known, _)| *known == kind) {
@@ -155,6 +157,9 @@ impl Dag {
                 None => counts.push((kind, 1)),
             }
         }
-        counts.into_iter().collect()
+        let name = |(function, operator): (Option<Unary>, Option<Binary>)| {
+            function.map(unary_name).or(operator.map(binary_name)).unwrap_or_default()
+        };
+        counts.into_iter().map(|(kind, count)| (name(kind), count)).collect()
     }
 }

@@ -14,6 +14,9 @@ impl Dag {
     pub fn derivative(&mut self, expr: ExprId, symbol: SymbolId) -> ExprId {
         let bit = symbol_bit(symbol);
         let is_known = |dag: &Self, id| !dag.may_read(id, bit) || dag.derivatives.contains_key(&(id, symbol));
+        if is_known(self, expr) {
+            return self.known_derivative(expr, symbol);
+        }
         // Ascending order visits operands before their node, so no recursion is needed.
         for id in self.reachable_above(&[expr], |id| is_known(self, id)) {
             if !is_known(self, id) {
@@ -167,8 +170,7 @@ impl Dag {
     /// The symbols that some of `roots` depend on, ascending.
     #[must_use]
     pub fn symbols_of_all(&self, roots: &[ExprId]) -> Vec<SymbolId> {
-        let mut symbols: Vec<_> =
-            self.reachable(roots).into_iter().filter_map(|id| self.as_symbol(id)).collect();
+        let mut symbols: Vec<_> = self.cone(roots).iter().filter_map(|id| self.as_symbol(id)).collect();
         symbols.sort_by_key(|s| s.index());
         symbols
     }

@@ -7,7 +7,7 @@ use rustc_hash::FxBuildHasher;
 use std::hash::BuildHasher;
 
 /// Initial number of slots: most mechanisms never outgrow it.
-const SLOTS: usize = 1 << 15;
+const SLOTS: usize = 1 << 14;
 /// Marks an empty slot; any other entry is an id plus 1.
 const FREE: u32 = 0;
 

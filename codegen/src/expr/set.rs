@@ -14,9 +14,9 @@ impl NodeSet {
     /// The empty set, with room for nodes below `bound`.
     pub fn below(bound: usize) -> Self {
         // Memory that is asked for as zeroed bypasses the allocator's cache of small blocks.
-        let mut set = Self::default();
-        set.0.resize(bound.div_ceil(WORD), 0);
-        set
+        let mut words = Vec::with_capacity(bound.div_ceil(WORD));
+        words.resize(bound.div_ceil(WORD), 0);
+        Self(words)
     }
 
     /// Adds a node below the bound.

@@ -7,7 +7,7 @@
 const RANK: f64 = 1e-10;
 
 /// Entries processed together; a row is padded with zeros to a multiple of this.
-const LANES: usize = 4;
+const LANES: usize = 2;
 
 /// A basic solution of A x = b and the rank of A; `b` is overwritten.
 #[must_use]
@@ -61,6 +61,10 @@ impl Solver {
             2 => self.solve_rows(blocks.as_chunks_mut::<2>().0, b, zero),
             3 => self.solve_rows(blocks.as_chunks_mut::<3>().0, b, zero),
             4 => self.solve_rows(blocks.as_chunks_mut::<4>().0, b, zero),
+            5 => self.solve_rows(blocks.as_chunks_mut::<5>().0, b, zero),
+            6 => self.solve_rows(blocks.as_chunks_mut::<6>().0, b, zero),
+            7 => self.solve_rows(blocks.as_chunks_mut::<7>().0, b, zero),
+            8 => self.solve_rows(blocks.as_chunks_mut::<8>().0, b, zero),
             _ => self.solve_rows(&mut blocks.chunks_exact_mut(width).collect::<Vec<_>>(), b, zero),
         };
         self.blocks = blocks;

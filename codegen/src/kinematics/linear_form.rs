@@ -5,8 +5,8 @@
 
 use super::unknowns::{UnknownId, Unknowns};
 use crate::expr::{Dag, ExprId};
+use crate::sorted::{self, Sorted};
 use crate::vector::Vector;
-use std::collections::{BTreeMap, btree_map};
 use std::ops::{Index, RangeBounds};
 
 /// The type of a coefficient: scalar or vector.
@@ -59,11 +59,11 @@ impl Coefficient for Vector {
 
 /// sum over k of c_k y_k; stores the coefficients by unknown.
 #[derive(Clone, PartialEq, Debug)]
-pub struct LinearForm<C = ExprId>(BTreeMap<UnknownId, C>);
+pub struct LinearForm<C = ExprId>(Sorted<UnknownId, C>);
 
 impl<C> Default for LinearForm<C> {
     fn default() -> Self {
-        Self(BTreeMap::new())
+        Self(Sorted::default())
     }
 }
 
@@ -155,27 +155,27 @@ impl<C> LinearForm<C> {
     }
 
     /// Terms in the order of the unknowns.
-    pub fn iter(&self) -> btree_map::Iter<'_, UnknownId, C> {
+    pub fn iter(&self) -> sorted::Iter<'_, UnknownId, C> {
         self.0.iter()
     }
 
     /// Terms of some unknowns.
-    pub fn range(&self, unknowns: impl RangeBounds<UnknownId>) -> btree_map::Range<'_, UnknownId, C> {
+    pub fn range(&self, unknowns: impl RangeBounds<UnknownId>) -> sorted::Iter<'_, UnknownId, C> {
         self.0.range(unknowns)
     }
 
     /// The unknowns that the form contains.
-    pub fn keys(&self) -> btree_map::Keys<'_, UnknownId, C> {
+    pub fn keys(&self) -> impl DoubleEndedIterator<Item = &UnknownId> + ExactSizeIterator + Clone {
         self.0.keys()
     }
 
     /// Coefficients in the order of the unknowns.
-    pub fn values(&self) -> btree_map::Values<'_, UnknownId, C> {
+    pub fn values(&self) -> impl DoubleEndedIterator<Item = &C> + ExactSizeIterator + Clone {
         self.0.values()
     }
 
     /// Mutable coefficients in the order of the unknowns.
-    pub fn values_mut(&mut self) -> btree_map::ValuesMut<'_, UnknownId, C> {
+    pub fn values_mut(&mut self) -> impl DoubleEndedIterator<Item = &mut C> + ExactSizeIterator {
         self.0.values_mut()
     }
 }
@@ -201,7 +201,7 @@ impl<C> Extend<(UnknownId, C)> for LinearForm<C> {
 
 impl<'f, C> IntoIterator for &'f LinearForm<C> {
     type Item = (&'f UnknownId, &'f C);
-    type IntoIter = btree_map::Iter<'f, UnknownId, C>;
+    type IntoIter = sorted::Iter<'f, UnknownId, C>;
     fn into_iter(self) -> Self::IntoIter {
         self.0.iter()
     }
@@ -209,7 +209,7 @@ impl<'f, C> IntoIterator for &'f LinearForm<C> {
 
 impl<C> IntoIterator for LinearForm<C> {
     type Item = (UnknownId, C);
-    type IntoIter = btree_map::IntoIter<UnknownId, C>;
+    type IntoIter = std::vec::IntoIter<(UnknownId, C)>;
     fn into_iter(self) -> Self::IntoIter {
         self.0.into_iter()
     }

@@ -141,7 +141,7 @@ pub(super) fn aligned(alg: &Algebra, vector: &Vector, frame: TriadId) -> TriadId
 
 /// (triad, axis, is negative) if the vector is plus or minus one unit vector.
 fn single_axis(alg: &Algebra, vector: &Vector) -> Option<(TriadId, Axis, bool)> {
-    let (&triad, components) = vector.terms.first_key_value()?;
+    let (&triad, components) = vector.terms.first()?;
     if vector.terms.len() != 1 || !vector.points.is_empty() {
         return None;
     }

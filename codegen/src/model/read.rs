@@ -80,7 +80,7 @@ pub fn parse_with(path: &str, text: &str, load: Loader<'_>) -> Result<Model, Dia
     }
     // The chain is read from its end, the model that extends no other.
     let mut sections = None;
-    for table in tables.iter().rev() {
+    for table in tables.into_iter().rev() {
         sections = Some(extend::extend(sections, repeat::expand(table, &mut found)));
     }
     let mut sections: Sections = sections.unwrap_or_default();

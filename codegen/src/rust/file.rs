@@ -8,6 +8,9 @@ use super::{function, glue, header, items, name};
 use crate::expr::{Dependence, ExprId};
 use crate::program::Program;
 
+/// Room for a text: that of most mechanisms fits.
+const MOST_TEXT: usize = 1 << 16;
+
 /// The formatted source text; answers that the program does not have are omitted.
 #[must_use]
 pub fn emit(program: &Program, options: &EmitOptions) -> String {
@@ -21,6 +24,8 @@ pub fn emit(program: &Program, options: &EmitOptions) -> String {
     let preparing = prepared.operations(program);
     let names = functions.iter().map(|function| function.name.as_str());
     let mut text = header::text(program, options, names.zip(&costs), &preparing);
+    // Room for all at once: a text of this size would be moved whenever it grows.
+    text.reserve(MOST_TEXT);
     let runtime = options.runtime.trim();
     text += &format!(
         "\n#[allow(unused_imports, reason = \"sums and products need no function\")]\nuse {runtime}::real::Real;\n/// The scalar of this file.\n"

@@ -249,7 +249,8 @@ pub(super) fn mechanism(program: &Program, fields: &[String], runtime: &str, sca
     };
     let arms = |indent: &str, place: &str| -> String {
         let numbered = fields.iter().enumerate();
-        numbered.map(|(index, field)| format!("{indent}{index}usize => {place}.{field},\n")).collect()
+        let arm = |(index, field)| layout::text(format_args!("{indent}{index}usize => {place}.{field},\n"));
+        numbered.map(arm).collect()
     };
     let method = |head: &str, arguments: &[&str], value: &str| {
         let arguments: Vec<String> = arguments.iter().map(|&a| a.to_owned()).collect();
@@ -259,24 +260,48 @@ pub(super) fn mechanism(program: &Program, fields: &[String], runtime: &str, sca
     let keeps = keeps_time(program);
     let satisfied = satisfied(program, scalar);
     let by_index = if fields.is_empty() { NO_PARAMETERS } else { BY_INDEX };
-    let watched = IMPLIED.iter().fold(STRUCT.replace("$by_index", by_index), |text, (place, kept)| {
-        text.replace(place, if satisfied.is_some() { kept } else { "" })
-    });
     let speeds = if program.speed_correction.is_empty() { "" } else { SPEEDS };
-    let watched = watched.replace("$speed_projection", speeds);
-    let watched = watched.replace("$satisfied", &satisfied.unwrap_or_default());
-    let timed = TIME.iter().fold(watched, |text, (place, kept, not_kept)| {
-        text.replace(place, if keeps { kept } else { not_kept })
-    });
-    let text = timed
-        .replace("$unread", layout::UNREAD)
-        .replace("$name", &struct_name(program))
-        .replace("$getters", &arms(&" ".repeat(12), "self.parameters"))
-        .replace("$setters", &arms(&" ".repeat(12), "&mut self.parameters"))
-        .replace("$project", &method("fn project", &["&mut self", "q: &mut [S]"], "S"))
-        .replace("$speeds_head", &method("fn project_speeds", &["&mut self", "q: &[S]", "u: &mut [S]"], "()"))
-        .replace("$energy", &method("fn energy", &["&mut self", "q: &[S]", "u: &[S]"], "(S, S)"))
-        .replace("$runtime", runtime);
+    let name = struct_name(program);
+    let getters = arms(&" ".repeat(12), "self.parameters");
+    let setters = arms(&" ".repeat(12), "&mut self.parameters");
+    let project = method("fn project", &["&mut self", "q: &mut [S]"], "S");
+    let speeds_head = method("fn project_speeds", &["&mut self", "q: &[S]", "u: &mut [S]"], "()");
+    let energy = method("fn energy", &["&mut self", "q: &[S]", "u: &[S]"], "(S, S)");
+    let mut values = vec![
+        ("$by_index", by_index),
+        ("$speed_projection", speeds),
+        ("$satisfied", satisfied.as_deref().unwrap_or_default()),
+        ("$unread", layout::UNREAD),
+        ("$name", &name),
+        ("$getters", &getters),
+        ("$setters", &setters),
+        ("$project", &project),
+        ("$speeds_head", &speeds_head),
+        ("$energy", &energy),
+        ("$runtime", runtime),
+    ];
+    values.extend(IMPLIED.map(|(place, kept)| (place, if satisfied.is_some() { kept } else { "" })));
+    values.extend(TIME.map(|(place, kept, not_kept)| (place, if keeps { kept } else { not_kept })));
+    let mut text = layout::doc(&doc);
+    fill(&mut text, STRUCT, &values);
     let alias = format!("/// The mechanism of this file, whatever it is called.\n{}", layout::UNREAD);
-    layout::doc(&doc) + &text + &alias + &format!("pub type Model = {};\n", struct_name(program))
+    text + &alias + &format!("pub type Model = {name};\n")
+}
+
+/// Appends a text with its placeholders replaced by their values, in which placeholders are replaced likewise. Where one
+/// placeholder begins with another, the longer one is listed first.
+fn fill(text: &mut String, template: &str, values: &[(&str, &str)]) {
+    let mut rest = template;
+    while let Some((before, after)) = rest.split_once('$') {
+        text.push_str(before);
+        rest = after;
+        match values.iter().find_map(|(place, value)| Some((after.strip_prefix(&place[1..])?, value))) {
+            Some((after, value)) => {
+                fill(text, value, values);
+                rest = after;
+            }
+            None => text.push('$'),
+        }
+    }
+    text.push_str(rest);
 }

@@ -85,10 +85,10 @@ pub(super) fn parameters(program: &Program, names: &[String], scalar: &ScalarTyp
     let named = || program.parameters.iter().zip(names);
     let fields = named().map(|(p, name)| {
         let what = name::sentence(&p.doc, &p.name);
-        let doc = escape::markdown(&format!("{what} ({}), {}.", p.unit, p.place));
-        format!("/// {doc}\n    pub {name}: S")
+        let doc = escape::markdown(&layout::text(format_args!("{what} ({}), {}.", p.unit, p.place)));
+        ["/// ", &doc, "\n    pub ", name, ": S"].concat()
     });
-    let defaults = named().map(|(p, name)| format!("{name}: {}", scalar.literal(p.value)));
+    let defaults = named().map(|(p, name)| [name, ": ", &scalar.literal(p.value)].concat());
     let values = layout::block("Self", defaults, "        ");
     let check = match scalar {
         ScalarType::F32 | ScalarType::F64 => check(program, names, scalar, runtime),
@@ -103,7 +103,10 @@ pub(super) fn parameters(program: &Program, names: &[String], scalar: &ScalarTyp
 
 /// The ranges of the parameters, and the method that checks them.
 fn check(program: &Program, names: &[String], scalar: &ScalarType, runtime: &str) -> String {
-    let ends = |p: &Quantity| format!("[{}, {}]", scalar.literal(p.range.0), scalar.literal(p.range.1));
+    let ends = |p: &Quantity| {
+        let [low, high] = [p.range.0, p.range.1].map(|end| scalar.literal(end));
+        layout::text(format_args!("[{low}, {high}]"))
+    };
     let ranges: Vec<String> = program.parameters.iter().map(ends).collect();
     let count = ranges.len();
     let declared = format!("PARAMETER_RANGES: [[S; 2]; {count}usize]");

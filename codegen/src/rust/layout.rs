@@ -1,12 +1,17 @@
 //! Lays out emitted items as rustfmt would: a list stands on one line if it fits, otherwise short elements share lines
 //! and long ones have one each.
 
+use std::fmt::Write;
+
 /// Columns of a line, rustfmt's `max_width`.
 const WIDTH: usize = 100;
 /// Widest list on one line, rustfmt's `array_width`.
 const LIST_WIDTH: usize = 60;
 /// Widest element that shares a line, rustfmt's `short_array_element_width_threshold`.
 const SHORT: usize = 10;
+
+/// Bytes of most short texts, at most.
+const ROOM: usize = 128;
 
 /// Attributes of a straight-line function, whose statements stay on one line each, however long.
 pub(super) const STRAIGHT_LINE: &str = "\
@@ -45,7 +50,7 @@ pub(super) fn array(head: &str, elements: &[String], indent: &str) -> String {
     }
     let elements = match elements.iter().all(|element| element.len() <= SHORT) {
         true => filled(elements, &inside),
-        false => elements.iter().map(|element| format!("{inside}{element},\n")).collect(),
+        false => elements.iter().flat_map(|element| [&inside, element.as_str(), ",\n"]).collect(),
     };
     format!("{indent}{head}[\n{elements}{indent}];\n")
 }
@@ -86,11 +91,23 @@ fn filled(elements: &[String], indent: &str) -> String {
 
 /// `head { a, b }` with one element a line.
 pub(super) fn block(head: &str, elements: impl IntoIterator<Item = String>, indent: &str) -> String {
-    let elements: String = elements.into_iter().map(|e| format!("{indent}    {e},\n")).collect();
-    if elements.is_empty() {
+    let mut lines = String::new();
+    for element in elements {
+        for part in [indent, "    ", &element, ",\n"] {
+            lines.push_str(part);
+        }
+    }
+    if lines.is_empty() {
         return format!("{indent}{head} {{}}\n");
     }
-    format!("{indent}{head} {{\n{elements}{indent}}}\n")
+    format!("{indent}{head} {{\n{lines}{indent}}}\n")
+}
+
+/// As `format!`, with room from the start: pieces are appended one by one, and most texts would grow several times.
+pub(super) fn text(arguments: std::fmt::Arguments) -> String {
+    let mut text = String::with_capacity(ROOM);
+    let _ = text.write_fmt(arguments);
+    text
 }
 
 /// A doc comment, with one line per line of the text.

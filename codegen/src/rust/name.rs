@@ -10,11 +10,11 @@ use std::borrow::Cow;
 
 /// Words that Rust does not accept as names, in any edition.
 const KEYWORDS: [&str; 53] = [
-    "as", "async", "await", "break", "const", "continue", "crate", "dyn", "else", "enum", "extern", "false",
-    "fn", "for", "if", "impl", "in", "let", "loop", "match", "mod", "move", "mut", "pub", "ref", "return",
-    "self", "Self", "static", "struct", "super", "trait", "true", "type", "unsafe", "use", "where", "while",
-    "abstract", "become", "box", "do", "final", "gen", "macro", "override", "priv", "try", "typeof",
-    "unsized", "virtual", "yield", "_",
+    "Self", "_", "abstract", "as", "async", "await", "become", "box", "break", "const", "continue", "crate",
+    "do", "dyn", "else", "enum", "extern", "false", "final", "fn", "for", "gen", "if", "impl", "in", "let",
+    "loop", "macro", "match", "mod", "move", "mut", "override", "priv", "pub", "ref", "return", "self",
+    "static", "struct", "super", "trait", "true", "try", "type", "typeof", "unsafe", "unsized", "use",
+    "virtual", "where", "while", "yield",
 ];
 
 /// Arguments of the emitted functions: time, coordinates, speeds, inputs, given derivatives of the speeds, prepared
@@ -99,12 +99,15 @@ const PRELUDE: [&str; 41] = [
 
 /// A name as an identifier: other characters become underscores, and keywords are changed.
 fn identifier(name: &str) -> String {
-    let mut text: String =
-        name.chars().map(|c| if c.is_ascii_alphanumeric() || c == '_' { c } else { '_' }).collect();
+    let fits = |c: char| c.is_ascii_alphanumeric() || c == '_';
+    let mut text = match name.bytes().all(|byte| fits(char::from(byte))) {
+        true => name.to_owned(),
+        false => name.chars().map(|c| if fits(c) { c } else { '_' }).collect(),
+    };
     if text.is_empty() || text.starts_with(|c: char| c.is_ascii_digit()) || text.chars().all(|c| c == '_') {
         text.insert(0, 'x');
     }
-    if KEYWORDS.contains(&text.as_str()) {
+    if KEYWORDS.binary_search(&text.as_str()).is_ok() {
         text.push('_');
     }
     text
@@ -137,7 +140,9 @@ pub(super) fn fields(program: &Program) -> Vec<String> {
 pub(super) fn sentence(doc: &str, name: &str) -> String {
     let text = if doc.is_empty() { name } else { doc };
     let mut letters = text.chars();
-    letters.next().map_or(String::new(), |c| c.to_uppercase().chain(letters).collect())
+    let mut sentence = String::with_capacity(text.len());
+    sentence.extend(letters.next().into_iter().flat_map(char::to_uppercase));
+    sentence + letters.as_str()
 }
 
 /// The names in use at one place: the fields of a struct, the values of a function.
@@ -146,12 +151,14 @@ pub(super) struct Scope {
     /// All names except those of temporaries, which are numbered and need no list.
     taken: HashSet<Cow<'static, str>>,
     temporaries: usize,
+    /// Is there a name among them that looks like a temporary?
+    numbered: bool,
 }
 
 impl Scope {
     /// A place in which these names are in use.
     fn of(names: impl Iterator<Item = &'static &'static str>) -> Self {
-        Self { taken: names.map(|&name| Cow::Borrowed(name)).collect(), temporaries: 0 }
+        Self { taken: names.map(|&name| Cow::Borrowed(name)).collect(), ..Self::default() }
     }
 
     /// The functions of the emitted file.
@@ -197,6 +204,7 @@ impl Scope {
             suffix += 1;
         }
         let name = other.unwrap_or(wished);
+        self.numbered |= number(&name).is_some();
         self.taken.insert(name.clone().into());
         name
     }
@@ -207,19 +215,49 @@ impl Scope {
 
     /// Is it one of the temporaries t1, t2, ... given out so far?
     fn is_temporary(&self, name: &str) -> bool {
-        let number = name.strip_prefix('t').filter(|digits| digits.starts_with(|c| matches!(c, '1'..='9')));
-        number.and_then(|digits| digits.parse().ok()).is_some_and(|n: usize| n <= self.temporaries)
+        number(name).is_some_and(|n| n <= self.temporaries)
     }
 
-    /// A new temporary, for a value without a name in the model.
-    pub fn temporary(&mut self) -> String {
-        let mut name = String::with_capacity(8);
+    /// A new temporary, for a value without a name in the model, in place of what `name` holds.
+    pub fn temporary(&mut self, name: &mut String) {
+        name.clear();
         name.push('t');
-        push_number(&mut name, self.temporaries + 1);
-        let name = if self.taken.contains(name.as_str()) { self.free(name) } else { name };
+        push_number(name, self.temporaries + 1);
+        if self.numbered && self.taken.contains(name.as_str()) {
+            *name = self.free(std::mem::take(name));
+        }
         self.temporaries += 1;
-        name
     }
+}
+
+/// Names, one after the other in one text: most are those of temporaries, a few letters long.
+#[derive(Default)]
+pub(super) struct Idents {
+    text: String,
+    /// Where each ends, which is where the next begins.
+    ends: Vec<usize>,
+}
+
+impl Idents {
+    pub fn push(&mut self, ident: &str) {
+        self.text.push_str(ident);
+        self.ends.push(self.text.len());
+    }
+
+    pub fn at(&self, place: usize) -> &str {
+        let start = place.checked_sub(1).map_or(0, |before| self.ends[before]);
+        &self.text[start..self.ends[place]]
+    }
+
+    pub fn len(&self) -> usize {
+        self.ends.len()
+    }
+}
+
+/// The number in a name of a temporary's form.
+fn number(name: &str) -> Option<usize> {
+    let digits = name.strip_prefix('t').filter(|digits| digits.starts_with(|c| matches!(c, '1'..='9')));
+    digits.and_then(|digits| digits.parse().ok())
 }
 
 /// Appends decimal digits. The standard formatter would take as long as the rest of a short statement.
@@ -232,13 +270,23 @@ fn push_number(text: &mut String, n: usize) {
 
 #[cfg(test)]
 mod tests {
-    use super::Scope;
+    use super::{KEYWORDS, Scope};
+
+    #[test]
+    fn keywords_are_in_order() {
+        assert!(KEYWORDS.is_sorted());
+    }
 
     #[test]
     fn no_name_is_given_out_twice() {
         let mut scope = Scope::default();
-        assert_eq!([scope.unique("t2"), scope.temporary(), scope.temporary()], ["t2", "t1", "t2_2"]);
+        let temporary = |scope: &mut Scope| {
+            let mut name = String::new();
+            scope.temporary(&mut name);
+            name
+        };
+        assert_eq!([scope.unique("t2"), temporary(&mut scope), temporary(&mut scope)], ["t2", "t1", "t2_2"]);
         assert_eq!([scope.unique("t1"), scope.unique("t2"), scope.unique("t3")], ["t1_2", "t2_3", "t3"]);
-        assert_eq!([scope.temporary(), scope.unique("t01")], ["t3_2", "t01"]);
+        assert_eq!([temporary(&mut scope), scope.unique("t01")], ["t3_2", "t01"]);
     }
 }

@@ -1,5 +1,6 @@
 //! Options of an emitted file: the scalar, the functions, the processor for which statements are ordered.
 
+use super::layout;
 use crate::program::answer::Function;
 
 /// The scalar of an emitted file.
@@ -93,8 +94,8 @@ impl ScalarType {
         let text = match (self, special) {
             (Self::F32 | Self::F64, Some(name)) => name.to_owned(),
             // Rounded once to f32; printed as the shortest text that reads back as the same number.
-            (Self::F32, None) => format!("{:?}_f32", value as f32),
-            (Self::F64, None) => format!("{value:?}_f64"),
+            (Self::F32, None) => layout::text(format_args!("{:?}_f32", value as f32)),
+            (Self::F64, None) => layout::text(format_args!("{value:?}_f64")),
             (Self::Path(_), None) => format!("<S as Real>::from_f64({value:?}_f64)"),
             (Self::Path(_), Some(name)) => {
                 format!("<S as Real>::from_f64({})", name.replace("S::", "f64::"))

@@ -3,6 +3,7 @@
 //! In: a program. Out: one module each for coordinates, speeds, inputs and outputs; every constant is documented by
 //! description, unit, range and the model's line.
 
+use super::layout;
 use super::name::{self, Scope};
 use crate::escape;
 use crate::program::{Program, Quantity};
@@ -38,7 +39,8 @@ fn short(x: f64) -> f64 {
 
 /// `Height of screw A (m), 0 to 0.2, tile.toml:30.`
 fn sentence(doc: &str, name: &str, unit: &str, range: &str, place: &str) -> String {
-    escape::markdown(&format!("{} ({unit}){range}, {place}.", name::sentence(doc, name)))
+    let what = name::sentence(doc, name);
+    escape::markdown(&layout::text(format_args!("{what} ({unit}){range}, {place}.")))
 }
 
 fn module<'p>(module: &str, doc: &str, entries: impl Iterator<Item = (&'p str, String)>) -> String {

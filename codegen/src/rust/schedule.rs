@@ -15,7 +15,7 @@ use super::few::Few;
 use super::options::Core;
 use super::refine::refine;
 use crate::expr::ExprId;
-use crate::id::Id;
+use rustc_hash::FxHashMap as HashMap;
 use std::cmp::Reverse;
 
 /// Registers of single precision on a Cortex-M4F.
@@ -132,17 +132,12 @@ impl Readers {
 
 impl Graph {
     fn new(steps: &[Step], Results { all, written }: Results) -> Self {
-        let ids = || steps.iter().flat_map(|step| step.makes.iter().chain(step.reads.iter())).chain(all);
-        // By node: the index of its value plus 1; 0 if it is no value.
-        let mut number = vec![0_u32; ids().map(|id| id.index() + 1).max().unwrap_or(0)];
-        let mut n = 0;
+        // By node: the index of its value.
+        let mut number: HashMap<ExprId, usize> = HashMap::default();
+        number.reserve(2 * steps.len());
         let mut value = |id: &ExprId| {
-            let number = &mut number[id.index()];
-            if *number == 0 {
-                n += 1;
-                *number = n;
-            }
-            *number as usize - 1
+            let next = number.len();
+            *number.entry(*id).or_insert(next)
         };
         let reads: Vec<Reads<usize>> =
             steps.iter().map(|step| step.reads.iter().map(&mut value).collect()).collect();
@@ -150,7 +145,7 @@ impl Graph {
             steps.iter().map(|step| step.makes.iter().map(&mut value).collect()).collect();
         let results: Vec<usize> = all.iter().map(&mut value).collect();
         let returned = results.get(written..).unwrap_or_default().to_vec();
-        let n = n as usize;
+        let n = number.len();
         let mut maker = vec![None; n];
         for (step, makes) in makes.iter().enumerate() {
             makes.iter().for_each(|&value| maker[value] = Some(step));

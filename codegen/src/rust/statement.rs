@@ -11,7 +11,7 @@ mod groups;
 mod results;
 mod steps;
 
-use super::name::{ARGUMENTS, NEAR, Scope};
+use super::name::{ARGUMENTS, Idents, NEAR, Scope};
 use super::options::{Core, EmitOptions};
 use super::prepared::Prepared;
 use super::schedule::{self, Order, Results, Step};
@@ -72,7 +72,9 @@ pub(super) struct Body<'p> {
     pairs: HashMap<ExprId, ExprId>,
     /// By node: index of its name in `idents` plus 1; 0 if it has none.
     named: Vec<u32>,
-    idents: Vec<String>,
+    idents: Idents,
+    /// Working memory of [`Body::statement`].
+    ident: String,
     scope: Scope,
     read: [bool; 6],
     /// Working memory of [`Body::read_arguments`].
@@ -133,7 +135,8 @@ impl<'p> Body<'p> {
             own_statement: NodeSet::below(n),
             pairs: HashMap::default(),
             named: vec![0; n],
-            idents: Vec::new(),
+            idents: Idents::default(),
+            ident: String::new(),
             scope: Scope::of_function(),
             read: [false; 6],
             stack: Vec::new(),
@@ -205,13 +208,15 @@ impl<'p> Body<'p> {
     /// The name given to a node.
     fn ident(&self, id: ExprId) -> Option<&str> {
         let place = self.named[id.index()].checked_sub(1)?;
-        Some(&self.idents[place as usize])
+        Some(self.idents.at(place as usize))
     }
 
-    fn name(&mut self, id: ExprId, ident: String) {
+    fn name(&mut self, id: ExprId, ident: &str) {
         self.idents.push(ident);
         self.named[id.index()] = self.idents.len() as u32;
-        self.ready.extend(self.unwritten.remove(&id).into_iter().flatten());
+        if let Some(results) = self.unwritten.remove(&id) {
+            self.ready.extend(results);
+        }
     }
 
     /// `let left = right;`
@@ -240,7 +245,9 @@ impl<'p> Body<'p> {
             } else if let Node::Symbol(symbol) = dag.node(id) {
                 self.load(id, symbol);
             }
-            stack.extend(self.operands(id).into_iter().rev().flatten());
+            for operand in self.operands(id).into_iter().rev().flatten() {
+                stack.push(operand);
+            }
         }
         self.stack = stack;
     }
@@ -251,7 +258,7 @@ impl<'p> Body<'p> {
         let lists = [&program.q, &program.u, &program.inputs, &program.u_dot];
         if symbol == program.time {
             self.read[0] = true;
-            self.name(id, "t".to_owned());
+            self.name(id, "t");
             return;
         }
         for (group, list) in lists.iter().enumerate() {
@@ -261,7 +268,7 @@ impl<'p> Body<'p> {
                 let array = ARGUMENTS[group + 1];
                 self.push(&ident, format_args!("{array}[{index}]"));
                 self.note(&list[index].place);
-                self.name(id, ident);
+                self.name(id, &ident);
                 return;
             }
         }
@@ -276,7 +283,7 @@ impl<'p> Body<'p> {
         self.read[5] = true;
         let ident = self.scope.unique(wished);
         self.push(&ident, format_args!("p.{field}"));
-        self.name(id, ident);
+        self.name(id, &ident);
     }
 
     fn statement(&mut self, id: ExprId) {
@@ -285,10 +292,11 @@ impl<'p> Body<'p> {
             self.sin_cos(angle);
             return;
         }
-        let ident = match dag.name_of(id) {
-            Some(name) => self.scope.unique(name),
-            None => self.scope.temporary(),
-        };
+        let mut ident = std::mem::take(&mut self.ident);
+        match dag.name_of(id) {
+            Some(name) => ident = self.scope.unique(name),
+            None => self.scope.temporary(&mut ident),
+        }
         let mut text = std::mem::take(&mut self.statements);
         for part in ["    let ", &ident, " = "] {
             text.push_str(part);
@@ -300,7 +308,8 @@ impl<'p> Body<'p> {
         if let Some(place) = dag.label_of(id).and_then(|label| label.place.as_deref()) {
             self.note(place);
         }
-        self.name(id, ident);
+        self.name(id, &ident);
+        self.ident = ident;
     }
 
     /// `let (sin_psiA, cos_psiA) = Real::sin_cos(psiA);`, or the call for two angles at once, for a difference of
@@ -340,7 +349,7 @@ impl<'p> Body<'p> {
                 return "_".to_owned();
             }
             let name = self.scope.unique(&format!("{}_{of}", unary_name(function)));
-            id.into_iter().for_each(|id| self.name(id, name.clone()));
+            id.into_iter().for_each(|id| self.name(id, &name));
             name
         });
         if let Some(place) = place {

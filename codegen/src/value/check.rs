@@ -6,7 +6,7 @@
 use super::double_double::{self, Double2};
 use super::states::States;
 use crate::expr::tape::Tape;
-use crate::expr::{Dag, ExprId};
+use crate::expr::{Dag, ExprId, SymbolId};
 
 /// Limits of a new program's error relative to the original's: for the median over the states,
 const MEDIAN_WORSE: f64 = 1.5;
@@ -20,6 +20,8 @@ const ROUNDINGS: f64 = 4.0 * f64::EPSILON;
 /// Accurate values of groups of results at every state, and the errors of the original program.
 pub(super) struct Check<'s> {
     states: &'s States,
+    /// What the original program reads; no other reads more.
+    symbols: Vec<SymbolId>,
     /// By state, then by result, with the groups one after the other.
     exact: Vec<Vec<Double2>>,
     /// Lengths of the groups.
@@ -34,7 +36,8 @@ impl<'s> Check<'s> {
         let exact =
             double_double::evaluate_at(dag, &roots, states.points, |symbol, k| states.value(symbol, k));
         let lengths = groups.iter().map(Vec::len).collect();
-        let mut check = Self { states, exact, lengths, original: Vec::new() };
+        let mut check =
+            Self { states, symbols: dag.symbols_of_all(&roots), exact, lengths, original: Vec::new() };
         check.original = check.errors(dag, groups);
         check
     }
@@ -43,11 +46,10 @@ impl<'s> Check<'s> {
     fn errors(&self, dag: &Dag, groups: &[Vec<ExprId>]) -> Vec<Vec<f64>> {
         let roots = groups.concat();
         let mut errors = vec![Vec::with_capacity(self.states.points); groups.len()];
-        let symbols = dag.symbols_of_all(&roots);
-        let mut tape = Tape::<f64>::new(dag, &roots, &symbols);
+        let mut tape = Tape::<f64>::new(dag, &roots, &self.symbols);
         let mut values = vec![0.0; roots.len()];
         for (point, exact) in self.exact.iter().enumerate() {
-            let inputs: Vec<f64> = symbols.iter().map(|&s| self.states.value(s, point)).collect();
+            let inputs: Vec<f64> = self.symbols.iter().map(|&s| self.states.value(s, point)).collect();
             tape.run(&inputs, &mut values);
             let mut start = 0;
             for (errors, &length) in errors.iter_mut().zip(&self.lengths) {

@@ -4,17 +4,18 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Module, and the modules it may name by `crate::`.
-const MAY_IMPORT: [(&str, &[&str]); 15] = [
+const MAY_IMPORT: [(&str, &[&str]); 16] = [
     ("id", &[]),
     ("source", &[]),
     ("words", &[]),
     ("section", &[]),
+    ("sorted", &[]),
     ("escape", &[]),
     ("diagnostic", &["escape", "source"]),
     ("expr", &["id", "section"]),
     ("model", &["id", "source", "words", "diagnostic"]),
-    ("vector", &["id", "expr", "model"]),
-    ("kinematics", &["id", "source", "words", "section", "diagnostic", "expr", "model", "vector"]),
+    ("vector", &["id", "sorted", "expr", "model"]),
+    ("kinematics", &["id", "source", "words", "section", "sorted", "diagnostic", "expr", "model", "vector"]),
     ("dynamics", &["id", "source", "section", "diagnostic", "expr", "model", "vector", "kinematics"]),
     ("program", &["id", "source", "diagnostic", "expr", "model", "kinematics", "dynamics", "value"]),
     ("value", &["id", "expr"]),

@@ -118,7 +118,12 @@ impl Text {
     /// A string literal of the file.
     fn literal(text: &str, span: Span, file: &str) -> Self {
         let raw = file.get(span.start..span.end).unwrap_or("");
-        let offset = raw.find(text).filter(|_| !text.is_empty());
+        // Most stand between two quotes as they are; others are searched for.
+        let offset = match raw.get(1..text.len() + 1) == Some(text) {
+            true => Some(1),
+            false => raw.find(text),
+        };
+        let offset = offset.filter(|_| !text.is_empty());
         let piece = match offset {
             Some(offset) => {
                 Piece { at: 0, from: span.start + offset..span.start + offset + text.len(), verbatim: true }

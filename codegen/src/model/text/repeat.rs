@@ -71,23 +71,23 @@ const MOST_ENTRIES: usize = 10_000;
 const MOST_COPIES: usize = 1000;
 
 /// Expands repetition.
-pub fn expand(document: &Table, found: &mut Diagnostics) -> Sections {
+pub fn expand(document: Table, found: &mut Diagnostics) -> Sections {
     // All repeats share one table; each takes the place where it is written.
-    let mut items: Vec<(&Key, &Value, bool)> = Vec::new();
-    for (key, value) in &document.entries {
+    let mut items: Vec<(Key, Value, bool)> = Vec::new();
+    for (key, value) in document.entries {
         match (key.name.as_str(), value) {
             ("repeat", Value::Table(repeats)) => {
-                items.extend(repeats.entries.iter().map(|(k, v)| (k, v, true)))
+                items.extend(repeats.entries.into_iter().map(|(key, value)| (key, value, true)));
             }
-            _ => items.push((key, value, false)),
+            (_, value) => items.push((key, value, false)),
         }
     }
     items.sort_by_key(|(key, ..)| (key.span.file, key.span.start));
     let mut sections = Sections::default();
     for (key, value, repeated) in items {
         match repeated {
-            true => repeat(key, value, &mut sections, found),
-            false => add(key, value.clone(), &mut sections, found),
+            true => repeat(&key, &value, &mut sections, found),
+            false => add(&key, value, &mut sections, found),
         }
     }
     limit(&mut sections, document.span, found);
@@ -226,7 +226,10 @@ fn substitute(value: &Value, copy: &Copy, found: &mut Diagnostics) -> Value {
         }
         Value::Table(table) => {
             let entries = table.entries.iter().map(|(key, value)| {
-                let name = substitute_text(&Text::bare(&key.name, key.span), copy, found).text;
+                let name = match key.name.contains('{') {
+                    true => substitute_text(&Text::bare(&key.name, key.span), copy, found).text,
+                    false => key.name.clone(),
+                };
                 (Key { name, span: key.span }, substitute(value, copy, found))
             });
             Value::Table(Table { entries: entries.collect(), span: table.span })

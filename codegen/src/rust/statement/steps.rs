@@ -35,7 +35,7 @@ impl<'p> Body<'p> {
         if self.options.core() == Core::Host && self.sines.given().is_empty() {
             self.pairs = pair_angles(dag, &order, |id| self.field(id).is_some());
         }
-        let mut steps: Vec<Step> = Vec::new();
+        let mut steps: Vec<Step> = Vec::with_capacity(order.len());
         let mut angles: HashMap<ExprId, usize> = HashMap::default();
         for id in order {
             let computed =
