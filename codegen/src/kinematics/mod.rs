@@ -42,6 +42,7 @@ mod unit_vectors;
 mod unknowns;
 mod unreachable;
 mod velocity;
+mod walk;
 
 use crate::diagnostic::Diagnostics;
 use crate::expr::cost::Optimise;

@@ -6,18 +6,18 @@
 //! `dynamics/redundant.rs`), which needs only that the rows have full rank.
 //!
 //! At a dead point the Jacobian has full rank, but its columns of the dependent unknowns are singular: their
-//! determinant changes its sign there. To find one, a random walk follows the motion in small steps of all coordinates
-//! at once, and of time in a driven model, within their ranges.
+//! determinant changes its sign there. To find one, a walk follows the motion within the ranges of the coordinates
+//! (`walk.rs`).
 
 use super::assemble::Assembly;
 use super::eliminate::{self, Pivot, Solution, System};
 use super::linear_form::LinearForm;
 use super::quantities::{Kinematics, Row, Sample};
-use super::random::Random;
 use super::regular::Regularity;
 use super::sampling::{sample_table, table_at};
 use super::sparse::{self, Equation};
 use super::unknowns::UnknownId;
+use super::walk::{self, Walker};
 use super::{choose, linear, rank};
 use crate::expr::tape::SampleTable;
 use crate::expr::{ExprId, SymbolId};
@@ -26,21 +26,16 @@ use crate::model::{CoordinateId, Model};
 use crate::vector::Algebra;
 use std::collections::BTreeMap;
 
-/// Number of steps of the walk, and most attempts per step on average.
-const STEPS: usize = 64;
-const ATTEMPTS: usize = 4;
-/// Largest step in a coordinate: a share of its range, and a bound (rad, m).
-const STRIDE: (f64, f64) = (0.15, 0.4);
 /// Halvings of a step in which the determinant changes its sign.
 const HALVINGS: usize = 40;
 /// At a dead point the least determined direction of the dependent unknowns keeps no more than this.
 const DEAD: f64 = 1e-6;
 /// A pivot with less than this share of its nominal value, or of the other sign, may be near a dead point.
 const HEALTHY: f64 = 0.05;
+/// If one has less than this share on the walk, places where it is weaker still are looked for from there.
+const SUSPECT: f64 = 0.3;
 /// If all pivots keep this share of their largest value at all samples, no dead point is near.
 const STEADY: f64 = 0.5;
-/// Ranges are extended by this share of their width.
-const ROUNDING: f64 = 1e-9;
 /// Most dead points that are added to the samples.
 const KEPT: usize = 4;
 
@@ -59,10 +54,27 @@ pub fn solve(
         return None;
     }
     let (mut alg, mut k) = (alg.clone(), k.clone());
-    let walked = walk(&mut alg, model, &k);
+    let mut walker = Walker::new(&mut alg, model, &k);
+    let mut walked = walker.walk();
     let mut along = table_at(&alg, model, &k, &walked);
-    if minimal.is_some_and(|solution| is_healthy(&alg, &mut along, &solution.pivots)) {
-        return None;
+    if let Some(solution) = minimal {
+        let pivots = &solution.pivots;
+        let (place, share) = weakest(&shares(&alg, &mut along, pivots));
+        if share > SUSPECT {
+            return None;
+        }
+        // A share below 0 says that the walk has passed a dead point already.
+        if share > 0.0 {
+            let nominal = walked[0].clone();
+            walked.extend(walker.descend(walked[place].clone(), share, |steps| {
+                let places = [std::slice::from_ref(&nominal), steps].concat();
+                shares(&alg, &mut table_at(&alg, model, &k, &places), pivots).split_off(1)
+            }));
+            along = table_at(&alg, model, &k, &walked);
+        }
+        if weakest(&shares(&alg, &mut along, pivots)).1 > HEALTHY {
+            return None;
+        }
     }
     let places: Vec<Sample> = k.sampled().into_iter().chain(walked.iter().cloned()).collect();
     let mut table = table_at(&alg, model, &k, &places);
@@ -90,12 +102,24 @@ fn is_steady(alg: &Algebra, table: &mut SampleTable, pivots: &[Pivot]) -> bool {
     })
 }
 
-/// Do the pivots keep their signs and the share [`HEALTHY`] of their nominal values along the walk?
-fn is_healthy(alg: &Algebra, table: &mut SampleTable, pivots: &[Pivot]) -> bool {
-    pivots.iter().all(|pivot| {
+/// By sample: the least share of its value at the first sample that a pivot has there; below 0 for another sign.
+fn shares(alg: &Algebra, table: &mut SampleTable, pivots: &[Pivot]) -> Vec<f64> {
+    let mut least = vec![f64::INFINITY; table.points()];
+    for pivot in pivots {
         let values = table.values(&alg.dag, pivot.value);
-        values.iter().all(|x| x / values[0] > HEALTHY)
-    })
+        // What is no number counts as none.
+        least.iter_mut().zip(values).for_each(|(least, x)| {
+            let share = x / values[0];
+            *least = if share.is_nan() { f64::NEG_INFINITY } else { least.min(share) };
+        });
+    }
+    least
+}
+
+/// The least share, with the index of its sample.
+fn weakest(shares: &[f64]) -> (usize, f64) {
+    let places = shares.iter().copied().enumerate();
+    places.min_by(|(_, a), (_, b)| a.total_cmp(b)).unwrap_or((0, f64::INFINITY))
 }
 
 /// As many rows as there are dependent unknowns, independent over all speeds at every sample; `None` if at some sample
@@ -119,53 +143,6 @@ fn full_rank(alg: &Algebra, k: &Kinematics, table: &mut SampleTable, count: usiz
     })
 }
 
-/// Ranges of the coordinates that are part of the state.
-fn ranges(alg: &Algebra, model: &Model, k: &Kinematics) -> Vec<(f64, f64)> {
-    let state = model.coordinates.ids().filter(|&c| k.coordinate_symbol(&alg.dag, c).is_some());
-    state.map(|c| model.coordinates[c].range).collect()
-}
-
-/// Are all coordinates within their ranges, up to rounding? A dead point may lie at an end of a range.
-fn is_inside(ranges: &[(f64, f64)], q: &[f64]) -> bool {
-    ranges.iter().zip(q).all(|((low, high), q)| {
-        let slack = ROUNDING * (high - low);
-        (low - slack..=high + slack).contains(q)
-    })
-}
-
-/// Configurations along the motion, each reached from the one before by a small random step of all coordinates, and of
-/// time in a driven model.
-fn walk(alg: &mut Algebra, model: &Model, k: &Kinematics) -> Vec<Sample> {
-    let mut assembly = Assembly::free(alg, model, k);
-    let ranges = ranges(alg, model, k);
-    let mut random = Random(0xDEAD_9017);
-    let mut here = Sample { q: k.samples[0].clone(), t: 0.0 };
-    let mut found = vec![here.clone()];
-    for _ in 0..STEPS * ATTEMPTS {
-        if found.len() > STEPS {
-            break;
-        }
-        let mut next = here.clone();
-        if k.unknowns.clock().is_some() {
-            let stride = STRIDE.0 * model.run.seconds;
-            next.t = (here.t + random.between((-stride, stride))).clamp(0.0, model.run.seconds);
-            assembly.set_time(here.t);
-            let Ok(q) = assembly.continue_in_time(&here.q, next.t) else { continue };
-            next.q = q;
-        }
-        for (q, (low, high)) in next.q.iter_mut().zip(&ranges) {
-            let stride = (STRIDE.0 * (high - low)).min(STRIDE.1);
-            *q += random.between((-stride, stride));
-        }
-        assembly.to_unit_length(&mut next.q, |_| false);
-        if assembly.correct(&mut next.q).is_ok() && is_inside(&ranges, &next.q) {
-            found.push(next.clone());
-            here = next;
-        }
-    }
-    found
-}
-
 /// Configurations on the walk at which the rows do not determine the dependent unknowns although they have full rank.
 fn dead_points(
     alg: &mut Algebra,
@@ -181,7 +158,7 @@ fn dead_points(
         let mut table = table_at(alg, model, k, std::slice::from_ref(sample));
         self::signs(alg, &mut table, rows, dependent)[0]
     };
-    let ranges = ranges(alg, model, k);
+    let ranges = walk::ranges(alg, model, k);
     let mut found = Vec::new();
     for (pair, signs) in walked.windows(2).zip(signs.windows(2)) {
         if signs[0] == signs[1] || found.len() == KEPT {
@@ -197,7 +174,7 @@ fn dead_points(
             }
             if sign(&place) == signs[0] { from = place } else { to = place }
         }
-        if is_inside(&ranges, &to.q) {
+        if walk::is_inside(&ranges, &to.q) {
             found.push(to);
         }
     }

@@ -7,6 +7,7 @@ mod augmented;
 mod carried;
 mod chain;
 mod dead_points;
+mod dead_points_near;
 mod draw;
 mod driven;
 mod driven_models;

@@ -232,7 +232,7 @@ I = { value = 0.1, unit = "kg m^2" }
 g = { value = 9.81, unit = "m/s^2" }
 k = { value = 200, unit = "N m" }
 [coordinates]
-q1 = { unit = "rad", independent = true, nominal = NOMINAL1 }
+q1 = { unit = "rad", independent = true, nominal = NOMINAL1, range = [-2, 2] }
 q2 = { unit = "rad", nominal = NOMINAL2 }
 q3 = { unit = "rad", nominal = NOMINAL1 }
 q4 = { unit = "rad", nominal = NOMINAL2 }
@@ -412,6 +412,14 @@ fn an_overconstrained_six_bar_moves_through_right_angles_in_f32() {
     println!("six-bar after 10 s: f64 {double:.1e}, f32 {single:.1e}");
     assert!(double <= 1e-9 && single <= SINGLE, "{double:e}, {single:e}");
     assert!(reached[0] < FRAC_PI_2 && FRAC_PI_2 < reached[1], "{reached:?}");
+}
+
+/// At 120 degrees q1 turns back while the other angles go on.
+#[test]
+fn without_a_range_the_six_bar_passes_its_dead_points() {
+    let text = BRICARD.replace("NOMINAL1, range = [-2, 2]", "1.2").replace("NOMINAL1", "1.2");
+    assert!(!six_bar(ALL_AXES).is_redundant());
+    assert!(derived_from(&text.replace("NOMINAL2", "1.9")).is_redundant());
 }
 
 /// The warning's advice works: without the equations that it calls redundant the same mechanism is derived.
