@@ -8,6 +8,9 @@
 /// direction are replaced by their code points, such as `U+000A`.
 #[must_use]
 pub fn line(text: &str) -> String {
+    if text.bytes().all(|byte| matches!(byte, b' '..=b'~')) {
+        return text.to_owned();
+    }
     let mut shown = String::with_capacity(text.len());
     for c in text.chars() {
         if is_unseen(c) { shown.push_str(&number(c)) } else { shown.push(c) }

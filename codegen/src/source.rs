@@ -70,7 +70,7 @@ impl Source {
     #[must_use]
     pub fn place(&self, span: Span) -> String {
         let file = self.files.get(span.file as usize).map_or("", File::name);
-        format!("{file}:{}", self.line_column(span).0)
+        [file, ":", &self.line_column(span).0.to_string()].concat()
     }
 
     /// FNV-1a, 64 bits, of the text of all files.

@@ -144,7 +144,7 @@ impl Dag {
         dependence: Dependence,
     ) -> BTreeMap<&'static str, usize> {
         // Kinds are compared as numbers, which is faster than by their names.
-        let mut counts: Vec<((Option<Unary>, Option<Binary>), usize)> = Vec::new();
+        let mut counts: Vec<(_, usize)> = Vec::new();
         let counted = |&id: &ExprId| self.dependence(id) == dependence && self.is_operation(id);
         for id in self.cone(roots).iter().filter(counted) {
             let kind = match self.node(id) {

@@ -132,6 +132,12 @@ impl Dag {
         Some(id) == self.one
     }
 
+    /// May the node depend on the symbol? "No" is certain; "yes" is not.
+    #[inline]
+    pub(crate) fn may_depend(&self, id: ExprId, symbol: SymbolId) -> bool {
+        self.may_read(id, symbol_bit(symbol))
+    }
+
     /// May the node depend on one of the symbols with these bits? "No" is certain; "yes" is not (64 bits for all
     /// symbols).
     #[inline]

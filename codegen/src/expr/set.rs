@@ -14,9 +14,7 @@ impl NodeSet {
     /// The empty set, with room for nodes below `bound`.
     pub fn below(bound: usize) -> Self {
         // Memory that is asked for as zeroed bypasses the allocator's cache of small blocks.
-        let mut words = Vec::with_capacity(bound.div_ceil(WORD));
-        words.resize(bound.div_ceil(WORD), 0);
-        Self(words)
+        Self(std::iter::repeat_n(0, bound.div_ceil(WORD)).collect())
     }
 
     /// Adds a node below the bound.

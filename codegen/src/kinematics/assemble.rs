@@ -240,8 +240,9 @@ impl Assembly {
         let correction = self.solver.basic(jacobian, residual, self.dependent.len());
         let mut size = 0.0_f64;
         for (&i, &d) in self.dependent.iter().zip(correction) {
-            let part = d / unit(self.kinds[i].0, q[i]);
-            size = if part.is_nan() { f64::NAN } else { size.max(part.abs()) };
+            let part = if self.kinds[i].0 { d.abs() } else { (d / unit(q[i])).abs() };
+            // What is no number is taken too.
+            size = if part <= size { size } else { part };
             q[i] += d;
         }
         size
@@ -355,9 +356,9 @@ impl Assembly {
     }
 }
 
-/// What corrections of a coordinate are measured by: its length for a length above 1; 1 for others and for angles.
-fn unit(is_angle: bool, value: f64) -> f64 {
-    if is_angle { 1.0 } else { value.abs().max(1.0) }
+/// What corrections of a coordinate that is no angle are measured by: its length if that is above 1, else 1.
+fn unit(value: f64) -> f64 {
+    value.abs().max(1.0)
 }
 
 /// A power of 1024 near the size of an equation's terms: division by it is exact, and 1 for terms of order 1.

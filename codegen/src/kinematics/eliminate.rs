@@ -18,8 +18,8 @@ use crate::diagnostic::Diagnostics;
 use crate::expr::tape::SampleTable;
 use crate::expr::{Dag, ExprId};
 use crate::model::Model;
+use crate::sorted::Sorted;
 use crate::vector::Algebra;
-use std::collections::BTreeMap;
 
 /// A row whose terms cancel to this share of their size is a consequence of the rows taken.
 const CONSEQUENCE: f64 = 1e-7;
@@ -43,7 +43,7 @@ pub struct Pivot {
 pub struct Solution {
     /// `partials[y][j]`: coefficient of independent speed j in y; in a driven model the last one is that of the clock.
     /// Holds rows for the independent speeds and the clock themselves too.
-    pub partials: BTreeMap<UnknownId, Vec<ExprId>>,
+    pub partials: Sorted<UnknownId, Vec<ExprId>>,
     /// Newton's correction of the coordinate (or position) of which y is the rate.
     pub correction: LinearForm,
     /// Pivots that are not constants, in order.
@@ -310,7 +310,7 @@ enum Small {
 fn is_small(
     alg: &Algebra,
     table: &mut SampleTable,
-    (row, partials, j): (&Row, &BTreeMap<UnknownId, Vec<ExprId>>, usize),
+    (row, partials, j): (&Row, &Sorted<UnknownId, Vec<ExprId>>, usize),
     samples: &[usize],
     sum: &[f64],
 ) -> Small {

@@ -84,8 +84,11 @@ impl Solver {
         self.x.resize(self.order.len(), 0.0);
         for (r, row) in rows[..rank].iter().enumerate().rev() {
             let row = row.as_ref().as_flattened();
-            let known: f64 = self.order[r + 1..rank].iter().map(|&c| row[c] * self.x[c]).sum();
-            self.x[self.order[r]] = (b[r] - known) / row[self.order[r]];
+            let (own, later) = b[r..rank].split_at_mut(1);
+            let solved = self.order[r + 1..rank].iter().zip(later);
+            let known: f64 = solved.map(|(&column, x)| row[column] * *x).sum();
+            own[0] = (own[0] - known) / row[self.order[r]];
+            self.x[self.order[r]] = own[0];
         }
         rank
     }

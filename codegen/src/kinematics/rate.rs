@@ -79,7 +79,10 @@ pub(super) fn configuration_rate(alg: &mut Algebra, k: &Kinematics, e: ExprId) -
     let mut rates = HashMap::default();
     for coordinate in k.rates.ids() {
         if let Some(symbol) = k.variable(&alg.dag, coordinate) {
-            rates.insert(symbol, k.rates[coordinate].value(alg, k));
+            let rate = k.rates[coordinate].value(alg, k);
+            if alg.dag.may_depend(e, symbol) {
+                rates.insert(symbol, rate);
+            }
         }
     }
     if let (Some(_), Some(time)) = (k.unknowns.clock(), alg.dag.as_symbol(k.time)) {

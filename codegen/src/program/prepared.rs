@@ -13,7 +13,7 @@ impl Program {
     pub fn prepared(&self, roots: &[ExprId]) -> Vec<ExprId> {
         let dag = &self.dag;
         let mut border = NodeSet::below(dag.len());
-        for id in dag.reachable_above(roots, |id| dag.dependence(id) != Dependence::State) {
+        for id in dag.cone_above(roots, |id| dag.dependence(id) != Dependence::State).iter() {
             if dag.dependence(id) == Dependence::State {
                 dag.operands(id).into_iter().flatten().for_each(|a| border.insert(unsigned(dag, a)));
             }

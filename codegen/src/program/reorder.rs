@@ -54,12 +54,14 @@ pub(super) fn sums(program: &mut Program, table: &mut SampleTable) {
 /// Sums that are operands of exactly one other sum and of nothing else, among the nodes that the roots need.
 fn inner_sums(dag: &Dag, roots: &[ExprId], order: &[ExprId]) -> Vec<bool> {
     let n = order.last().map_or(0, |id| id.index() + 1);
-    let (mut reads, mut in_sums) = (vec![0_u32; n], vec![0_u32; n]);
-    roots.iter().for_each(|root| reads[root.index()] += 2);
+    // Only whether a count is 1 matters.
+    let (mut reads, mut in_sums) = (vec![0_u8; n], vec![0_u8; n]);
+    let add = |count: &mut u8, more: u8| *count = count.saturating_add(more);
+    roots.iter().for_each(|root| add(&mut reads[root.index()], 2));
     for &id in order {
         for operand in dag.operands(id).into_iter().flatten() {
-            reads[operand.index()] += 1;
-            in_sums[operand.index()] += u32::from(is_sum(dag, id));
+            add(&mut reads[operand.index()], 1);
+            add(&mut in_sums[operand.index()], u8::from(is_sum(dag, id)));
         }
     }
     let is_inner = |&id: &ExprId| is_sum(dag, id) && reads[id.index()] == 1 && in_sums[id.index()] == 1;

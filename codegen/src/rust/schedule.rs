@@ -126,7 +126,8 @@ impl Readers {
 
     /// Number of steps that use each value.
     fn counts(&self, values: usize) -> Vec<usize> {
-        (0..values).map(|value| self.of(value).len()).collect()
+        let mut start = 0;
+        self.ends[..values].iter().map(|&end| end - std::mem::replace(&mut start, end)).collect()
     }
 }
 
@@ -207,11 +208,10 @@ impl Graph {
         let is_made = |value: &&usize| self.maker[**value].is_some();
         let mut missing: Vec<usize> = self.reads.iter().map(|r| r.iter().filter(is_made).count()).collect();
         let growth = |step: usize, left: &[usize], live: &[bool]| -> isize {
-            let count = |values: &[usize], change: &dyn Fn(usize) -> isize| -> isize {
-                values.iter().map(|&value| change(value)).sum()
-            };
-            let read = |value| isize::from(left[value] > 1) - isize::from(live[value]);
-            count(&self.makes[step], &|value| isize::from(left[value] > 0)) + count(&self.reads[step], &read)
+            let made = self.makes[step].iter().map(|&value| isize::from(left[value] > 0));
+            let read = self.reads[step].iter();
+            let read = read.map(|&value| isize::from(left[value] > 1) - isize::from(live[value]));
+            made.sum::<isize>() + read.sum::<isize>()
         };
         let mut ready = Ready::new(ranks);
         for step in (0..missing.len()).filter(|&step| missing[step] == 0) {

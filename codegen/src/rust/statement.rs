@@ -205,12 +205,6 @@ impl<'p> Body<'p> {
         }
     }
 
-    /// The name given to a node.
-    fn ident(&self, id: ExprId) -> Option<&str> {
-        let place = self.named[id.index()].checked_sub(1)?;
-        Some(self.idents.at(place as usize))
-    }
-
     fn name(&mut self, id: ExprId, ident: &str) {
         self.idents.push(ident);
         self.named[id.index()] = self.idents.len() as u32;
@@ -237,7 +231,7 @@ impl<'p> Body<'p> {
         let mut stack = std::mem::take(&mut self.stack);
         stack.push(id);
         while let Some(id) = stack.pop() {
-            if self.ident(id).is_some() || dag.is_constant(id) {
+            if self.has_ident(id) || dag.is_constant(id) {
                 continue;
             }
             if let Some(field) = self.field(id) {
@@ -245,9 +239,7 @@ impl<'p> Body<'p> {
             } else if let Node::Symbol(symbol) = dag.node(id) {
                 self.load(id, symbol);
             }
-            for operand in self.operands(id).into_iter().rev().flatten() {
-                stack.push(operand);
-            }
+            stack.extend(self.operands(id).into_iter().rev().flatten().filter(|&a| !self.has_ident(a)));
         }
         self.stack = stack;
     }

@@ -8,6 +8,9 @@ use super::scope::suggestion;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::source::Span;
 
+/// Room for the names of the fields of most entries.
+const MOST_FIELDS: usize = 8;
+
 /// An entry such as `hA = { unit = "m", nominal = 0 }`.
 pub struct Fields<'a> {
     /// The entry's name.
@@ -33,7 +36,7 @@ impl<'a> Fields<'a> {
 
     /// Fields of a table without a key of its own.
     pub fn of(name: &'a str, span: Span, table: &'a Table) -> Self {
-        Self { name, span, table, known: RefCell::default() }
+        Self { name, span, table, known: RefCell::new(Vec::with_capacity(MOST_FIELDS)) }
     }
 
     /// A field that may be missing.

@@ -3,8 +3,20 @@
 use super::Body;
 use crate::expr::print::{binary_name, infix, unary_name};
 use crate::expr::{Binary, ExprId, Node};
+use crate::id::Id;
 
 impl Body<'_> {
+    /// The name given to a node.
+    pub(super) fn ident(&self, id: ExprId) -> Option<&str> {
+        let place = self.named[id.index()].checked_sub(1)?;
+        Some(self.idents.at(place as usize))
+    }
+
+    /// Has the node got a name?
+    pub(super) fn has_ident(&self, id: ExprId) -> bool {
+        self.named[id.index()] > 0
+    }
+
     /// The text of a node as an operand: its name, or its expression.
     pub(super) fn operand(&self, id: ExprId) -> String {
         let mut text = String::new();
@@ -85,7 +97,7 @@ impl Body<'_> {
 
     /// Writes an operand, in parentheses if it has no name and its node satisfies `needs`.
     fn write_wrapped(&self, text: &mut String, id: ExprId, needs: impl Fn(Node) -> bool) {
-        let inline = self.ident(id).is_none() && !self.dag().is_constant(id);
+        let inline = !self.has_ident(id) && !self.dag().is_constant(id);
         if inline && needs(self.dag().node(id)) {
             text.push('(');
             self.write_operand(text, id);
