@@ -228,6 +228,95 @@ fn a_face_on_a_face_touches_in_the_corners_of_what_they_share() {
     assert_eq!(found((&Shape::HalfSpace, &level), (&Shape::HalfSpace, &above), 1.0).len(), 0);
 }
 
+/// What two rectangles share: the one, cut along each side of the other (Sutherland & Hodgman 1974).
+fn shared(one: [[f64; 2]; 4], [a, b]: [f64; 2]) -> Vec<[f64; 2]> {
+    let mut polygon = one.to_vec();
+    for (axis, sense, half) in [(0, 1.0, a), (0, -1.0, a), (1, 1.0, b), (1, -1.0, b)] {
+        let beyond = |p: &[f64; 2]| sense * p[axis] - half;
+        let mut cut = Vec::new();
+        for (n, p) in polygon.iter().enumerate() {
+            let q = &polygon[(n + 1) % polygon.len()];
+            if beyond(p) <= 0.0 {
+                cut.push(*p);
+            }
+            if (beyond(p) <= 0.0) != (beyond(q) <= 0.0) {
+                let part = beyond(p) / (beyond(p) - beyond(q));
+                cut.push([p[0] + part * (q[0] - p[0]), p[1] + part * (q[1] - p[1])]);
+            }
+        }
+        polygon = cut;
+    }
+    polygon
+}
+
+/// Boxes whose sides are flush, nearly so, or cross in corners, one upon the other in any order and attitude: the points
+/// span what the faces share, and where sides are flush to rounding no point stands twice.
+#[test]
+fn what_faces_share_is_spanned_however_their_sides_lie() {
+    let mut random = Random::new(41);
+    let sizes = [0.1, 0.15, 0.2, 0.1 * std::f64::consts::SQRT_2, 0.2 * std::f64::consts::SQRT_2];
+    let offsets = [1e-10, 3e-10, 1e-9, 3e-9, 1e-7, 1e-4, -3e-10, -1e-8, 1e-13, -1e-13, 1e-16, 0.0];
+    for trial in 0..40_000 {
+        let of = |random: &mut Random, list: &[f64]| {
+            let place = random.between(0.0, list.len() as f64) as usize;
+            list[place.min(list.len() - 1)]
+        };
+        // Half of the trials differ from exact ones by rounding alone.
+        let is_exact = trial % 2 == 0;
+        let mut some = |list: &[f64]| {
+            let offset = of(&mut random, if is_exact { &offsets[8..] } else { &offsets });
+            of(&mut random, list) + offset
+        };
+        let [below, above] = [(); 2].map(|()| [(); 3].map(|()| some(&sizes)));
+        let shift = [0, 1].map(|k| {
+            let flush = below[k] - above[k];
+            some(&[0.0, flush, -flush, 0.05, below[k], -below[k]])
+        });
+        let angle = std::f64::consts::PI * some(&[0.0, 0.25, 0.5, 0.75, 1.0, 0.1]);
+        let (sine, cosine) = angle.sin_cos();
+        let corner = |[u, v]: [f64; 2]| [shift[0] + cosine * u - sine * v, shift[1] + sine * u + cosine * v];
+        let [u, v, _] = above;
+        let polygon = shared([[-u, -v], [u, -v], [u, v], [-u, v]].map(corner), [below[0], below[1]]);
+        let span = |k: usize| {
+            let along =
+                |worst: fn(f64, f64) -> f64| polygon.iter().map(|p| p[k]).reduce(worst).unwrap_or(0.0);
+            along(f64::max) - along(f64::min)
+        };
+        if span(0).min(span(1)) < 1e-3 {
+            continue;
+        }
+        let base = random_frame(&mut random, 0.5);
+        let upper = Frame {
+            origin: base.point([shift[0], shift[1], below[2] + above[2]]),
+            axes: turned(base.axes, base.axes[2], angle),
+            ..base
+        };
+        let [low, high] = [below, above].map(|half| Shape::Cuboid(Cuboid { half }));
+        let (one, other) = ((&low, &base), (&high, &upper));
+        let both = [found(one, other, 1e-6), found(other, one, 1e-6)];
+        for list in &both {
+            let points = list.iter().map(|f| base.place(f.point));
+            let points: Vec<[f64; 2]> = points.map(|place| [place[0], place[1]]).collect();
+            for direction in 0..32 {
+                let (y, x) = (f64::from(direction) * std::f64::consts::TAU / 32.0).sin_cos();
+                let along = |p: &[f64; 2]| x * p[0] + y * p[1];
+                let reach = |list: &[[f64; 2]]| list.iter().map(along).fold(f64::NEG_INFINITY, f64::max);
+                let (expected, reached) = (reach(&polygon), reach(&points));
+                let told = format!("{below:?} {above:?} {shift:?} {angle}: {points:?}, shared {polygon:?}");
+                assert!((expected - reached).abs() < 2e-8, "{expected} {reached}: {told}");
+            }
+        }
+        if is_exact {
+            for list in &both {
+                let twice = list.iter().enumerate().any(|(n, f)| {
+                    list[..n].iter().any(|g| dot(sub(f.point, g.point), sub(f.point, g.point)) < 1e-16)
+                });
+                assert!(!twice && list.len() <= 8, "a point stands twice: {list:?}");
+            }
+        }
+    }
+}
+
 #[test]
 fn a_capsule_across_a_box_touches_both_rims_of_the_face() {
     let mut random = Random::new(8);

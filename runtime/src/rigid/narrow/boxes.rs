@@ -1,7 +1,8 @@
 //! Two boxes: the axis of largest separation, then the corners of their common face, or two crossing edges.
 //!
 //! Separating axes (Gottschalk, Lin & Manocha 1996): the face normals of both and the cross products of their edges.
-//! On a face: corners of either box inside the other's face, and crossings of the faces' sides, up to eight points.
+//! On a face: the corners of what both faces share, that is corners of either inside the other's, rim included, and
+//! crossings of their sides elsewhere, up to eight points.
 
 use super::edges::{Edge, box_edge, crossing};
 use super::feature::{Feature, Features, corners};
@@ -14,8 +15,10 @@ type Standing<'a, S> = (&'a Cuboid<S>, &'a Frame<S>);
 
 /// Edges are chosen only if their separation exceeds that of every face by this share of the size.
 const EDGE_ADVANTAGE: f64 = 1e-6;
-/// A corner up to this share of the face's size beyond the rim counts as inside the face.
+/// Places nearer than this share of the faces' size, or than so many roundings, are one place.
 const RIM: f64 = 1e-9;
+/// See [`RIM`].
+const ROUNDINGS: f64 = 16.0;
 
 /// Adds the features within `margin`; normals point from b to a.
 pub(super) fn push_features<S: Scalar>(found: &mut Features<S>, a: Standing<S>, b: Standing<S>, margin: S) {
@@ -138,33 +141,38 @@ fn push_face<S: Scalar>(found: &mut Features<S>, face: &Face<S>, a: Standing<S>,
         }
     };
     let of = |own: bool| if face.of_a == own { 0 } else { 8 };
-    // Corners of the incident box over the reference face, including its rim.
+    let facing = Plane::facing(incident, face.normal);
+    let share = S::from_f64(RIM).max(S::from_f64(ROUNDINGS) * S::EPSILON);
+    let rim = share * plane.size().max(facing.size());
+    let (twice, thrice) = (rim + rim, rim + rim + rim);
+    // Corners of the incident box over the reference face. What is left out below near a corner lies on one that counts
+    // whatever the rounding: each limit is by a rim wider than the one that relies on it.
     for (number, corner) in (0..).zip(corners(incident.0)) {
         let point = incident.1.point(corner);
-        if plane.holds(point, S::from_f64(RIM)) {
+        if plane.holds(point, thrice) {
             push(point, of(false) + number);
         }
     }
-    // Corners of the reference face below the incident face, excluding its rim; projected onto the incident face.
-    let facing = Plane::facing(incident, face.normal);
+    // Corners of the reference face below the incident face, projected onto it, where that has no corner itself.
     for (number, corner) in (0..).zip(corners(reference.0)) {
         let point = reference.1.point(corner);
-        let on_face = plane.height(point).abs() <= S::from_f64(RIM) * plane.size();
-        let raised = facing.pierced(point, face.normal).filter(|x| facing.holds(*x, -S::from_f64(RIM)));
+        let on_face = plane.height(point).abs() <= rim;
+        let raised = facing.pierced(point, face.normal);
+        let raised = raised.filter(|x| facing.holds(*x, twice) && !facing.is_corner(*x, rim));
         if on_face && let Some(raised) = raised {
             push(raised, of(true) + number);
         }
     }
-    // Sides of the incident face that cross sides of the reference face, numbered alike whichever of them is which.
+    // Sides of the incident face that cross sides of the reference face, numbered alike whichever of them is which; not
+    // where either has a corner.
     for ([p, q], i) in facing.sides().into_iter().zip(SIDES) {
         for (j, side) in (0..).zip(plane.walls()) {
             let (from, to) = (plane.beyond(p, side), plane.beyond(q, side));
-            if (from < S::ZERO) != (to < S::ZERO) {
+            let clear = from.abs().min(to.abs()) > twice;
+            if clear && (from < S::ZERO) != (to < S::ZERO) {
                 let point = vec3::axpy(p, from / (from - to), vec3::sub(q, p));
                 let other = if side.0 == 0 { 1 } else { 0 };
-                let strict = S::from_f64(-RIM);
-                let clear = |x: Vec3<S>| plane.beyond(x, side).abs() > S::from_f64(RIM) * plane.size();
-                if plane.within(point, other, strict) && clear(p) && clear(q) {
+                if plane.within(point, other, -rim) {
                     let (of_a, of_b) = if face.of_a { (j, i) } else { (i, j) };
                     push(point, 16 + 4 * of_a + of_b);
                 }
@@ -221,14 +229,19 @@ impl<S: Scalar> Plane<S> {
         if k == 0 { (d, a) } else { (e, b) }
     }
 
-    /// Whether the point is between the two sides across direction k; `rim` widens the face, relative to its size.
+    /// Whether the point is between the two sides across direction k; `rim` widens the face (m).
     fn within(&self, point: Vec3<S>, k: usize, rim: S) -> bool {
         let (direction, half) = self.across(k);
-        vec3::dot(direction, vec3::sub(point, self.middle)).abs() <= half + rim * self.size()
+        vec3::dot(direction, vec3::sub(point, self.middle)).abs() <= half + rim
     }
 
     fn holds(&self, point: Vec3<S>, rim: S) -> bool {
         self.within(point, 0, rim) && self.within(point, 1, rim)
+    }
+
+    /// Whether a point that it holds lies at a corner.
+    fn is_corner(&self, point: Vec3<S>, rim: S) -> bool {
+        !self.within(point, 0, -rim) && !self.within(point, 1, -rim)
     }
 
     /// Where the line through a point along a direction intersects the plane.
