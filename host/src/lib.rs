@@ -33,6 +33,7 @@ pub mod unpack;
 
 #[cfg(feature = "whole")]
 pub mod answers;
+pub mod chatter;
 pub mod columns;
 pub mod configuration;
 pub mod contact_force;

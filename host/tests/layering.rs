@@ -7,7 +7,8 @@ use std::path::{Path, PathBuf};
 /// Folders of the library.
 const LIBRARY: [&str; 4] = ["scene", "world", "engine", "plan"];
 /// What it may use of this crate; of `firmware` how it runs other programs.
-const ALLOWED: [&str; 15] = [
+const ALLOWED: [&str; 16] = [
+    "chatter",
     "configuration",
     "contact_force",
     "engine",

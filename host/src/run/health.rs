@@ -2,7 +2,6 @@
 //!
 //! In: coordinates and energies, row by row. Out: one line per kind of finding. It observes; no step is changed.
 
-use crate::jumps;
 use crate::number::worst;
 use std::collections::BTreeMap;
 
@@ -66,8 +65,8 @@ pub struct Health {
     moved: f64,
     size: f64,
     epsilon: f64,
-    /// Loads and laws that chatter.
-    chatter: Vec<String>,
+    /// What chatters, as a message.
+    chatter: Option<String>,
 }
 
 /// Energies at a row (J).
@@ -86,7 +85,7 @@ impl Health {
     #[must_use]
     pub fn new(ranges: BTreeMap<String, Range>, epsilon: f64) -> Self {
         let (outside, infinite) = (BTreeMap::new(), BTreeMap::new());
-        let (pivot, chatter) = ((1.0, None), Vec::new());
+        let (pivot, chatter) = ((1.0, None), None);
         Self { ranges, outside, infinite, pivot, imbalance: 0.0, moved: 0.0, size: 0.0, epsilon, chatter }
     }
 
@@ -127,16 +126,16 @@ impl Health {
         self.size = self.size.max(size);
     }
 
-    /// Notes the loads and laws whose `sign` of a speed changed from step to step.
-    pub fn chatter(&mut self, of: Vec<String>) {
-        self.chatter = of;
+    /// Notes that a `sign` of a speed changed from step to step.
+    pub fn chatter(&mut self, warning: Option<String>) {
+        self.chatter = warning;
     }
 
     /// The findings, as messages for the user.
     #[must_use]
     pub fn findings(&self) -> Vec<String> {
-        let findings =
-            [self.unbalanced(), self.left_ranges(), self.singular(), self.not_finite(), self.chattering()];
+        let chatter = self.chatter.clone();
+        let findings = [self.unbalanced(), self.left_ranges(), self.singular(), self.not_finite(), chatter];
         findings.into_iter().flatten().collect()
     }
 
@@ -150,20 +149,6 @@ impl Health {
             format!(
                 "outputs are not finite: {}{more}; something they are divided by is 0, or a number is too large",
                 named.join(", ")
-            )
-        })
-    }
-
-    fn chattering(&self) -> Option<String> {
-        let named: Vec<String> = self.chatter.iter().take(NAMED).map(|name| format!("`{name}`")).collect();
-        let more = self.chatter.len().saturating_sub(NAMED);
-        let more = if more > 0 { format!(" and {more} more") } else { String::new() };
-        (!named.is_empty()).then(|| {
-            format!(
-                "a `sign` of a speed in {}{more} changed again and again within a few steps: it chatters about rest, and what it should \
-                 hold creeps; {}",
-                named.join(", "),
-                jumps::SMOOTH
             )
         })
     }

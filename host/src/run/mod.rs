@@ -5,7 +5,6 @@ mod accounts;
 pub mod arguments;
 #[cfg(feature = "whole")]
 mod body;
-mod chatter;
 #[cfg(feature = "whole")]
 mod choose;
 pub mod events;

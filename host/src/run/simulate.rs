@@ -3,12 +3,12 @@
 //! In: a program, its observers, settings, the start. Out: rows at equal intervals, each a list of numbers named by
 //! [`columns`], and a [`Summary`]. Observers only read states; without them the motion is the same bit for bit.
 
-use super::chatter::Chatter;
 use super::health::{Energies, Health, Range};
 use super::kink::pass;
 use super::ledger::{self, Ledger};
 pub use super::plant::Plant;
 use super::settings::Settings;
+use crate::chatter::Chatter;
 use crate::engine::{Engine, EngineScalar, explain};
 use crate::failure::Failure;
 use crate::interrupt;
@@ -208,7 +208,7 @@ pub fn simulate<S: EngineScalar>(
         None => adaptive(setup, &mut plant, &mut state, ledger, &mut recorder)?,
     }
     recorder.summary.evaluations = plant.evaluations();
-    recorder.summary.health.chatter(recorder.chatter.found());
+    recorder.summary.health.chatter(recorder.chatter.warning(None));
     Ok(recorder.summary)
 }
 
@@ -349,6 +349,7 @@ where
         let h = taken.h.to_f64();
         let end = if h >= left * (1.0 - f64::from(f32::EPSILON)) { to } else { t + h };
         recorder.took(taken.report, end, state.x());
+        recorder.chatter.observe(end, state.x(), &plant.inputs).map_err(|fault| refused(end, fault))?;
         // A step is booked in parts if rows lie inside it.
         let mut from = 0.0;
         while next_row <= rows {

@@ -6,6 +6,7 @@
 
 use super::derived::Derived;
 use super::picture::{INERTIA, Picture};
+use crate::chatter::Chatter;
 use crate::observers::LEDGER;
 use crate::switches::Switches;
 use smartbed_codegen::Interpreted;
@@ -43,6 +44,8 @@ pub struct Ported<S = f64> {
     closed_forms: Interpreted<S>,
     /// Times at which commands, laws and loads switch.
     pub(super) switches: Switches<S>,
+    /// Signs of speeds in laws and loads, watched from step to step.
+    pub(super) chatter: Chatter,
     /// Name of the model, which is that of the part where that commands coordinates.
     pub(super) name: String,
     /// Times between which no command has a kink.
@@ -89,6 +92,7 @@ impl<S: Scalar> Ported<S> {
             names: quantities.map(|x| (x.name.clone(), x.unit.clone())).collect(),
             closed_forms: Interpreted::new(&observers.closed_forms()),
             switches: Switches::new(observers),
+            chatter: Chatter::new(observers),
             name: model.name.clone(),
             smooth: [f64::NEG_INFINITY, f64::INFINITY].map(S::from_f64),
             pivot: S::ONE,
@@ -155,6 +159,11 @@ impl<S: Scalar> Ported<S> {
             self.inputs[first + 3..first + 6].copy_from_slice(&wrench.moment);
         }
         Ok(())
+    }
+
+    /// Observes the state after a step, for [`Chatter::warning`].
+    pub(super) fn watch(&mut self, t: S, q: &[S], u: &[S]) -> Result<(), Fault> {
+        self.chatter.observe(t.to_f64(), &[q, u].concat(), &self.inputs[..self.own])
     }
 
     /// Keeps the state at which wrenches act, for [`Ported::drive_against`].

@@ -95,7 +95,10 @@ fn dry_friction_that_chatters_is_told_of() {
     };
     let rough = written("rough.toml", &sliding("sign(u_x)"));
     let found = warnings(&["run", &rough]);
-    assert!(found.len() == 1 && found[0].contains("in `fr` changed again and again"), "{found:?}");
+    let told = |found: &[String]| found.len() == 1 && found[0].contains("in `fr` changed again and again");
+    assert!(told(&found), "{found:?}");
+    let found = warnings(&["run", &rough, "--method", "dormand-prince"]);
+    assert!(told(&found), "steps of any size: {found:?}");
     let facts = smartbed(&["check", &rough, "--json"]).json();
     let warned = facts["warnings"].to_string();
     assert!(warned.contains("`fr` jumps where a speed changes sign"), "{warned}");

@@ -379,3 +379,30 @@ fn a_law_that_jumps_at_a_time_keeps_the_order_of_the_method() {
         assert!(fine < 1e-10 && coarse > 12.0 * fine, "{name}: {coarse} {fine}");
     }
 }
+
+/// What dry friction holds creeps, since its force reverses within a few steps again and again.
+#[test]
+fn dry_friction_that_chatters_in_a_world_is_told_of() {
+    let sliding = |name: &str, friction: &str| {
+        let model = format!(
+            "format = 1\nname = \"sliding\"\n[coordinates]\nx = {{ unit = \"m\" }}\n[points]\nP = \"x*N.x\"\n\
+             [bodies]\nb = {{ centre = \"P\", mass = 2 }}\n\
+             [forces]\nfr = {{ point = \"P\", force = \"-6_N*{friction}*N.x\" }}\n\
+             [springs]\ns = {{ coordinate = \"x\", stiffness = 50, rest = 0 }}\n[start]\nx = 1\n"
+        );
+        scene(&format!("chatters_{name}_model"), &model);
+        // Two parts that are apart are stepped each for itself.
+        let part = |part: &str| format!("[parts.{part}]\nmechanism = \"chatters_{name}_model\"\n");
+        let parts = [part("block"), part("other")].concat();
+        scene(&format!("chatters_{name}"), &format!("format = 2\n{parts}[run]\nseconds = 3\nstep = 1e-3\n"))
+    };
+    let warned = |file: &str, more: &[&str]| json(&[&[file], more].concat())["warnings"].to_string();
+    let rough = sliding("rough", "sign(u_x)");
+    let said = warned(&rough, &[]);
+    for part in ["block", "other"] {
+        assert!(said.contains(&format!("in `fr` of `{part}` changed again and again")), "{said}");
+    }
+    // While it slides nothing chatters; a smooth law never does.
+    assert_eq!(warned(&rough, &["--seconds", "1"]), "[]");
+    assert_eq!(warned(&sliding("smooth", "tanh(u_x/0.01_m*1_s)"), &[]), "[]");
+}

@@ -118,3 +118,95 @@ fn a_cube_of_springs_slides_flat_over_a_flat_mesh() {
     println!("gone {gone} m, a block {expected} m, imbalance {imbalance:e} J");
     assert!((gone - expected).abs() < 0.02 * expected, "{gone} m, a block {expected} m");
 }
+
+/// Two boxes and what is between them.
+fn flush(name: &str, [one, other]: [&str; 2], between: &str, law: &str, more: &str) -> String {
+    let part = |name: &str, text: &str| format!("[parts.{name}]\nrigid = \"box\"\n{text}\n");
+    let (one, other) = (part("a", one), part("b", other));
+    let pair = format!("[[contacts]]\nbetween = {between}\nimpact = \"{law}\"\nfriction = 0.5\n");
+    scene(
+        &format!("flush_{name}"),
+        &format!("format = 2\n{one}{other}{more}{pair}[run]\nseconds = 0.3\nstep = 1e-3\n"),
+    )
+}
+
+/// A side of the upper face lies in a side of the lower one to rounding: a beam on a block of its width, a box on one of
+/// its size that is shifted, a square over the corners of another.
+#[test]
+fn a_box_rests_on_one_whose_sides_are_flush_with_its_own() {
+    let below = |size: &str| format!("size = {size}\nfixed = true\nstart = {{ position = [0, 0, 0] }}");
+    let above = |size: &str, x: &str, turn: &str| {
+        format!(
+            "size = {size}\nmass = 2\nstart = {{ position = [\"{x}\", 0, 0.11], axis = [0, 0, 1], angle = \"{turn}\" }}"
+        )
+    };
+    let cases = [
+        ("beam", "[0.3, 0.2, 0.1]", above("[0.5, 0.2, 0.1]", "0_m", "0_deg")),
+        ("shifted", "[0.3, 0.2, 0.1]", above("[0.3, 0.2, 0.1]", "50_mm", "0_deg")),
+        (
+            "diagonal",
+            "[0.2, 0.2, 0.1]",
+            above("[0.282842712474619, 0.282842712474619, 0.1]", "0_m", "45_deg"),
+        ),
+    ];
+    for (name, size, upper) in cases {
+        for law in ["plastic", "stronge", "moreau"] {
+            for between in ["[\"a\", \"b\"]", "[\"b\", \"a\"]"] {
+                let done = json(&[&flush(name, [&below(size), &upper], between, law, "")]);
+                let z = number(&done["last"]["b.z"]);
+                assert!((z - 0.1).abs() < 1e-4, "{name} {law} {between}: {z}");
+            }
+        }
+    }
+}
+
+/// In a plane motion the width of a box across the plane does not matter, nor the order of two names.
+#[test]
+fn a_box_strikes_one_of_equal_height_whatever_their_widths() {
+    let grounds = "[parts.ground]\nrigid = \"half_space\"\n[[contacts]]\nbetween = [\"a\", \"ground\"]\nimpact = \"plastic\"\nfriction = 0.5\n\
+                   [[contacts]]\nbetween = [\"b\", \"ground\"]\nimpact = \"plastic\"\nfriction = 0.5\n";
+    let one =
+        "size = [0.1, 0.1, 0.1]\nmass = 2\nstart = { position = [-0.1, 0, 0.05], velocity = [2, 0, 0] }";
+    let run = |height: f64, width: f64, between: &str| {
+        let other = format!(
+            "size = [0.1, {width}, {height}]\nmass = 2\nstart = {{ position = [0.1, 0, {}] }}",
+            0.5 * height
+        );
+        let done = json(&[&flush("row", [one, &other], between, "plastic", grounds)]);
+        ["a.x", "b.x", "b.z"].map(|name| number(&done["last"][name]))
+    };
+    for height in [0.1, 0.3] {
+        let narrow = run(height, 0.09, "[\"a\", \"b\"]");
+        assert!(narrow[0] < narrow[1] - 0.0999, "{narrow:?}");
+        for (width, between) in [(0.1, "[\"a\", \"b\"]"), (0.2, "[\"a\", \"b\"]"), (0.1, "[\"b\", \"a\"]")] {
+            let other = run(height, width, between);
+            let same = narrow.iter().zip(other).all(|(x, y)| (x - y).abs() < 1e-6);
+            assert!(same, "{height} {width} {between}: {narrow:?} {other:?}");
+        }
+    }
+}
+
+/// Nodes in the plane of a box's side are over its face or beside it by rounding: a run says so.
+#[test]
+fn nodes_over_the_rim_of_a_box_are_told_of() {
+    let text = |size: &str, law: &str| {
+        format!(
+            "format = 2\n[parts.b]\nrigid = \"box\"\nsize = {size}\nfixed = true\nstart = {{ position = [0.1, 0.1, -0.05] }}\n\
+             [parts.a]\nshape = \"cube\"\nside = 0.2\nmass = 0.5\nK = 20000\nC = 20\nstart = {{ position = [0, 0, 0.0001] }}\n\
+             [[contacts]]\nbetween = [\"a\", \"b\"]\nimpact = \"{law}\"\nfriction = 0.5\n[run]\nseconds = 0.02\nstep = 1e-3\n"
+        )
+    };
+    for (size, law, told) in [
+        ("[0.2, 0.2, 0.1]", "plastic", true),
+        ("[0.24, 0.2, 0.1]", "stronge", true),
+        ("[0.2, 0.2, 0.1]", "moreau", false),
+        ("[0.24, 0.24, 0.1]", "plastic", false),
+    ] {
+        let said = json(&[&scene("rim", &text(size, law))])["warnings"].to_string();
+        assert_eq!(
+            said.contains("nodes of `a` lie in the plane of a side of `b`"),
+            told,
+            "{size} {law}: {said}"
+        );
+    }
+}

@@ -44,7 +44,8 @@ impl Engine for Apart {
     }
 
     fn step(&mut self, h: f64, found: &mut Vec<Event>) -> Result<(), String> {
-        self.islands.step(&mut self.world, h, found)
+        self.islands.step(&mut self.world, h, found)?;
+        self.world.watch_chatter()
     }
 
     fn inputs(&self) -> Vec<String> {

@@ -49,6 +49,7 @@ impl CarriedWorld {
             airs: Vec::new(),
             touching: None,
             unsettled: 0,
+            rims: Vec::new(),
             forced: 0,
             books: None,
             stable: None,
@@ -58,6 +59,9 @@ impl CarriedWorld {
         world.join(assembly, &starts)?;
         world.stable = stable_step(assembly, &world.fixed)?;
         world.touch(assembly)?;
+        let x = world.x.clone();
+        world.with(|mut island| island.place(0.0, &x)).map_err(words)?;
+        world.rims = world.nodes_over_rims();
         if !assembly.run.settled {
             world.refuse_overlaps()?;
         }

@@ -114,6 +114,8 @@ pub struct CarriedWorld<S: Scalar = f64> {
     friction: f64,
     airs: Vec<air::Air<S>>,
     touching: Option<Touching<S>>,
+    /// Warnings of nodes over rims of boxes at the start.
+    rims: Vec<String>,
     unsettled: usize,
     forced: usize,
     /// Kept if they are asked for.

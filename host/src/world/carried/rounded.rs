@@ -143,6 +143,7 @@ impl CarriedWorld {
             airs: self.airs.iter().map(air).collect(),
             touching: self.touching.as_ref().map(|touching| touching.rounded()),
             unsettled: self.unsettled,
+            rims: self.rims.clone(),
             forced: self.forced,
             books: None,
             stable: self.stable,

@@ -199,7 +199,8 @@ impl<S: Settle> Engine for CarriedWorld<S> {
     }
 
     fn step(&mut self, h: f64, found: &mut Vec<Event>) -> Result<(), String> {
-        self.breathing(h, |world| world.move_on(h, found))
+        self.breathing(h, |world| world.move_on(h, found))?;
+        self.watch_chatter()
     }
 
     fn inputs(&self) -> Vec<String> {
@@ -292,6 +293,8 @@ impl<S: Settle> Engine for CarriedWorld<S> {
         let steps = |count: usize| smartbed_codegen::words::count(count, "step");
         let mut said = self.bars_between_nodes();
         said.extend(self.parts_through_parts());
+        said.extend(self.chatters());
+        said.extend(self.rims.iter().cloned());
         if self.unsettled > 0 {
             let count = steps(self.unsettled);
             said.push(format!(
@@ -321,6 +324,29 @@ impl<S: Settle> Engine for CarriedWorld<S> {
 }
 
 impl<S: Settle> CarriedWorld<S> {
+    /// Observes signs of speeds in laws and loads of mechanisms after a step.
+    pub(super) fn watch_chatter(&mut self) -> Result<(), String> {
+        let watched =
+            |own: &HostCarrier<S>| matches!(own, HostCarrier::Mechanism(ported) if ported.chatter.any());
+        if !self.carriers.iter().any(watched) {
+            return Ok(());
+        }
+        let (t, x) = (S::from_f64(self.t), self.x.clone());
+        self.each_mechanism(self.of_carriers(&x), |_, ported, q, u, _| ported.watch(t, q, u)).map_err(words)
+    }
+
+    /// Warnings of dry friction that chattered.
+    fn chatters(&self) -> impl Iterator<Item = String> {
+        let of = |(name, place): (&String, &Place<S>)| match place {
+            &Place::Carrier(number, _) => match &self.carriers[number] {
+                HostCarrier::Mechanism(ported) => ported.chatter.warning(Some(name)),
+                _ => None,
+            },
+            _ => None,
+        };
+        self.names.iter().zip(&self.places).filter_map(of)
+    }
+
     /// The message for a mechanism whose energy or power is no number.
     fn endless(&self, carrier: usize) -> String {
         let is_it = |place: &Place<S>| matches!(place, Place::Carrier(number, _) if *number == carrier);

@@ -232,6 +232,7 @@ impl<'a> Selection<'a> {
             impact: 0.0,
             friction: 0.0,
             unsettled: 0,
+            rims: Vec::new(),
             forced: 0,
             books: None,
             stable: whole.stable,

@@ -1,8 +1,9 @@
 //! Does a `sign` of a speed change again and again within a few steps?
 //!
-//! In: the state after each step of fixed size. Out: the loads and laws that chatter: dry friction at rest reverses within
-//! a few steps again and again, and the mean of its reversals lets creep what it should hold.
+//! In: the state after each step. Out: the loads and laws that chatter: dry friction at rest reverses within a few steps
+//! again and again, and the mean of its reversals lets creep what it should hold.
 
+use crate::jumps::SMOOTH;
 use crate::observers::Observers;
 use smartbed_codegen::Interpreted;
 use smartbed_runtime::mechanism::{Fault, Mechanism as _};
@@ -12,8 +13,11 @@ use smartbed_runtime::real::Scalar;
 const NEAR: u64 = 8;
 /// So many of them are told.
 const MANY: u64 = 16;
+/// So many loads and laws are named.
+const NAMED: usize = 4;
 
 /// Counts reversals of the arguments.
+#[derive(Clone, Debug)]
 pub struct Chatter {
     owners: Vec<String>,
     arguments: Interpreted<f64>,
@@ -22,7 +26,7 @@ pub struct Chatter {
 }
 
 /// How an argument has changed.
-#[derive(Clone, Copy, Default)]
+#[derive(Clone, Copy, Default, Debug)]
 struct Course {
     last: f64,
     /// Its last change.
@@ -41,12 +45,17 @@ impl Chatter {
         Self { owners, arguments: Interpreted::new(&observers.jumps()), courses, step: 0 }
     }
 
+    /// Is there anything to watch?
+    pub fn any(&self) -> bool {
+        !self.owners.is_empty()
+    }
+
     /// Observes the state after a step.
     ///
     /// # Errors
     /// The engine's.
     pub fn observe<S: Scalar>(&mut self, t: f64, x: &[S], inputs: &[S]) -> Result<(), Fault> {
-        if self.owners.is_empty() {
+        if !self.any() {
             return Ok(());
         }
         self.step += 1;
@@ -59,12 +68,22 @@ impl Chatter {
         Ok(())
     }
 
-    /// What chatters, each once.
-    pub fn found(&self) -> Vec<String> {
+    /// A warning that names what chatters, if something does; `whose` are the loads and laws, if not of the only model.
+    pub fn warning(&self, whose: Option<&str>) -> Option<String> {
         let many = self.owners.iter().zip(&self.courses).filter(|(_, course)| course.soon >= MANY);
-        let mut found: Vec<String> = many.map(|(owner, _)| owner.clone()).collect();
+        let mut found: Vec<&str> = many.map(|(owner, _)| owner.as_str()).collect();
         found.dedup();
-        found
+        let named: Vec<String> = found.iter().take(NAMED).map(|name| format!("`{name}`")).collect();
+        let more = found.len().saturating_sub(NAMED);
+        let more = if more > 0 { format!(" and {more} more") } else { String::new() };
+        let whose = whose.map_or(String::new(), |part| format!(" of `{part}`"));
+        (!named.is_empty()).then(|| {
+            format!(
+                "a `sign` of a speed in {}{more}{whose} changed again and again within a few steps: it chatters about rest, and what \
+                 it should hold creeps; {SMOOTH}",
+                named.join(", ")
+            )
+        })
     }
 }
 
