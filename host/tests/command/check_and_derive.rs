@@ -1,6 +1,8 @@
 //! `check`, `derive` and the command line itself.
 
-use crate::support::{children_seconds, command, file, finish, least_time, lock, model, smartbed, written};
+use crate::support::{
+    builds, children_seconds, command, file, finish, least_time, lock, model, smartbed, written,
+};
 use std::process::Command;
 
 #[test]
@@ -302,7 +304,7 @@ fn a_derived_crate_compiles_on_its_own() {
         let mut cargo = Command::new(env!("CARGO"));
         // Its dependencies are those of the workspace. That of lanes may be fetched: nothing else here is built with it.
         lock(&folder);
-        cargo.args(["check", "--quiet", "--target-dir"]).arg(file("derived")).current_dir(&folder);
+        cargo.args(["check", "--quiet", "--target-dir"]).arg(builds("derived")).current_dir(&folder);
         let done = finish(cargo);
         assert_eq!((done.status, done.err.as_str()), (0, ""), "{scalar}, {optimise}");
     }
@@ -348,7 +350,7 @@ fn a_derived_crate_with_an_integrator_steps_its_mechanism() {
     std::fs::write(folder.join("tests/stepped.rs"), STEPPED).expect("written");
     lock(&folder);
     let mut cargo = Command::new(env!("CARGO"));
-    cargo.args(["test", "--quiet", "--test", "stepped", "--target-dir"]).arg(file("derived"));
+    cargo.args(["test", "--quiet", "--test", "stepped", "--target-dir"]).arg(builds("derived"));
     let done = finish({
         cargo.current_dir(&folder);
         cargo
@@ -373,7 +375,7 @@ fn a_derived_crate_compiles_in_half_a_second_of_processor_time() {
             let mut shell = Command::new("sh");
             let build = "touch src/lib.rs && \"$CARGO\" build --quiet --release && times";
             shell.args(["-c", build]).current_dir(&folder).env("CARGO", env!("CARGO"));
-            shell.env("CARGO_PROFILE_RELEASE_OPT_LEVEL", "2").env("CARGO_TARGET_DIR", file("timed"));
+            shell.env("CARGO_PROFILE_RELEASE_OPT_LEVEL", "2").env("CARGO_TARGET_DIR", builds("timed"));
             let done = finish(shell);
             assert_eq!((done.status, done.err.as_str()), (0, ""), "{model}");
             children_seconds(&done.out)
@@ -399,7 +401,7 @@ fn a_derived_crate_without_parameters_compiles_without_a_warning() {
         assert_eq!(done.status, 0, "{done:?}");
         lock(&folder);
         let mut cargo = Command::new(env!("CARGO"));
-        cargo.args(["check", "--quiet", "--target-dir"]).arg(file("derived")).current_dir(&folder);
+        cargo.args(["check", "--quiet", "--target-dir"]).arg(builds("derived")).current_dir(&folder);
         let done = finish(cargo);
         assert_eq!((done.status, done.err.as_str()), (0, ""), "{more:?}");
     }
@@ -413,7 +415,7 @@ fn a_derived_crate_with_thousands_of_values_builds_with_debugging_information() 
     assert_eq!(done.status, 0, "{done:?}");
     lock(&folder);
     let mut cargo = Command::new(env!("CARGO"));
-    cargo.args(["build", "--quiet", "--target-dir"]).arg(file("derived")).current_dir(&folder);
+    cargo.args(["build", "--quiet", "--target-dir"]).arg(builds("derived")).current_dir(&folder);
     // As for a user, whatever this build was told.
     cargo.env("CARGO_PROFILE_DEV_DEBUG", "2");
     let done = finish(cargo);
@@ -433,7 +435,7 @@ fn derived_crate(model: &str) -> std::path::PathBuf {
 fn build_for(target: &str, folder: &std::path::Path) {
     let toolchain = smartbed::firmware::toolchain::toolchain(target).expect("a toolchain");
     let mut cargo = toolchain.cargo();
-    cargo.args(["build", "--quiet", "--release", "--target", target, "--target-dir"]).arg(file("chip"));
+    cargo.args(["build", "--quiet", "--release", "--target", target, "--target-dir"]).arg(builds("chip"));
     if toolchain.core_from_source {
         cargo.arg("-Zbuild-std=core");
     }
@@ -447,7 +449,7 @@ fn a_derived_crate_compiles_for_microcontrollers() {
     let folder = derived_crate("tile");
     for target in ["thumbv7em-none-eabihf", "thumbv8m.main-none-eabihf", "riscv32imafc-unknown-none-elf"] {
         build_for(target, &folder);
-        let library = file("chip").join(target).join("release/libtile.rlib");
+        let library = builds("chip").join(target).join("release/libtile.rlib");
         assert!(std::fs::metadata(library).expect("a library").len() > 10_000, "{target}");
     }
 }

@@ -139,6 +139,11 @@ pub fn file(name: &str) -> PathBuf {
     folder.join(name)
 }
 
+/// A folder for builds, which all tests share: what one has compiled the others need not.
+pub fn builds(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_TARGET_TMPDIR")).join(name)
+}
+
 /// Writes a file of one test and returns its path.
 pub fn written(name: &str, text: &str) -> String {
     let path = file(name);
