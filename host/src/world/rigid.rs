@@ -52,6 +52,7 @@ pub struct RigidWorld {
     impact: f64,
     friction: f64,
     forced: usize,
+    impulsive: usize,
     /// Number of contacts that carry force after the last step, and their forces by pair.
     held: usize,
     pushed: Pushed,
@@ -100,6 +101,7 @@ impl RigidWorld {
             impact: 0.0,
             friction: 0.0,
             forced: 0,
+            impulsive: 0,
             held: 0,
             books: None,
         })
@@ -214,7 +216,8 @@ impl Engine for RigidWorld {
             let Some(books) = &mut **kept.borrow_mut() else { return };
             for t in piece.along.iter().filter(|t| t.held.contact.impulse[0] > 0.0) {
                 let (contact, ends) = (&t.held.contact, [piece.twists; 2]);
-                let push = Push { pair: t.pair, contact, duration: piece.length, ends, strikes: false };
+                let push =
+                    Push { pair: t.pair, contact, duration: piece.length, ends, strikes: piece.strikes };
                 books.push(&push, &bodies(t.pair));
             }
         };
@@ -223,6 +226,7 @@ impl Engine for RigidWorld {
         self.impact += report.impact_loss;
         self.friction += report.friction_loss;
         self.forced += usize::from(report.forced);
+        self.impulsive += usize::from(report.impulsive);
         self.held = report.held;
         let mut pushed = Pushed::new(self.pairs.len());
         for along in self.pressing() {
@@ -293,14 +297,19 @@ impl Engine for RigidWorld {
     }
 
     fn warnings(&self) -> Vec<String> {
-        if self.forced == 0 {
-            return Vec::new();
+        let steps = |count: usize| smartbed_codegen::words::count(count, "step");
+        let mut said = Vec::new();
+        if self.forced > 0 {
+            said.push(format!(
+                "{} contained more events than a step may be split at: the rest of each was computed with e = 0; take a \
+                 smaller step",
+                steps(self.forced)
+            ));
         }
-        vec![format!(
-            "{} contained more events than a step may be split at: the rest of each was computed with e = 0; take a \
-             smaller step",
-            smartbed_codegen::words::count(self.forced, "step")
-        )]
+        if self.impulsive > 0 {
+            said.push(impulsive(&steps(self.impulsive)));
+        }
+        said
     }
 
     fn method(&self) -> String {
@@ -308,19 +317,18 @@ impl Engine for RigidWorld {
     }
 }
 
-/// Why there are no contact forces where friction jams, and what to do.
-pub(super) const JAMMED: &str = "friction jams a sliding body (Painleve's paradox): no contact force exists; take less friction, or \
-    impact = \"moreau\"";
-/// The same where they were not found.
-pub(super) const UNBALANCED: &str = "the forces of redundant contacts were not found: the sweeps over them do not converge, as where \
-    much friction jams; take a smaller step, less friction, or impact = \"moreau\"";
+/// What a run says of steps in which contact forces were not found.
+pub(super) fn impulsive(steps: &str) -> String {
+    format!(
+        "{steps} had no contact forces that were found, as where much friction jams: contacts acted by impulses there, of \
+         order 1; a smaller step makes them more exact"
+    )
+}
 
 fn message(fault: Fault) -> String {
     match fault {
         Fault::TooManyContacts => "more contacts at once than the memory allows".to_owned(),
         Fault::WrongSizes => "the lists of the parts have different lengths".to_owned(),
-        Fault::Jammed => JAMMED.to_owned(),
-        Fault::Unbalanced => UNBALANCED.to_owned(),
         Fault::TooFast => "a part turns too far in one step; take a smaller step".to_owned(),
     }
 }

@@ -209,8 +209,6 @@ fn every_error_of_a_run_has_its_cause_and_cure() {
         Fault::StepSize,
         Fault::Unsettled,
         Fault::TooManyContacts,
-        Fault::Jammed,
-        Fault::Unbalanced,
     ]
     .map(|f| explain(f).to_owned());
     let bodies = [

@@ -104,7 +104,20 @@ fn inverse_parabola<S: Scalar>([(a, fa), (b, fb), (c, fc)]: [(S, S); 3]) -> S {
 ///
 /// # Errors
 /// [`RootFault`] if there is no sign change or `g` fails.
-pub fn locate<S: Scalar>(mut g: impl FnMut(S) -> S, low: S, high: S, width: S) -> Result<(S, S), RootFault> {
+pub fn locate<S: Scalar>(g: impl FnMut(S) -> S, low: S, high: S, width: S) -> Result<(S, S), RootFault> {
+    reach(g, [low, high], width, S::ZERO)
+}
+
+/// As [`locate()`]; ends earlier at a time where |g| <= `near`, which both ends of the bracket then are.
+///
+/// # Errors
+/// As [`locate()`].
+pub fn reach<S: Scalar>(
+    mut g: impl FnMut(S) -> S,
+    [low, high]: [S; 2],
+    width: S,
+    near: S,
+) -> Result<(S, S), RootFault> {
     let (g_low, g_high) = (g(low), g(high));
     let rising = g_low <= S::ZERO && S::ZERO <= g_high;
     let falling = g_high <= S::ZERO && S::ZERO <= g_low;
@@ -126,6 +139,9 @@ pub fn locate<S: Scalar>(mut g: impl FnMut(S) -> S, low: S, high: S, width: S) -
         let value = sign * g(t);
         if !value.is_finite() {
             return Err(RootFault::NonFinite);
+        }
+        if value.abs() <= near {
+            return Ok((t, t));
         }
         search.take(t, value);
     }

@@ -285,13 +285,17 @@ pub(crate) fn onto_disc<S: Scalar>([x, y]: [S; 2], radius: S) -> [S; 2] {
 }
 
 /// One contact's friction for the slip that is left: the one that stops it, or one on the rim of the friction disc.
-pub(super) fn rubbed<S: Scalar>(k: &InverseMass<S>, at: [S; 2], slip: [S; 2], radius: S) -> [S; 2] {
+///
+/// On the rim: a gradient step of the contact's own energy, scaled by the inverse of the larger eigenvalue of `K_tt`;
+/// it is the exact solution where the contact's inverse mass is the same in all tangential directions, as a node's is.
+pub(crate) fn rubbed<S: Scalar>(k: &InverseMass<S>, at: [S; 2], slip: [S; 2], radius: S) -> [S; 2] {
     let [x, y] = solve_tangential(k, slip);
     let rest = [at[0] - x, at[1] - y];
     if rest[0] * rest[0] + rest[1] * rest[1] <= radius * radius {
         return rest;
     }
-    // Projected gradient step, its length the inverse of a bound on the larger eigenvalue.
-    let step = S::ONE / (k[1][1] + k[2][2]).max(S::EPSILON);
-    onto_disc([at[0] - step * slip[0], at[1] - step * slip[1]], radius)
+    let half = S::from_f64(0.5);
+    let ([_, [_, a, b], [_, _, c]], difference) = (*k, half * (k[1][1] - k[2][2]));
+    let largest = (half * (a + c) + (difference * difference + b * b).sqrt()).max(S::EPSILON);
+    onto_disc([at[0] - slip[0] / largest, at[1] - slip[1] / largest], radius)
 }

@@ -61,6 +61,9 @@ pub fn hold<S: Scalar>(
         if shared || stays || left <= fine::<S>(number) {
             return Ok(());
         }
+        if patience.iter().all(|patience| patience.fails(number, SWEEPS)) {
+            break;
+        }
         if (PLAIN..SWEEPS - 1).contains(&number) {
             ahead.note(held);
             ahead.go_on(held, inertia, accelerations);

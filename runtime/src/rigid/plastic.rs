@@ -94,6 +94,49 @@ pub fn compensate_all<S: Scalar>(
     Outcome { pieces: 1, complete }
 }
 
+/// Impact with e = 0 and friction of contacts that share it, from none: J_n >= 0, v_n >= 0, J_n v_n = 0 and |J_t| <= mu J_n
+/// against the slip that is left, all with the velocities after. It loses energy: J . v+ <= 0.
+///
+/// Returns false if the sweeps did not converge; the impulses are then those of [`stop`].
+pub(crate) fn end<S: Scalar>(
+    struck: &mut [Struck<S>],
+    inertia: &(impl Inertia<S> + ?Sized),
+    twists: &mut [Twist<S>],
+) -> bool {
+    for s in struck.iter_mut() {
+        (s.contact.impulse, s.piece) = (vec3::zero(), vec3::zero());
+        s.before = s.contact.relative(twists);
+    }
+    let fastest = fastest(struck, twists);
+    for _ in 0..SWEEPS {
+        let mut moved = S::ZERO;
+        for s in struck.iter_mut() {
+            let (before, yields) = (s.piece, s.inverse_mass[0][0]);
+            if yields <= S::ZERO {
+                continue;
+            }
+            let normal = (before[0] - s.contact.relative(twists)[0] / yields).max(S::ZERO);
+            s.contact.push(inertia, twists, [normal - before[0], S::ZERO, S::ZERO]);
+            let [_, x, y] = s.contact.relative(twists);
+            let radius = s.contact.friction * normal;
+            let [x, y] = rubbed(&s.inverse_mass, [before[1], before[2]], [x, y], radius);
+            s.contact.push(inertia, twists, [S::ZERO, x - before[1], y - before[2]]);
+            s.piece = [normal, x, y];
+            let size = yields.max(s.inverse_mass[1][1]).max(s.inverse_mass[2][2]);
+            moved = moved.max(vec3::norm(vec3::sub(s.piece, before)) * size);
+        }
+        if moved <= S::from_f64(4.0) * S::EPSILON * fastest {
+            struck.iter_mut().for_each(|s| s.contact.impulse = s.piece);
+            return true;
+        }
+    }
+    for s in struck.iter() {
+        s.contact.push(inertia, twists, vec3::scale(s.piece, -S::ONE));
+    }
+    let _ = stop(struck, inertia, twists);
+    false
+}
+
 /// Friction within mu J of known impulses J, with the normal impulses needed to keep the bodies apart: each update
 /// lowers the kinetic energy. Returns false if the sweeps did not converge.
 pub(crate) fn rub_within<S: Scalar>(

@@ -15,7 +15,7 @@ use super::contact::{Inertia, Twist, rubbed};
 use super::impact::{Touch, resolve};
 use super::plastic::stop;
 use super::struck::{Outcome, Struck};
-use crate::ode::root::locate;
+use crate::ode::root::reach;
 use crate::real::Scalar;
 use crate::vec3;
 
@@ -30,6 +30,8 @@ const RUBS: usize = 60;
 const SLOWEST: f64 = 1e-6;
 /// Restitution coefficients below this do not shorten pieces: the end of the contact is located anyway.
 const SOFTEST: f64 = 0.05;
+/// Share of the energy of a contact that is a rounding error, in rounding units.
+const ROUNDED: f64 = 256.0;
 
 impl<S: Scalar> Struck<S> {
     /// Whether it pushes, or starts to.
@@ -63,8 +65,9 @@ impl<S: Scalar> Struck<S> {
         length * fallen.max(half * force)
     }
 
-    /// E after the normal velocity has changed from `before` to v over the impulse of the piece.
-    fn charge(&self, v: S) -> S {
+    /// E after the normal velocity has changed from `before` to v over the impulse of the piece, and how much the contact
+    /// still lasts: from 1 down to 0 where it ends.
+    fn charge(&self, v: S) -> [S; 2] {
         let (u, impulse, half) = (self.before[0], self.piece[0], S::from_f64(0.5));
         // Integrals over the piece of the parts of v_n below and above 0.
         let (closing, parting) = if u <= S::ZERO && v <= S::ZERO {
@@ -78,13 +81,13 @@ impl<S: Scalar> Struck<S> {
         };
         let charged = self.stored - closing * impulse;
         let returned = parting * impulse;
-        if returned <= S::ZERO {
-            charged
-        } else if self.contact.restitution > S::ZERO {
-            charged - returned * self.unloading()
+        let lasts = |left: S, all: S| if all > S::ZERO { left / all } else { S::ONE };
+        if self.contact.restitution > S::ZERO {
+            let left = if returned > S::ZERO { charged - returned * self.unloading() } else { charged };
+            [left, lasts(left, charged)]
         } else {
             // e = 0 gives nothing back: the contact ends where v_n changes sign.
-            -returned
+            [if returned > S::ZERO { -returned } else { charged }, lasts(-v, u.abs().max(v.abs()))]
         }
     }
 }
@@ -164,24 +167,32 @@ fn shorten<S: Scalar>(
     length: S,
     closing: S,
 ) {
+    let near = S::from_f64(ROUNDED) * S::EPSILON;
     let mut least = |tau: S| {
         try_piece(struck, inertia, twists, spare, tau, closing);
-        struck.iter().filter(|s| s.piece[0] > S::ZERO).fold(S::ONE / S::EPSILON, |m, s| m.min(s.lasts))
+        struck.iter().filter(|s| s.piece[0] > S::ZERO).fold(S::ONE, |least, s| least.min(s.lasts)) - near
     };
-    if least(length) >= S::ZERO {
+    let last = least(length);
+    if last >= -near {
         return;
     }
     // At length 0 nothing has been given back.
-    let guard = |tau: S| if tau > S::ZERO { least(tau) } else { S::ZERO };
+    let guard = |tau: S| match tau {
+        tau if tau <= S::ZERO => S::ONE,
+        tau if tau >= length => last,
+        tau => least(tau),
+    };
     // As fine as friction is: its rounding would keep a finer search going.
-    let found = locate(guard, S::ZERO, length, S::EPSILON.sqrt() * length);
-    let (before, beyond) = found.unwrap_or((length, length));
+    let (before, beyond) =
+        reach(guard, [S::ZERO, length], S::EPSILON.sqrt() * length, near).unwrap_or((length, length));
     try_piece(struck, inertia, twists, spare, beyond, closing);
     for s in struck.iter_mut() {
-        s.ended = s.piece[0] > S::ZERO && s.lasts < S::ZERO;
+        s.ended = s.piece[0] > S::ZERO && s.lasts <= S::from_f64(2.0) * near;
     }
     // Up to there none has given back more than it had.
-    try_piece(struck, inertia, twists, spare, before, closing);
+    if before < beyond {
+        try_piece(struck, inertia, twists, spare, before, closing);
+    }
 }
 
 /// Tries a piece of this length: impulses, velocities after it in `spare`, stored energies after it.
@@ -202,9 +213,7 @@ fn try_piece<S: Scalar>(
     rub(struck, inertia, spare);
     for s in struck.iter_mut() {
         let v = s.contact.relative(spare)[0];
-        s.trial = s.charge(v);
-        // E of a contact that gives nothing back jumps to 0 where v_n changes sign.
-        s.lasts = if s.contact.restitution > S::ZERO { s.trial } else { -(v * s.piece[0]) };
+        [s.trial, s.lasts] = s.charge(v);
     }
 }
 
@@ -212,7 +221,7 @@ fn try_piece<S: Scalar>(
 fn accept<S: Scalar>(struck: &mut [Struck<S>], twists: &mut [Twist<S>], spare: &[Twist<S>]) {
     twists.iter_mut().zip(spare).for_each(|(to, from)| *to = *from);
     // A contact that ended at the same time as another keeps a rounding error of E, which is no energy.
-    let rounding = S::from_f64(256.0) * S::EPSILON;
+    let rounding = S::from_f64(ROUNDED) * S::EPSILON;
     for s in struck.iter_mut() {
         let ended = core::mem::take(&mut s.ended) || s.trial <= rounding * s.stored;
         s.stored = if ended { S::ZERO } else { s.trial };

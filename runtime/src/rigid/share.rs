@@ -23,6 +23,11 @@ use crate::vec3::{self, Vec3};
 const YIELDS: f64 = 1e-3;
 /// Fewest contacts whose normal forces fit in more than one way.
 pub(crate) const REDUNDANT: usize = 4;
+/// D of contacts that push by impulses, as the share above, and the most repetitions with it.
+const PRESSED: f64 = 0.01;
+const PRESSED_TIMES: usize = 8;
+/// Closing that such impulses may leave, relative to the largest velocity without them.
+const CLOSING: f64 = 1e-6;
 /// D of contacts that contradict one another, as the share above.
 const SOFT: f64 = 0.1;
 /// Most repetitions with it, and those within which what is left halves at least.
@@ -62,7 +67,7 @@ pub(super) fn share<S: Scalar>(
     held.iter_mut().for_each(|h| h.as_mut().unyielded = vec3::zero());
     let mut before = S::from_f64(f64::INFINITY);
     for _ in 0..TIMES {
-        if !settle(held, pulls, scale, inertia, accelerations)? {
+        if !settle(held, (pulls, S::from_f64(YIELDS)), scale, inertia, accelerations)? {
             return Ok(false);
         }
         let [left, largest] = yielding(held, S::from_f64(YIELDS), scale);
@@ -87,10 +92,7 @@ pub(super) fn soften<S: Scalar>(
     inertia: &(impl Inertia<S> + ?Sized),
     accelerations: &mut [Twist<S>],
 ) -> Result<(), Unheld> {
-    for h in held.iter_mut().map(AsMut::as_mut) {
-        h.contact.push(inertia, accelerations, vec3::scale(h.contact.impulse, -S::ONE));
-        (h.contact.impulse, h.unyielded) = (vec3::zero(), vec3::zero());
-    }
+    release(held, inertia, accelerations);
     let (soft, [times, within]) = (S::from_f64(SOFT), SOFT_TIMES);
     let mut patience = Patience::new(within, S::from_f64(CONTRADICTION));
     let mut left = S::ZERO;
@@ -127,10 +129,56 @@ pub(crate) fn differ<S: Scalar>(mut slips: impl Iterator<Item = Vec3<S>>) -> boo
     slips.any(|slip| vec3::norm(vec3::sub(slip, first)) > S::from_f64(TURNED))
 }
 
-/// Sweeps over contacts that yield; returns whether they came to an end.
+/// Finds impulses over a piece of time, from none, and adds their effect: velocities stand for accelerations, and every
+/// contact sticks as far as its friction goes. Such impulses there always are; sweeps that do not find them end early.
+pub(crate) fn press<S: Scalar>(
+    held: &mut [impl AsMut<Held<S>>],
+    inertia: &(impl Inertia<S> + ?Sized),
+    velocities: &mut [Twist<S>],
+) {
+    let (mut scale, yields) = (S::ZERO, S::from_f64(PRESSED));
+    for h in held.iter_mut().map(AsMut::as_mut) {
+        let rate = vec3::norm(h.contact.relative(velocities)) + vec3::norm(h.bias);
+        scale = scale.max(rate / h.inverse_mass[0][0].max(S::EPSILON));
+        h.unyielded = vec3::zero();
+    }
+    for _ in 0..PRESSED_TIMES {
+        let _ = settle(held, (false, yields), scale, inertia, velocities);
+        let [left, largest] = yielding(held, yields, scale);
+        held.iter_mut().for_each(|h| h.as_mut().keep());
+        if left <= fine::<S>(SWEEPS) * largest {
+            break;
+        }
+    }
+    let closing = S::from_f64(CLOSING) * scale;
+    if held.iter_mut().any(|h| h.as_mut().opens(velocities) < -closing) {
+        // Where friction jams, the impulse grows from sweep to sweep until the contact sticks: no extrapolation follows that.
+        release(held, inertia, velocities);
+        for _ in 0..SOFT_SWEEPS {
+            let left = sweep(held, (false, false, S::ZERO), scale, inertia, velocities);
+            if left.is_ok_and(|left| left <= fine::<S>(SWEEPS)) {
+                break;
+            }
+        }
+    }
+}
+
+/// Takes all forces and their effect away.
+fn release<S: Scalar>(
+    held: &mut [impl AsMut<Held<S>>],
+    inertia: &(impl Inertia<S> + ?Sized),
+    accelerations: &mut [Twist<S>],
+) {
+    for h in held.iter_mut().map(AsMut::as_mut) {
+        h.contact.push(inertia, accelerations, vec3::scale(h.contact.impulse, -S::ONE));
+        (h.contact.impulse, h.unyielded) = (vec3::zero(), vec3::zero());
+    }
+}
+
+/// Sweeps over contacts that pull or do not and yield; returns whether they came to an end.
 fn settle<S: Scalar>(
     held: &mut [impl AsMut<Held<S>>],
-    pulls: bool,
+    (pulls, yields): (bool, S),
     scale: S,
     inertia: &(impl Inertia<S> + ?Sized),
     accelerations: &mut [Twist<S>],
@@ -138,7 +186,7 @@ fn settle<S: Scalar>(
     let (mut ahead, mut patience) =
         (Ahead::new(), Patience::new(PATIENCE, S::from_f64(ROUGHEST) * S::EPSILON));
     for number in 0..SWEEPS {
-        let left = sweep(held, (true, pulls, S::from_f64(YIELDS)), scale, inertia, accelerations)?;
+        let left = sweep(held, (true, pulls, yields), scale, inertia, accelerations)?;
         if left <= fine::<S>(number) || patience.ends(number, left) {
             return Ok(true);
         }

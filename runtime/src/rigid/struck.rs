@@ -17,7 +17,7 @@ pub struct Struck<S> {
     pub(super) stored: S,
     /// Of the piece on trial: E after it, its impulse, the relative velocity before it.
     pub(super) trial: S,
-    /// Positive before the contact ends within the piece, negative beyond: E, or with e = 0 the energy that closing takes.
+    /// How much the contact still lasts at the end of the piece: 1 at most, 0 where it ends, negative beyond.
     pub(super) lasts: S,
     pub(super) piece: vec3::Vec3<S>,
     pub(super) before: vec3::Vec3<S>,

@@ -18,8 +18,7 @@
 use super::detect::Touch;
 use crate::real::Scalar;
 use crate::rigid::anderson::Ahead;
-use crate::rigid::contact::{Inertia, Twist, onto_disc, softness, solve_tangential};
-use crate::rigid::impact::InverseMass;
+use crate::rigid::contact::{Inertia, Twist, rubbed, softness};
 use crate::rigid::share::{REDUNDANT, differ};
 use crate::vec3;
 
@@ -176,28 +175,11 @@ fn relax<S: Scalar>(
     let mut rub = [S::ZERO; 2];
     if radius > S::ZERO {
         let [_, x, y] = vec3::add(touch.contact.relative(twists), given);
-        rub = friction(&k, [before[1], before[2]], [x, y], radius);
+        rub = rubbed(&k, [before[1], before[2]], [x, y], radius);
     }
     touch.contact.push(inertia, twists, [S::ZERO, rub[0] - before[1], rub[1] - before[2]]);
     touch.contact.impulse = [normal, rub[0], rub[1]];
     size * vec3::norm(vec3::sub(touch.contact.impulse, before))
-}
-
-/// One contact's friction impulse for the slip that is left: the one that stops it, or one on the rim of the friction
-/// disc.
-///
-/// On the rim: a gradient step of the contact's own energy, scaled by the inverse of the larger eigenvalue of `K_tt`;
-/// it is the exact solution where the contact's inverse mass is the same in all tangential directions, as a node's is.
-fn friction<S: Scalar>(k: &InverseMass<S>, at: [S; 2], slip: [S; 2], radius: S) -> [S; 2] {
-    let [x, y] = solve_tangential(k, slip);
-    let rest = [at[0] - x, at[1] - y];
-    if rest[0] * rest[0] + rest[1] * rest[1] <= radius * radius {
-        return rest;
-    }
-    let half = S::from_f64(0.5);
-    let ([_, [_, a, b], [_, _, c]], difference) = (*k, half * (k[1][1] - k[2][2]));
-    let largest = half * (a + c) + (difference * difference + b * b).sqrt();
-    onto_disc([at[0] - slip[0] / largest, at[1] - slip[1] / largest], radius)
 }
 
 /// The contacts' work over the step (J): normal part, friction.

@@ -344,7 +344,7 @@ fn laws_that_create_energy_and_numbers_out_of_range_are_refused() {
 fn heaps_thrown_together_gain_no_energy_and_do_not_pass_through_one_another() {
     let wanted = std::env::var("SMARTBED_HEAPS").ok().and_then(|n| n.parse().ok());
     let mut random = Random::new(77);
-    let (mut jammed, mut forced, mut steps, mut deepest, mut gained) = (0, 0, 0, 0.0_f64, 0.0_f64);
+    let (mut impulsive, mut forced, mut steps, mut deepest, mut gained) = (0, 0, 0, 0.0_f64, 0.0_f64);
     let heaps: u32 = wanted.unwrap_or(10);
     for heap in 0..heaps {
         let law = stronge(random.between(-0.2, 0.9).max(0.0), random.between(-0.1, 1.0).max(0.0));
@@ -374,30 +374,23 @@ fn heaps_thrown_together_gain_no_energy_and_do_not_pass_through_one_another() {
         let start = world.energy();
         for _ in 0..300 {
             let before = world.energy();
-            match world.try_step(5e-3) {
-                Ok(report) => {
-                    steps += 1;
-                    forced += u32::from(report.forced);
-                    gained = gained.max((world.energy() - before) / start);
-                    assert!(
-                        world.energy() <= before + 1e-3 * start,
-                        "{heap}: {before} {} {report:?}",
-                        world.energy()
-                    );
-                }
-                Err(fault) => {
-                    assert!(matches!(fault, Fault::Jammed | Fault::Unbalanced), "{heap}: {fault:?}");
-                    jammed += 1;
-                    break;
-                }
-            }
+            let report = world.step(5e-3);
+            steps += 1;
+            forced += u32::from(report.forced);
+            impulsive += u32::from(report.impulsive);
+            gained = gained.max((world.energy() - before) / start);
+            assert!(
+                world.energy() <= before + 1e-3 * start,
+                "{heap}: {before} {} {report:?}",
+                world.energy()
+            );
             deepest = deepest.max(depth(&world));
         }
     }
     println!(
-        "{steps} steps: energy gained {gained:.1e} of all in one, depth {deepest:.1e} m, forced {forced}, jammed {jammed}"
+        "{steps} steps: energy gained {gained:.1e} of all in one, depth {deepest:.1e} m, forced {forced}, impulsive {impulsive}"
     );
-    assert!(deepest <= 1e-3 && forced * 100 <= steps && jammed * 10 <= heaps);
+    assert!(deepest <= 1e-3 && forced * 100 <= steps && impulsive * 100 <= steps);
 }
 
 /// How deep the deepest overlap is.
@@ -561,4 +554,99 @@ fn a_box_on_a_smaller_one_stays_there() {
         close(world.states[2].position[2], 0.15, 1e-12);
         close(world.states[2].position[0], x, 1e-12);
     }
+}
+
+/// A rod of 1 m and 1 kg at 60 degrees whose lower tip slides ahead with 1 m/s: with mu = 2 every normal force would press
+/// the tip together, and none holds it (Painleve).
+fn pushed_rod() -> World {
+    let (radius, half, angle) = (0.01, 0.5, core::f64::consts::FRAC_PI_6);
+    let across = half * half / 3.0;
+    let body = RigidBody { mass: 1.0, inertia: [across, across, 1e-2 * across] };
+    let part = Part { shape: Shape::Capsule(Capsule { radius, half_length: half }), body: Some(body) };
+    let attitude = Attitude::new([(0.5 * angle).cos(), 0.0, -(0.5 * angle).sin(), 0.0]);
+    let position = [0.0, 0.0, radius + half * angle.cos()];
+    let state = RigidState { attitude, velocity: [1.0, 0.0, 0.0], ..RigidState::at_rest(position) };
+    World::new(0.0, stronge(0.0, 2.0), &[(part, state)])
+}
+
+#[test]
+fn a_rod_that_friction_jams_sticks_at_once() {
+    // An impact without collision stops the tip: K P = -v.
+    let (radius, half, angle) = (0.01, 0.5, core::f64::consts::FRAC_PI_6);
+    let [x, z] = [half * angle.sin(), -(half * angle.cos() + radius)];
+    let j = 3.0 / (half * half);
+    let [a, b, c] = [1.0 + j * x * x, -j * x * z, 1.0 + j * z * z];
+    // Normal and tangential impulse for v = [0, 1].
+    let det = a * c - b * b;
+    let [p, q] = [b / det, -a / det];
+    assert!(p > 0.0 && -q < 2.0 * p && a - 2.0 * b < 0.0, "it jams, and sticks");
+    let spin = j * (z * q - x * p);
+    let errors = [1e-3, 1e-4].map(|h| {
+        let mut world = pushed_rod();
+        let before = world.energy();
+        let report = world.step(h);
+        assert!(report.impulsive && report.held == 1 && !report.forced, "{report:?}");
+        let lost = before - world.energy();
+        close(lost, report.impact_loss + report.friction_loss, 2.0 * h);
+        close(lost, -0.5 * q, 10.0 * h);
+        let state = world.states[1];
+        let turning = world.parts[1].body.expect("a body").angular_velocity(&state)[1];
+        let off = [state.velocity[0] - (1.0 + q), state.velocity[2] - p, turning - spin];
+        off.map(f64::abs).into_iter().fold(0.0, f64::max)
+    });
+    assert!(errors[0] < 0.05 && errors[1] < 0.12 * errors[0], "of order 1: {errors:?}");
+    // It goes on as a pendulum that falls over its tip.
+    let mut world = pushed_rod();
+    for _ in 0..300 {
+        let before = world.energy();
+        world.step(1e-3);
+        assert!(world.energy() <= before + 1e-6 && depth(&world) <= 1e-6);
+    }
+}
+
+#[test]
+fn stacks_with_much_friction_go_on_without_gaining_energy() {
+    // Three boxes with mu = 3, the upper one pushed: at 22 and 94 ms no forces of the redundant contacts were found.
+    let stacks = [
+        (
+            0.3,
+            [
+                [0.012, 0.018, 0.992808636, 0.119712207, 0.0, 0.0],
+                [0.017, -0.019, 0.992808636, 0.119712207, 0.0, 0.0],
+                [0.018, 0.006, 0.999887502, -0.014999438, 1.6, -1.5],
+            ],
+            0.05,
+        ),
+        (
+            0.0,
+            [
+                [-0.01, -0.02, 0.9999875, -0.004999979, 0.0, 0.0],
+                [-0.001, 0.01, 0.996801706, 0.079914694, 0.0, 0.0],
+                [0.011, -0.009, 0.997888244, -0.064954239, 1.2, 0.9],
+            ],
+            0.12,
+        ),
+    ];
+    let mut impulsive = 0;
+    for (e, boxes, seconds) in stacks {
+        let bodies = [0, 1, 2].map(|k| {
+            let ([x, y, c, s, vx, vy], side) = (boxes[k], 0.15 - 0.025 * k as f64);
+            let attitude = Attitude::new([c, 0.0, 0.0, s]);
+            let start = RigidState::at_rest([x, y, 0.05 + 0.1 * k as f64]);
+            let state = RigidState { attitude, velocity: [vx, vy, 0.0], ..start };
+            (cuboid(3.0 - k as f64, [side, side, 0.05]), state)
+        });
+        let mut world = World::new(0.0, stronge(e, 3.0), &bodies);
+        world.room = 256;
+        for _ in 0..(seconds / 2e-3) as usize {
+            let before = world.energy();
+            let report = world.step(2e-3);
+            impulsive += u32::from(report.impulsive);
+            let lost = report.impact_loss + report.friction_loss;
+            assert!(world.energy() <= before + 1e-5, "{e}: {before} {} {report:?}", world.energy());
+            close(before - world.energy(), lost, 0.02);
+        }
+        assert!(depth(&world) <= 1e-4, "{e}: {}", depth(&world));
+    }
+    assert!(impulsive > 0, "none was needed");
 }

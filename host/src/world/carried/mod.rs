@@ -30,7 +30,6 @@ use super::books::Books;
 use super::carriers::HostCarrier;
 use super::engine::Event;
 use super::ported::Ported;
-use super::rigid;
 use super::touching::{How, Stepped, Touching};
 use crate::scene::grid::Woven;
 use methods::{Contacts, Stepping};
@@ -126,8 +125,6 @@ pub struct CarriedWorld<S: Scalar = f64> {
 
 fn words(fault: Fault) -> String {
     match fault {
-        Fault::Jammed => rigid::JAMMED.to_owned(),
-        Fault::Unbalanced => rigid::UNBALANCED.to_owned(),
         Fault::Unsettled => format!(
             "{}; take a smaller step, or in contact, where that may not help, method = \"moreau\" or laws of contact that \
              locate touches",

@@ -303,8 +303,9 @@ impl<S: Settle> Engine for CarriedWorld<S> {
         }
         if self.forced > 0 {
             said.push(format!(
-                "{} contained more events than a step may be split at: the rest of each was computed with e = 0, \
-                 without locating events; take a smaller step, or impact = \"moreau\"",
+                "{} contained more events than a step may be split at, or contact forces that were not found, as where \
+                 much friction jams: the rest of each was computed with e = 0, without locating events; take a smaller \
+                 step, or impact = \"moreau\"",
                 steps(self.forced)
             ));
         }

@@ -1,33 +1,55 @@
-//! Advances between events: contact forces at the start and in the middle, clearance at the end, projection of drift.
+//! Advances between events: contact forces at the start and in the middle, or impulses; clearance at the end, projection
+//! of drift.
 
 use super::memory::{Memory, Report};
-use super::parts::{Fault, RigidScene, Rounding};
+use super::parts::{Fault, NEAR, RigidScene, Rounding};
 use super::touching::Touching;
 use crate::real::Scalar;
 use crate::rigid::RigidState;
-use crate::rigid::contact::{Twist, solve_tangential};
-use crate::rigid::hold::{CORNERS, Held, Slip, Sought, hold};
+use crate::rigid::contact::{Mobility, Twist, solve_tangential};
+use crate::rigid::hold::{CORNERS, Held, Slip, Sought, Unheld, hold};
 use crate::rigid::motion;
 use crate::vec3::{self, Vec3};
 
 /// Most sweeps of a projection.
 const SWEEPS: usize = 200;
 
+/// Share of the kinetic energy, and of that of a free fall, by which a piece under forces may miss its energy account.
+const LEEWAY: f64 = 0.05;
+
+/// How lasting contacts act over a piece.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum By {
+    /// By forces, at the start and in the middle.
+    Forces,
+    /// By impulses over the piece, where there are no such forces or none were found.
+    Impulses,
+}
+
 /// Number of lasting contacts at the start of a piece, and number of all features that touch there.
 #[derive(Clone, Copy)]
 pub(super) struct Start {
     pub(super) held: usize,
     pub(super) known: usize,
+    pub(super) by: By,
 }
 
 /// Clearance to the first event; negative beyond it.
 pub(super) struct Clearance<S> {
     /// Whether a contact that pushed has passed to another face, edge or end.
-    pub(super) lost: bool,
-    /// Least gap of features that do not touch yet (m).
-    pub(super) gap: S,
-    /// Least speed of slip along its direction at the start (m/s).
-    pub(super) slip: S,
+    lost: bool,
+    /// Least gap of features that do not touch yet, in gaps that count as zero.
+    gap: S,
+    /// Least speed of slip along its direction at the start, in speeds that count as zero.
+    slip: S,
+}
+
+impl<S: Scalar> Clearance<S> {
+    /// Clearance less that at an event, where a gap or a slip has just passed zero.
+    pub(super) fn to_event(&self) -> S {
+        let passed = if self.lost { -S::from_f64(2.0) } else { self.gap.min(self.slip) };
+        passed + S::from_f64(NEAR)
+    }
 }
 
 impl<S: Scalar> RigidScene<'_, S> {
@@ -54,8 +76,11 @@ impl<S: Scalar> RigidScene<'_, S> {
             let slides = speed > rounding.rate && t.held.contact.friction > S::ZERO;
             t.held.slip = slides.then_some(Slip::new([x, y], speed, h, S::from_f64(CORNERS)));
         }
-        self.find_forces(memory, 0, held, rounding)?;
-        Ok(Start { held, known })
+        let mut start = Start { held, known, by: By::Forces };
+        if self.find_forces(memory, 0, held, rounding).is_err() {
+            start.give_up_forces(memory);
+        }
+        Ok(start)
     }
 
     /// Computes the forces of the first `count` contacts of `touching` (stage 0, at the start) or `along` (stage 1, in
@@ -66,12 +91,25 @@ impl<S: Scalar> RigidScene<'_, S> {
         stage: usize,
         count: usize,
         rounding: Rounding<S>,
-    ) -> Result<(), Fault> {
+    ) -> Result<(), Unheld> {
         let Memory { states: [now, _, middle], twists, spare, mobilities, touching, along, .. } = memory;
         let (states, list) = if stage == 0 { (now, touching) } else { (middle, along) };
-        // Accelerations without contacts: free fall, and m' = 0 with m = J omega: J omega' = -omega x m.
-        let rows = states.iter().zip(twists.iter()).zip(mobilities.iter());
-        for ((part, ((state, rates), mobility)), free) in self.parts.iter().zip(rows).zip(spare.iter_mut()) {
+        self.fall(states, twists, mobilities, spare);
+        let list = list.get_mut(..count).unwrap_or_default();
+        let sought = Sought { pulls: false, rough: false, least: rounding.acceleration };
+        hold(list, sought, &**mobilities, spare)
+    }
+
+    /// Accelerations without contacts: free fall, and m' = 0 with m = J omega: J omega' = -omega x m.
+    pub(super) fn fall(
+        &self,
+        states: &[RigidState<S>],
+        twists: &[Twist<S>],
+        mobilities: &[Mobility<S>],
+        free: &mut [Twist<S>],
+    ) {
+        let rows = states.iter().zip(twists).zip(mobilities);
+        for ((part, ((state, rates), mobility)), free) in self.parts.iter().zip(rows).zip(free) {
             let turning = vec3::cross(state.angular_momentum, rates.angular);
             let angular = vec3::apply(&mobility.inverse_inertia, turning);
             *free = match part.body {
@@ -79,25 +117,66 @@ impl<S: Scalar> RigidScene<'_, S> {
                 None => Twist::zero(),
             };
         }
-        let list = list.get_mut(..count).ok_or(Fault::TooManyContacts)?;
-        let sought = Sought { pulls: false, rough: false, least: rounding.acceleration };
-        Ok(hold(list, sought, &**mobilities, spare)?)
     }
 
     /// Advances the states so far by a length of time into the trial states; returns the number of contacts in `along`.
+    /// From the first piece whose forces are not found on, contacts act by impulses.
     pub(super) fn advance(
+        &self,
+        memory: &mut Memory<S>,
+        length: S,
+        start: &mut Start,
+        rounding: Rounding<S>,
+    ) -> Result<usize, Fault> {
+        let half = S::from_f64(0.5) * length;
+        if start.by == By::Forces {
+            if let Some(count) = self.advance_by_forces(memory, length, start.held, rounding)? {
+                return Ok(count);
+            }
+            start.give_up_forces(memory);
+        }
+        self.move_by(memory, 0, 0, half)?;
+        let count = self.meet_again(memory, start.held, rounding)?;
+        self.find_impulses(memory, [start.held, count], length);
+        self.move_by(memory, 1, count, length)?;
+        Ok(count)
+    }
+
+    /// The same by forces; None where they are not found, or so large next to a jam that no step follows them.
+    fn advance_by_forces(
         &self,
         memory: &mut Memory<S>,
         length: S,
         held: usize,
         rounding: Rounding<S>,
-    ) -> Result<usize, Fault> {
-        let half = S::from_f64(0.5) * length;
-        self.move_by(memory, 0, held, half)?;
+    ) -> Result<Option<usize>, Fault> {
+        if self.move_by(memory, 0, held, S::from_f64(0.5) * length).is_err() {
+            return Ok(None);
+        }
         let count = self.meet_again(memory, held, rounding)?;
-        self.find_forces(memory, 1, count, rounding)?;
-        self.move_by(memory, 1, count, length)?;
-        Ok(count)
+        let found = self.find_forces(memory, 1, count, rounding).is_ok();
+        let moved = found && self.move_by(memory, 1, count, length).is_ok();
+        Ok((moved && self.spends(memory, count, length, rounding)).then_some(count))
+    }
+
+    /// Whether the trial states have about the energy that friction leaves, and it takes some: next to a jam forces grow
+    /// beyond bounds within a piece.
+    fn spends(&self, memory: &Memory<S>, count: usize, length: S, rounding: Rounding<S>) -> bool {
+        let [now, trial, _] = &memory.states;
+        let along = memory.along.get(..count).unwrap_or_default();
+        let friction = |t: &Touching<S>| {
+            let [_, x, y] = t.held.contact.impulse;
+            -(x * t.velocity[1] + y * t.velocity[2])
+        };
+        let lost = length * along.iter().fold(S::ZERO, |sum, t| sum + friction(t));
+        let ([before, kinetic], [after, later]) = (self.energies(now), self.energies(trial));
+        // What falls freely meanwhile gets this speed.
+        let fall = length * vec3::norm(self.gravity);
+        let bodies = self.parts.iter().filter_map(|part| part.body);
+        let falling = bodies.fold(S::ZERO, |sum, body| sum + body.mass * fall * fall);
+        let rounded = rounding.share * (before.abs() + after.abs());
+        let leeway = S::from_f64(LEEWAY) * (kinetic + later + falling) + rounded;
+        lost >= -leeway && (after - before + lost).abs() <= leeway
     }
 
     /// Detects the contacts of the start again in the middle of the piece, with initial forces and slip.
@@ -148,7 +227,8 @@ impl<S: Scalar> RigidScene<'_, S> {
         let held = memory.touching.get(..start.held).unwrap_or_default();
         let parting = memory.touching.get(start.held..start.known).unwrap_or_default();
         let far = S::ONE / S::EPSILON;
-        let (mut clear, mut stay) = (Clearance { lost: false, gap: rounding.drift, slip: far }, 0);
+        let far = Clearance { lost: false, gap: rounding.drift / rounding.gap, slip: far };
+        let (mut clear, mut stay) = (far, 0);
         let pushes = |t: &Touching<S>| t.held.contact.impulse[0] > S::ZERO;
         self.visit(trial, rounding.drift, |pair, feature| {
             let found = (feature.id, feature.curved, feature.normal);
@@ -157,12 +237,12 @@ impl<S: Scalar> RigidScene<'_, S> {
                 // An overlap that is opening counts as new only where it goes deeper, by more than rounding.
                 let known = parting.iter().find(|t| t.is(pair, feature.id));
                 let depth = known.map_or(S::ZERO, |t| t.gap.min(S::ZERO) - rounding.length);
-                clear.gap = clear.gap.min(feature.gap - depth);
+                clear.gap = clear.gap.min((feature.gap - depth) / rounding.gap);
             }
         });
         clear.lost = stay < held.iter().filter(|t| pushes(t)).count();
         for t in held.iter().filter(|t| t.held.slip.is_some()) {
-            clear.slip = clear.slip.min(self.slip_along(trial, t));
+            clear.slip = clear.slip.min(self.slip_along(trial, t) / rounding.rate);
         }
         clear
     }
@@ -183,7 +263,13 @@ impl<S: Scalar> RigidScene<'_, S> {
     }
 
     /// Accepts the piece: the trial states become the states so far.
-    pub(super) fn commit(&self, memory: &mut Memory<S>, length: S, count: usize, report: &mut Report<S>) {
+    pub(super) fn commit(
+        &self,
+        memory: &mut Memory<S>,
+        (length, by): (S, By),
+        count: usize,
+        report: &mut Report<S>,
+    ) {
         let [now, trial, _] = &mut memory.states;
         now.iter_mut().zip(trial.iter()).for_each(|(to, from)| *to = *from);
         (report.held, report.pressing) = (0, S::ZERO);
@@ -194,6 +280,9 @@ impl<S: Scalar> RigidScene<'_, S> {
                 report.pressing = report.pressing + normal;
                 let power = x * t.velocity[1] + y * t.velocity[2];
                 report.friction_loss = report.friction_loss - length * power;
+                if by == By::Impulses {
+                    report.impact_loss = report.impact_loss - length * normal * t.velocity[0];
+                }
             }
         }
     }

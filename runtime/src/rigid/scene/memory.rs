@@ -49,6 +49,8 @@ pub struct Piece<'a, S> {
     pub along: &'a [Touching<S>],
     /// Velocities of the parts in its middle.
     pub twists: &'a [Twist<S>],
+    /// Whether these forces are impulses over the piece, divided by its length: normal ones do work, too.
+    pub strikes: bool,
 }
 
 /// Diagnostics of a step.
@@ -68,4 +70,6 @@ pub struct Report<S> {
     pub friction_loss: S,
     /// Whether splits were used up: the rest of the step then went with e = 0.
     pub forced: bool,
+    /// Whether contact forces were not found in a piece: contacts then acted by impulses over it.
+    pub impulsive: bool,
 }

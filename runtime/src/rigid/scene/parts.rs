@@ -3,11 +3,14 @@
 use crate::real::Scalar;
 use crate::rigid::attitude::Attitude;
 use crate::rigid::contact::Contact;
-use crate::rigid::hold::{Unheld, negligible};
+use crate::rigid::hold::negligible;
 use crate::rigid::law::Law;
 use crate::rigid::{RigidBody, RigidState};
 use crate::surface::{Frame, Shape};
 use crate::vec3::{self, Vec3};
+
+/// From that far, in gaps and speeds that count as zero, to as far behind it an event is found.
+pub(crate) const NEAR: f64 = 1.0 / 2048.0;
 
 /// A rigid part.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -45,21 +48,8 @@ pub enum Fault {
     TooManyContacts,
     /// Slices whose lengths differ from the number of parts, or a pair of parts that do not exist.
     WrongSizes,
-    /// No contact force goes on: friction jams a sliding body (Painleve's paradox).
-    Jammed,
-    /// The sweeps over the forces of lasting contacts did not converge.
-    Unbalanced,
     /// A part rotates too far in one step, or a state is not finite: take a shorter step.
     TooFast,
-}
-
-impl From<Unheld> for Fault {
-    fn from(unheld: Unheld) -> Fault {
-        match unheld {
-            Unheld::Jammed => Fault::Jammed,
-            Unheld::Unbalanced => Fault::Unbalanced,
-        }
-    }
 }
 
 impl<S: Scalar> RigidState<S> {
@@ -92,8 +82,9 @@ impl<S: Scalar> Part<S> {
 pub(super) struct Rounding<S> {
     /// What a gap differs by where nothing moves (m).
     pub(super) length: S,
-    /// Gap (m).
+    /// Gap (m), and its share of the size of the moving parts.
     pub(super) gap: S,
+    pub(super) share: S,
     /// How far a lasting contact may drift in one step before it is projected (m).
     pub(super) drift: S,
     /// Speed (m/s).
@@ -106,9 +97,16 @@ impl<S: Scalar> RigidScene<'_, S> {
     /// Kinetic and gravitational energy (J).
     #[must_use]
     pub fn energy(&self, states: &[RigidState<S>]) -> S {
+        self.energies(states)[0]
+    }
+
+    /// The same, and its kinetic part.
+    pub(super) fn energies(&self, states: &[RigidState<S>]) -> [S; 2] {
         let bodies = self.parts.iter().zip(states).filter_map(|(p, s)| p.body.map(|b| (b, s)));
-        bodies.fold(S::ZERO, |sum, (body, state)| {
-            sum + body.kinetic(state) - body.mass * vec3::dot(self.gravity, state.position)
+        bodies.fold([S::ZERO; 2], |[all, moving], (body, state)| {
+            let kinetic = body.kinetic(state);
+            let sum = all + kinetic - body.mass * vec3::dot(self.gravity, state.position);
+            [sum, moving + kinetic]
         })
     }
 
@@ -133,9 +131,11 @@ impl<S: Scalar> RigidScene<'_, S> {
         let lowest = S::from_f64(4.0) * (eps * vec3::norm(self.gravity) * size).sqrt();
         let rate = lowest + S::from_f64(64.0) * eps * speed;
         // epsilon^(2/3): between the rounding unit and 1, and far above sums of rounding errors.
+        let share = (S::from_f64(2.0 / 3.0) * eps.ln()).exp();
         Rounding {
             length: S::from_f64(16.0) * eps * size,
-            gap: (S::from_f64(2.0 / 3.0) * eps.ln()).exp() * size,
+            gap: share * size,
+            share,
             drift: S::from_f64(0.01) * size,
             rate,
             acceleration: negligible(rate, h),

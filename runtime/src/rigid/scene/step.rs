@@ -1,14 +1,14 @@
 //! The whole step: impacts, then an advance to the next event, repeated until the step is used up.
 
-use super::advance::Start;
+use super::advance::{By, Start};
 use super::memory::{Memory, Piece, Report, Strike};
-use super::parts::{Fault, RigidScene, Rounding};
+use super::parts::{Fault, NEAR, RigidScene, Rounding};
 use super::touching::Touching;
-use crate::ode::root::locate;
+use crate::ode::root::reach;
 use crate::real::Scalar;
 use crate::rigid::RigidState;
 use crate::rigid::law::Kind;
-use crate::rigid::plastic::{compensate_all, stop};
+use crate::rigid::plastic::{compensate_all, end, stop};
 use crate::rigid::several::strike_all;
 use crate::rigid::struck::Struck;
 use crate::vec3;
@@ -63,6 +63,7 @@ impl<S: Scalar> RigidScene<'_, S> {
             impact_loss: S::ZERO,
             friction_loss: S::ZERO,
             forced: false,
+            impulsive: false,
         };
         let [now, ..] = &mut memory.states;
         now.iter_mut().zip(states.iter()).for_each(|(to, from)| *to = *from);
@@ -95,17 +96,21 @@ impl<S: Scalar> RigidScene<'_, S> {
             self.strike(memory, rounding, last, report, |strike| {
                 strikes(Strike { time: h - left, ..strike })
             })?;
-            let start = self.hold_at_start(memory, rounding, h)?;
+            let mut start = self.hold_at_start(memory, rounding, h)?;
             let (length, pressing) = if last {
+                // No event ends the piece: friction by forces could turn slips round and do work.
+                start.give_up_forces(memory);
                 let piece = left / whole(rest);
                 rest -= 1;
-                (piece, self.advance(memory, piece, start.held, rounding)?)
+                (piece, self.advance(memory, piece, &mut start, rounding)?)
             } else {
-                self.shorten(memory, left, start, rounding)?
+                self.shorten(memory, left, &mut start, rounding)?
             };
-            self.commit(memory, length, pressing, report);
+            self.commit(memory, (length, start.by), pressing, report);
             let along = memory.along.get(..pressing).unwrap_or_default();
-            pieces(Piece { length, along, twists: memory.twists });
+            let strikes = start.by == By::Impulses;
+            report.impulsive |= strikes && !last;
+            pieces(Piece { length, along, twists: memory.twists, strikes });
             self.project(memory, pressing, rounding)?;
             (report.splits, report.forced) = (split + 1, last);
             left = left - length;
@@ -132,7 +137,8 @@ impl<S: Scalar> RigidScene<'_, S> {
         if !touching.iter().any(|t| closes(&t)) {
             return Ok(());
         }
-        if touching.iter().filter(closes).all(|t| self.has_died_out(t, rounding)) {
+        let ends = touching.iter().filter(closes).all(|t| self.has_died_out(t, rounding));
+        if ends {
             touching.iter_mut().for_each(|t| t.held.contact.restitution = S::ZERO);
         }
         let touching = &*touching;
@@ -148,6 +154,10 @@ impl<S: Scalar> RigidScene<'_, S> {
             _ if last => {
                 // Converged or not, its effect is only dissipative.
                 let _ = stop(struck, &**mobilities, twists);
+            }
+            // The last bounce is too low to tell how contacts share it.
+            _ if ends => {
+                let _ = end(struck, &**mobilities, twists);
             }
             Some((law, e)) if alike && law.kind() != Kind::Stronge => {
                 // Newton's law with one e at all points and without friction is compensation with eta = e^2.
@@ -184,41 +194,40 @@ impl<S: Scalar> RigidScene<'_, S> {
         &self,
         memory: &mut Memory<S>,
         left: S,
-        start: Start,
+        start: &mut Start,
         rounding: Rounding<S>,
     ) -> Result<(S, usize), Fault> {
-        let pressing = self.advance(memory, left, start.held, rounding)?;
-        let clear = self.clearance(memory, start, rounding);
-        if !clear.lost && clear.gap >= -rounding.gap && clear.slip >= -rounding.rate {
+        let near = S::from_f64(NEAR);
+        let pressing = self.advance(memory, left, start, rounding)?;
+        let last = self.clearance(memory, *start, rounding).to_event();
+        if last >= near - S::ONE {
             return Ok((left, pressing));
         }
-        // At the start no contact is new or lost, and no slip has reversed.
+        // At the start no contact is new or lost, and no slip has reversed. One that opens has no gap there, and says nothing
+        // of when it closes.
         let [now, trial, _] = &mut memory.states;
         trial.iter_mut().zip(now.iter()).for_each(|(to, from)| *to = *from);
-        let first = self.clearance(memory, start, rounding);
-        let first = first.gap.min(first.slip).max(S::ZERO);
+        let first = self.clearance(memory, *start, rounding).to_event().max(-last);
         let mut fault = None;
         let guard = |length: S| {
-            if length <= S::ZERO {
-                return first;
+            if length <= S::ZERO || length >= left {
+                return if length <= S::ZERO { first } else { last };
             }
-            match self.advance(memory, length, start.held, rounding) {
-                Ok(_) => {
-                    let clear = self.clearance(memory, start, rounding);
-                    if clear.lost { -S::ONE } else { clear.gap.min(clear.slip) }
-                }
+            match self.advance(memory, length, start, rounding) {
+                Ok(_) => self.clearance(memory, *start, rounding).to_event(),
                 Err(why) => {
                     fault = Some(why);
                     S::ZERO
                 }
             }
         };
-        let found = locate(guard, S::ZERO, left, S::from_f64(4.0) * S::EPSILON * left);
+        // Where a clearance jumps, as fine as a gap that counts as zero is in the size of the bodies.
+        let found = reach(guard, [S::ZERO, left], rounding.share * left, near);
         if let Some(why) = fault {
             return Err(why);
         }
         // Stop behind the event: a new contact then touches within rounding, a slip has just stopped.
         let length = found.map_or(left, |(_, beyond)| beyond);
-        Ok((length, self.advance(memory, length, start.held, rounding)?))
+        Ok((length, self.advance(memory, length, start, rounding)?))
     }
 }

@@ -10,8 +10,9 @@
 //! ```
 //! Repeated until h is used up. A step is split at most [`SPLITS`] times; the rest is stepped in [`PIECES`] pieces with
 //! e = 0 and without locating events, as in `step`, and the report says so: use that step for many contacts. The same
-//! where an implicit method's iteration does not converge, because friction turns round however short the piece. Gaps
-//! and speeds that count as zero follow from the sizes and speeds present.
+//! where an implicit method's iteration does not converge, because friction turns round however short the piece, and
+//! where contact forces are not found or do not exist, because friction jams: the impulses of `step` always do. Gaps and
+//! speeds that count as zero follow from the sizes and speeds present.
 
 mod hold;
 mod shorten;
@@ -62,8 +63,8 @@ pub struct LocatedReport<S> {
     pub pieces: usize,
     /// Contacts that push at the end.
     pub pressing: usize,
-    /// Whether splits were used up, or an implicit method did not converge: the rest of the step then went without
-    /// location, with e = 0.
+    /// Whether splits were used up, an implicit method did not converge or contact forces were not found: the rest of the
+    /// step then went without location, with e = 0.
     pub forced: bool,
     /// Whether every impact converged to rounding; the rest of one that did not ended as with e = 0.
     pub settled: bool,
@@ -182,8 +183,8 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
     /// compensation e is the square root of its share).
     ///
     /// # Errors
-    /// [`Fault::TooManyContacts`]; [`Fault::Jammed`] where friction jams a sliding contact; [`Fault::Shape`] for lists
-    /// of wrong length; the method's faults. The state is then unchanged.
+    /// [`Fault::TooManyContacts`]; [`Fault::Shape`] for lists of wrong length; the method's faults. The state is then
+    /// unchanged.
     pub fn step_located(
         &mut self,
         kinds: &[Kind],
@@ -214,12 +215,13 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
             if !struck {
                 self.stop(start, way)?;
             }
-            self.hold_at_start(start, way)?;
-            length = match self.shorten(method, (start, left), way) {
-                Err(Fault::Unsettled) if way.rubs() => break,
+            let (gone, works) = match self.piece(method, (start, left), way, watch) {
+                Err(Fault::Jammed | Fault::Unbalanced) => break,
+                // Next to a jam forces grow beyond bounds.
+                Err(Fault::Unsettled | Fault::NonFinite) if way.rubs() => break,
                 done => done?,
             };
-            report.accounts = report.accounts.plus(&self.works((start, length), way, watch)?);
+            (length, report.accounts) = (gone, report.accounts.plus(&works));
             for (now, trial) in way.now.iter_mut().zip(&way.trial) {
                 now.iter_mut().zip(trial.iter()).for_each(|(to, from)| *to = *from);
             }
@@ -230,7 +232,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
             }
         }
         if left > S::ZERO {
-            report.forced = true;
+            (report.forced, report.pressing) = (true, 0);
             *way.overlaps = true;
             way.memory.counts = [0; 2];
             let rest = self.finish((t + (h - left), left), way, watch)?;
@@ -240,6 +242,19 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
             (*x, *low) = (*now, *now_low);
         }
         Ok(report)
+    }
+
+    /// Advances over all the time left or to the first event, into the trial state; returns how far, and the accounts.
+    fn piece(
+        &mut self,
+        method: Method,
+        (start, left): (S, S),
+        way: &mut PartialStep<S>,
+        watch: &mut impl Observer<S>,
+    ) -> Result<(S, Accounts<S>), Fault> {
+        self.hold_at_start(start, way)?;
+        let length = self.shorten(method, (start, left), way)?;
+        Ok((length, self.works((start, length), way, watch)?))
     }
 
     /// The rest of a step that has used up its splits: as in `step`, with e = 0.
@@ -286,7 +301,8 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
     }
 
     /// The number of contacts that press at a state, in whose steps of h they are; their forces there are then those of
-    /// `memory.pressing`, where a step leaves those of its middle. A contact that is about to strike does not press.
+    /// `memory.pressing`, where a step leaves those of its middle. A contact that is about to strike does not press, nor
+    /// does any where no forces are found.
     ///
     /// # Errors
     /// As [`World::step_located`]; no contact presses then.
@@ -302,8 +318,10 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         let way = &mut memory.way(h, state)?;
         self.measure(t, way)?;
         self.find_touches(t, way)?;
-        self.hold_at_start(t, way)?;
-        Ok(way.held)
+        match self.hold_at_start(t, way) {
+            Err(Fault::Jammed | Fault::Unbalanced) => Ok(0),
+            done => done.map(|()| way.held),
+        }
     }
 
     /// Sets the tolerances from sizes and speeds at the state so far.

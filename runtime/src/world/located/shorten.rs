@@ -3,9 +3,10 @@
 use super::hold::LIGHT;
 use super::{PartialStep, Rounding, Sight};
 use crate::mechanism::Fault;
-use crate::ode::root::locate;
+use crate::ode::root::reach;
 use crate::ode::{Method, Ode, State};
 use crate::real::Scalar;
+use crate::rigid::scene::NEAR;
 use crate::vec3;
 use crate::world::accounts::Accounts;
 use crate::world::carrier::Carrier;
@@ -14,8 +15,7 @@ use crate::world::observer::Observer;
 use crate::world::pressed::{Pressed, Pressing};
 use crate::world::whole::{StepMemory, World};
 
-/// Clearance where nothing is near, in units of rounding: so large that the search for an event then goes by the values
-/// beyond it alone.
+/// Clearance where nothing is near, in units of rounding.
 fn far<S: Scalar>() -> S {
     S::ONE / S::EPSILON
 }
@@ -73,24 +73,26 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         way: &mut PartialStep<S>,
     ) -> Result<S, Fault> {
         let left = self.halve(method, (t, left), way)?;
-        if self.clearance(t + left, way)? >= S::ZERO {
+        let last = self.clearance(t + left, way)?;
+        if last >= S::ZERO {
             return Ok(left);
         }
+        let near = S::from_f64(NEAR);
         let mut fault = None;
         let guard = |length: S| {
-            // At the start no contact is new, pulls or has reversed its slip.
-            if length <= S::ZERO {
-                return far::<S>();
+            // At the start no contact is new, pulls or has reversed its slip, and nothing says how far it is from that.
+            if length <= S::ZERO || length >= left {
+                return if length <= S::ZERO { -last } else { last + near };
             }
             let gone = self.advance(method, (t, length), way).and_then(|()| self.clearance(t + length, way));
-            gone.unwrap_or_else(|why| {
+            gone.map(|clear| clear + near).unwrap_or_else(|why| {
                 // No end of the step: beyond the event.
                 let unsettled = why == Fault::Unsettled && way.rubs();
                 fault = fault.or((!unsettled).then_some(why));
                 if unsettled { -S::ONE } else { S::ZERO }
             })
         };
-        let found = locate(guard, S::ZERO, left, S::from_f64(4.0) * S::EPSILON * left);
+        let found = reach(guard, [S::ZERO, left], S::from_f64(4.0) * S::EPSILON * left, near);
         if let Some(why) = fault {
             return Err(why);
         }
