@@ -21,6 +21,7 @@ use crate::progress::Waiting;
 use crate::run::settings::Settings;
 use crate::{model_argument, output, run, suggest};
 use search::{Search, Unknown};
+use smartbed_codegen::diagnostic::Diagnostics;
 use smartbed_codegen::{Asked, Function, Program, Request, program};
 
 /// Find a static equilibrium or a steady motion of a mechanism, and the modes of small motions about it.
@@ -84,7 +85,8 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let program = program::derive_asked(&watched, &settings.choice, program::Settings::default(), &asked)
         .map_err(|e| model_argument::wrong(&e))?;
     drop(waiting);
-    model_argument::print_warnings(&program);
+    let mut told = Told::default();
+    told.findings(&program.warnings);
     if model.is_moved_by_time() {
         return Err(Failure::Wrong(format!(
             "{}: a mechanism with prescribed motion has no equilibrium; give the prescribed coordinates constant \
@@ -93,27 +95,43 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         )));
     }
     if let Some(load) = model.load_of_time() {
-        output::say(&format!(
-            "warning: `{}` changes with time: what balances at t = 0 does not stay in balance",
-            load.name
-        ));
+        let what = "changes with time: what balances at t = 0 does not stay in balance";
+        told.warning(format!("`{}` {what}", load.name));
     }
     let start = run::start::start(model, &program, &settings)?;
     let mut search = Search::new(model, &program, engine::new(EngineKind::Interpreter, &program)?, &start);
     hold(arguments, &program, &mut search)?;
     let found = search.find().map_err(|why| Failure::Wrong(format!("{}: {why}", arguments.model)))?;
-    model_argument::print_findings(&jumps::warnings(model, &jumps, &mut search));
+    told.findings(&jumps::warnings(model, &jumps, &mut search));
     let kinks = jumps::kinks(model, &kinks, &mut search);
-    model_argument::print_findings(&kinks);
+    told.findings(&kinks);
     if let Some(outside) = search.outside() {
-        output::say(&format!("warning: {outside}"));
+        told.warning(outside);
     }
     let modes = modes::of(&found.slopes, &found.errors, &search.state_names())
         .ok_or_else(|| Failure::Wrong("the eigenvalues were not found in 10,000 sweeps".to_owned()))?;
     let is_smooth = kinks.items.is_empty();
     let answer =
         text::Answer { model, program: &program, search: &search, found: &found, modes: &modes, is_smooth };
-    output::print(&if arguments.json { answer.json() } else { answer.text() })
+    output::print(&if arguments.json { answer.json(&told.warnings) } else { answer.text() })
+}
+
+/// Warnings as they are told: on standard error at once, and in the result for programs.
+#[derive(Default)]
+struct Told {
+    warnings: Vec<String>,
+}
+
+impl Told {
+    fn findings(&mut self, found: &Diagnostics) {
+        model_argument::print_findings(found);
+        self.warnings.extend(found.items.iter().map(|w| w.message.clone()));
+    }
+
+    fn warning(&mut self, message: String) {
+        output::say(&format!("warning: {message}"));
+        self.warnings.push(message);
+    }
 }
 
 /// Applies what the command line holds, and chooses the unknowns.

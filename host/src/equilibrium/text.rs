@@ -116,8 +116,8 @@ impl Answer<'_> {
         format!("{words} (to first order)")
     }
 
-    /// For programs.
-    pub fn json(&self) -> String {
+    /// For programs, with what was warned of.
+    pub fn json(&self, warnings: &[String]) -> String {
         let values = self.values();
         let [q, speeds, inputs, outputs] = values.map(|list| {
             let list: Vec<(String, f64)> =
@@ -131,16 +131,19 @@ impl Answer<'_> {
             format!("[{}]", rows.join(", "))
         };
         let state: Vec<String> = self.search.state_names().iter().map(|name| json_string(name)).collect();
+        let warnings: Vec<String> = warnings.iter().map(|warning| json_string(warning)).collect();
         format!(
             "{{\"model\": {}, \"steady_motion\": {}, \"q\": {q}, \"speeds\": {speeds}, \"inputs\": {inputs}, \
-             \"outputs\": {outputs}, \"largest_rate_left\": {}, \"state\": [{}], \"a\": {}, \"b\": {}, \"modes\": [{}]}}\n",
+             \"outputs\": {outputs}, \"largest_rate_left\": {}, \"state\": [{}], \"a\": {}, \"b\": {}, \"modes\": [{}], \
+             \"warnings\": [{}]}}\n",
             json_string(&self.program.name),
             self.found.is_motion,
             json_number(self.found.left.1),
             state.join(", "),
             matrix(&self.found.slopes.a),
             matrix(&self.found.slopes.b),
-            modes.join(", ")
+            modes.join(", "),
+            warnings.join(", ")
         )
     }
 }

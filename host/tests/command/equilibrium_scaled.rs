@@ -233,26 +233,31 @@ fn jumps_are_told_by_name() {
 
 #[test]
 fn no_stability_is_claimed_at_a_kink() {
-    let pulled = |name: &str, force: &str| {
+    let pulled = |name: &str, force: &str, options: &[&str]| {
         let text = format!(
             "{WEIGHT}[coordinates]\nx = {{ unit = \"m\" }}\n[definitions]\npull = \"{force}\"\n\
              [points]\nP = \"x*N.x\"\n[bodies]\nb = {{ centre = \"P\", mass = 2 }}\n[forces]\n\
              f = {{ point = \"P\", force = \"-(pull + 2_N/1_m*1_s*u_x)*N.x\" }}\n[start]\nx = 0.5\n"
         );
-        asked(&[&model(name, &text)])
+        asked(&[&[&*model(name, &text)], options].concat())
     };
     // A push to the left goes on to the left; slopes of the right side alone would draw it back.
     for (name, force) in [("abs", "40_N/1_m*abs(x)"), ("max", "max(40_N/1_m*x, -10_N/1_m*x)")] {
-        let done = pulled(name, force);
+        let done = pulled(name, force, &[]);
         assert_eq!(done.status, 0, "{done:?}");
         let said = done.err.replace("\n", " ");
         assert!(said.contains("warning: `f` has a kink at this state") && said.contains(name), "{done:?}");
         assert!(done.out.contains("these modes do not tell") && !done.out.contains("stable:"), "{done:?}");
+        let warnings = pulled(name, force, &["--json"]).json()["warnings"].clone();
+        assert!(
+            warnings[0].as_str().is_some_and(|told| told.contains("has a kink at this state")),
+            "{warnings}"
+        );
     }
     // Slopes without a jump: drag at rest, and kinks away from the state.
     let drag = "40_N/1_m*x + 3_N/1_m/1_m*1_s*1_s*abs(u_x)*u_x + 5_N/1_m/1_m*abs(x)*x";
     for (name, force) in [("drag", drag), ("away", "40_N/1_m*abs(x + 2_m) - 81_N")] {
-        let done = pulled(name, force);
+        let done = pulled(name, force, &[]);
         assert!(done.err.is_empty() && done.out.contains("stable: every small push dies out"), "{done:?}");
     }
 }
