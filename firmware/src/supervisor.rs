@@ -1,130 +1,31 @@
 //! Supervises several tiles: one link to each, and the rules that concern more than one tile.
 //!
-//! In: orders for tiles, their reports. Out: bodies of commands, signed and timed by each tile's own clock, or the
-//! reason why an order is refused. Neighbours may differ by a limited step, a limited number of tiles may move at once,
-//! and a tile in trouble freezes the others: rules 6, 8 and 12 of `docs/safety.md`.
+//! In: orders for tiles, their reports. Out: bodies of commands (`peer.rs`), or the reason why an order is refused.
+//! Neighbours may differ by a limited step, a limited number of tiles may move at once, and a tile in trouble freezes the
+//! others: rules 6, 8 and 12 of `docs/safety.md`. What was ordered counts at once, not from when it is reported.
+
+mod peer;
+
+pub use peer::{BEAT, Peer};
 
 use crate::command::Pose;
 use crate::link::frame::Body;
-use crate::link::message::{Command, Header, Report, State, Target, VERSION, read_report};
-use crate::link::session::sign;
-use crate::link::stagger;
-use crate::link::tag::Key;
+use crate::link::message::{Command, Target};
 use crate::tile::design::{HALF_SIDES, STEP_LIMIT};
-use crate::tile::fault::{Faults, Response};
-use crate::tile::mode::Mode;
-use crate::tile::motion::pose;
 use smartbed_runtime::real::Real;
 
-/// Period of beats (ms): two may be lost before a tile detects silence.
-pub const BEAT: u32 = 150;
 /// Most tiles that may move at once, except for resuscitation: the limit of the power supply.
 pub const MOST_MOVING: usize = 8;
-
-/// One tile, as its supervisor knows it.
-#[derive(Clone, Debug)]
-pub struct Peer {
-    tile: u8,
-    key: Key,
-    boot: Option<u32>,
-    /// The tile's time minus ours (ms).
-    ahead: u32,
-    sequence: u32,
-    /// Number of the last beat.
-    beat: Option<u32>,
-    state: Option<State>,
-    /// Target of the last move.
-    target: Target,
-}
-
-impl Peer {
-    /// A tile that has not yet identified itself.
-    #[must_use]
-    pub fn new(tile: u8, key: Key) -> Self {
-        Self {
-            tile,
-            key,
-            boot: None,
-            ahead: 0,
-            sequence: 0,
-            beat: None,
-            state: None,
-            target: Target::default(),
-        }
-    }
-
-    /// The body of a command to be executed `later` ms from now; None before the tile has identified itself,
-    /// unless the command needs no tag.
-    pub fn command(&mut self, command: &Command, now: u32, later: u32) -> Option<Body> {
-        if command.needs_tag() && self.boot.is_none() {
-            return None;
-        }
-        let tick = now.wrapping_add(self.ahead).wrapping_add(later);
-        let (boot, sequence) = (self.boot.unwrap_or(0), self.sequence);
-        let header = Header { version: VERSION, tile: self.tile, boot, sequence, tick };
-        if command.needs_tag() {
-            self.sequence = self.sequence.checked_add(1)?;
-        }
-        if let Command::Move(target) = command {
-            self.target = *target;
-        }
-        sign(&header, command, &self.key)
-    }
-
-    /// A beat, if one is due, to be sent at once; before the first answer, a request for identification.
-    pub fn beat(&mut self, now: u32) -> Option<Body> {
-        let number = now.wrapping_add(stagger(self.tile)) / BEAT;
-        if self.beat.replace(number) == Some(number) {
-            return None;
-        }
-        let command = if self.boot.is_some() { Command::Beat(now) } else { Command::Identify };
-        self.command(&command, now, 0)
-    }
-
-    /// Takes a body from the bus; returns the report, if it is this tile's. After a restart of the tile sequence
-    /// numbers start again.
-    pub fn take(&mut self, body: &[u8], now: u32) -> Option<Report> {
-        let (header, report) = read_report(body).filter(|(header, _)| header.tile == self.tile)?;
-        if self.boot != Some(header.boot) {
-            (self.boot, self.sequence) = (Some(header.boot), 0);
-        }
-        self.ahead = header.tick.wrapping_sub(now);
-        if let Report::State(state) = report {
-            self.state = Some(state);
-        }
-        Some(report)
-    }
-
-    /// Its last reported state.
-    #[must_use]
-    pub fn state(&self) -> Option<&State> {
-        self.state.as_ref()
-    }
-
-    /// Number of the tile.
-    #[must_use]
-    pub fn tile(&self) -> u8 {
-        self.tile
-    }
-
-    fn is_moving(&self) -> bool {
-        let modes = [Mode::Moving, Mode::Homing, Mode::Retreat];
-        self.state.is_some_and(|state| modes.iter().any(|mode| *mode as u8 == state.mode))
-    }
-
-    /// Whether a fault that makes its pose or its sensors doubtful has stopped it.
-    fn is_in_trouble(&self) -> bool {
-        self.state.is_some_and(|s| Faults::from_bits(s.faults).response() == Some(Response::Off))
-    }
-}
 
 /// Why the supervisor refuses an order.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Denied {
     /// There is no such tile.
     NoTile,
-    /// The tile, or a neighbour, has not reported its state.
+    /// The tile, or a neighbour, has not reported its state within half a second.
     Unknown,
+    /// The tile moves, or is about to.
+    Busy,
     /// The step to a neighbour's edge would exceed the limit.
     Step,
     /// As many tiles are moving as may.
@@ -139,7 +40,8 @@ impl Denied {
     pub fn words(self) -> &'static str {
         match self {
             Self::NoTile => "there is no such tile",
-            Self::Unknown => "the tile or a neighbour has not reported its state",
+            Self::Unknown => "the tile or a neighbour has not reported its state within half a second",
+            Self::Busy => "the tile moves already, or is about to",
             Self::Step => "the height step to a neighbour would be too large",
             Self::Power => "as many tiles are moving as may",
             Self::Frozen => "a tile is in trouble, so the others may not move",
@@ -165,10 +67,17 @@ impl Bed<'_> {
         if self.peers.iter().any(Peer::is_in_trouble) {
             return Err(Denied::Frozen);
         }
-        if self.peers.iter().filter(|p| p.is_moving()).count() >= MOST_MOVING {
+        if self.peers.iter().filter(|p| p.is_going()).count() >= MOST_MOVING {
             return Err(Denied::Power);
         }
-        self.check_steps(place, target)?;
+        let ordered = self.peers.get(place).ok_or(Denied::NoTile)?;
+        if !ordered.is_known(now) {
+            return Err(Denied::Unknown);
+        }
+        if ordered.is_going() {
+            return Err(Denied::Busy);
+        }
+        self.check_steps(place, target, now)?;
         let peer = self.peers.get_mut(place).ok_or(Denied::NoTile)?;
         peer.command(&Command::Move(target), now, later).ok_or(Denied::Unknown)
     }
@@ -180,29 +89,46 @@ impl Bed<'_> {
         }
     }
 
+    /// Stops the neighbours that go while a tile is in trouble: their heights beside it are no longer those that were
+    /// checked. Calls `send` for each; to be called after reports have been taken.
+    pub fn freeze(&mut self, now: u32, mut send: impl FnMut(Body)) {
+        for place in 0..self.peers.len() {
+            let is_beside_trouble = self.sides(place).any(|(peer, _)| peer.is_in_trouble());
+            if let Some(peer) = self.peers.get_mut(place).filter(|peer| is_beside_trouble && peer.is_going())
+            {
+                peer.command(&Command::Stop, now, 0).into_iter().for_each(&mut send);
+            }
+        }
+    }
+
     /// Checks that the steps between this tile at its target and its neighbours stay within the limit, at their present
-    /// poses and at their targets.
-    fn check_steps(&self, place: usize, target: Target) -> Result<(), Denied> {
+    /// poses and where they are going.
+    fn check_steps(&self, place: usize, target: Target, now: u32) -> Result<(), Denied> {
         let ours = Pose { zc: target.heave, tx: target.slope_x, ty: target.slope_y };
-        let (row, column) = (place.checked_div(self.columns), place.checked_rem(self.columns));
-        let (row, column) = row.zip(column).ok_or(Denied::NoTile)?;
-        for (other, peer) in self.peers.iter().enumerate() {
-            let (r, c) = (other / self.columns, other % self.columns);
+        for (peer, side) in self.sides(place) {
+            let mut theirs = peer.poses(now).ok_or(Denied::Unknown)?;
+            if theirs.any(|theirs| edge_step(ours, theirs, side) > STEP_LIMIT) {
+                return Err(Denied::Step);
+            }
+        }
+        Ok(())
+    }
+
+    /// The neighbours of a place, each with the direction to it.
+    fn sides(&self, place: usize) -> impl Iterator<Item = (&Peer, [f32; 2])> {
+        let columns = self.columns.max(1);
+        let (row, column) = (place / columns, place % columns);
+        self.peers.iter().enumerate().filter_map(move |(other, peer)| {
+            let (r, c) = (other / columns, other % columns);
             let side = match (r.cast_signed() - row.cast_signed(), c.cast_signed() - column.cast_signed()) {
                 (0, 1) => [1.0, 0.0],
                 (0, -1) => [-1.0, 0.0],
                 (1, 0) => [0.0, 1.0],
                 (-1, 0) => [0.0, -1.0],
-                _ => continue,
+                _ => return None,
             };
-            let here = pose(peer.state.ok_or(Denied::Unknown)?.heights);
-            let there = Pose { zc: peer.target.heave, tx: peer.target.slope_x, ty: peer.target.slope_y };
-            let going = if peer.is_moving() { there } else { here };
-            if ![here, going].iter().all(|theirs| edge_step(ours, *theirs, side) <= STEP_LIMIT) {
-                return Err(Denied::Step);
-            }
-        }
-        Ok(())
+            Some((peer, side))
+        })
     }
 }
 
@@ -224,9 +150,11 @@ pub fn edge_step(a: Pose, b: Pose, side: [f32; 2]) -> f32 {
 
 #[cfg(test)]
 mod tests {
-    use super::{Bed, Denied, Peer, edge_step};
+    use super::{Bed, Denied, MOST_MOVING, Peer, edge_step};
     use crate::command::Pose;
-    use crate::link::message::{Header, REPORT, Report, State, Target, VERSION, write};
+    use crate::link::message::{
+        Command, Header, Outcome, REPORT, Refusal, Report, State, Target, VERSION, read, write,
+    };
     use crate::link::tag::Key;
     use crate::tile::fault::Fault;
     use crate::tile::mode::Mode;
@@ -234,18 +162,28 @@ mod tests {
 
     const KEY: Key = Key::new([1; 16]);
 
-    fn report_state(peer: &mut Peer, tile: u8, state: State) {
-        let header = Header { version: VERSION | REPORT, tile, boot: 1, sequence: 0, tick: 0 };
-        let body = write(&header, &Report::State(state)).expect("it fits");
-        assert!(peer.take(&body, 0).is_some());
+    /// The tile reports this at a time (ms), by its clock and ours.
+    fn report(peer: &mut Peer, report: Report, time: u32) {
+        let header =
+            Header { version: VERSION | REPORT, tile: peer.tile(), boot: 1, sequence: 0, tick: time };
+        let body = write(&header, &report).expect("it fits");
+        assert!(peer.take(&body, time).is_some());
+    }
+
+    fn state(mode: Mode) -> State {
+        State { mode: mode as u8, ..State::default() }
     }
 
     fn bed(count: u8) -> Vec<Peer> {
         let mut peers: Vec<Peer> = (0..count).map(|n| Peer::new(n, KEY)).collect();
-        for (n, peer) in peers.iter_mut().enumerate() {
-            report_state(peer, n as u8, State { mode: Mode::Ready as u8, ..State::default() });
+        for peer in &mut peers {
+            report(peer, Report::State(state(Mode::Ready)), 0);
         }
         peers
+    }
+
+    fn heave(heave: f32) -> Target {
+        Target { heave, ..Target::default() }
     }
 
     #[test]
@@ -268,11 +206,11 @@ mod tests {
         assert!(bed.order(5, low, 0, 0).is_ok());
         assert_eq!(bed.order(99, low, 0, 0).map(drop), Err(Denied::NoTile));
         for n in 20..28 {
-            report_state(&mut bed.peers[n], n as u8, State { mode: Mode::Moving as u8, ..State::default() });
+            report(&mut bed.peers[n], Report::State(state(Mode::Moving)), 0);
         }
         assert_eq!(bed.order(5, low, 0, 0).map(drop), Err(Denied::Power));
         let faults = 1 << Fault::Height as u32;
-        report_state(&mut bed.peers[3], 3, State { mode: Mode::Off as u8, faults, ..State::default() });
+        report(&mut bed.peers[3], Report::State(State { faults, ..state(Mode::Off) }), 0);
         assert_eq!(bed.order(5, low, 0, 0).map(drop), Err(Denied::Frozen));
         let mut sent = 0;
         bed.flatten(0, |_| sent += 1);
@@ -282,8 +220,89 @@ mod tests {
     #[test]
     fn where_a_neighbour_is_must_be_known() {
         let mut peers: Vec<Peer> = (0..2).map(|n| Peer::new(n, KEY)).collect();
-        report_state(&mut peers[0], 0, State::default());
+        report(&mut peers[0], Report::State(State::default()), 0);
         let mut bed = Bed { peers: &mut peers, columns: 2 };
         assert_eq!(bed.order(0, Target::default(), 0, 0).map(drop), Err(Denied::Unknown));
+    }
+
+    /// Before any report tells of it.
+    #[test]
+    fn an_order_counts_from_when_it_is_given() {
+        let mut peers = bed(28);
+        let mut bed = Bed { peers: &mut peers, columns: 4 };
+        assert!(bed.order(5, heave(0.019), 0, 0).is_ok());
+        assert_eq!(bed.order(6, heave(-0.019), 1, 0).map(drop), Err(Denied::Step));
+        assert_eq!(bed.order(5, heave(-0.019), 1, 0).map(drop), Err(Denied::Busy));
+        let others = (0..28).filter(|place| bed.order(*place, heave(0.001), 1, 0).is_ok()).count();
+        assert_eq!(others + 1, MOST_MOVING);
+    }
+
+    #[test]
+    fn an_order_ends_when_it_is_refused_or_its_tile_rests_after_it() {
+        let mut peers = bed(2);
+        let mut bed = Bed { peers: &mut peers, columns: 2 };
+        let ordered = |bed: &mut Bed, now| {
+            let body = bed.order(0, heave(0.019), now, 0).expect("an order");
+            read(&body).expect("a command").header.sequence
+        };
+        let sequence = ordered(&mut bed, 0);
+        report(&mut bed.peers[0], Report::State(state(Mode::Ready)), 100);
+        assert!(bed.peers[0].is_going(), "it may still be on its way to the tile");
+        report(&mut bed.peers[0], Report::Answer(sequence, Outcome::Refused(Refusal::Mode)), 110);
+        assert!(!bed.peers[0].is_going());
+        // Carried out: it goes until it rests.
+        let sequence = ordered(&mut bed, 200);
+        report(&mut bed.peers[0], Report::Answer(sequence, Outcome::Done), 210);
+        report(&mut bed.peers[0], Report::State(state(Mode::Moving)), 300);
+        report(&mut bed.peers[1], Report::State(state(Mode::Ready)), 300);
+        // A second order, which it refuses, changes nothing of where it goes.
+        assert!(bed.peers[0].command(&Command::Move(heave(0.0)), 310, 0).is_some());
+        report(&mut bed.peers[0], Report::Answer(sequence + 1, Outcome::Refused(Refusal::Busy)), 320);
+        assert_eq!(bed.order(1, heave(-0.019), 330, 0).map(drop), Err(Denied::Step));
+        report(&mut bed.peers[0], Report::State(state(Mode::Ready)), 400);
+        assert!(!bed.peers[0].is_going());
+        // Lost: it counts as long as the tile would accept it.
+        ordered(&mut bed, 410);
+        report(&mut bed.peers[0], Report::State(state(Mode::Ready)), 900);
+        assert!(bed.peers[0].is_going());
+        report(&mut bed.peers[0], Report::State(state(Mode::Ready)), 1000);
+        assert!(!bed.peers[0].is_going());
+    }
+
+    #[test]
+    fn a_neighbour_that_is_lowered_goes_to_the_bottom() {
+        let mut peers = bed(2);
+        let mut bed = Bed { peers: &mut peers, columns: 2 };
+        assert!(bed.peers[1].command(&Command::Flatten, 0, 0).is_some());
+        assert_eq!(bed.order(0, heave(0.0), 1, 0).map(drop), Err(Denied::Step));
+        assert!(bed.order(0, heave(-0.019), 1, 0).is_ok());
+    }
+
+    #[test]
+    fn a_state_of_long_ago_is_none() {
+        let mut peers = bed(2);
+        let mut bed = Bed { peers: &mut peers, columns: 2 };
+        report(&mut bed.peers[0], Report::State(state(Mode::Ready)), 3_600_000);
+        assert_eq!(bed.order(0, heave(0.0), 3_600_001, 0).map(drop), Err(Denied::Unknown));
+        report(&mut bed.peers[1], Report::State(state(Mode::Ready)), 3_600_000);
+        assert!(bed.order(0, heave(0.0), 3_600_001, 0).is_ok());
+    }
+
+    #[test]
+    fn trouble_stops_the_neighbours_that_go() {
+        let mut peers = bed(12);
+        let mut bed = Bed { peers: &mut peers, columns: 4 };
+        for place in [4, 6, 11] {
+            assert!(bed.order(place, heave(0.001), 0, 0).is_ok());
+        }
+        let faults = 1 << Fault::Height as u32;
+        report(&mut bed.peers[5], Report::State(State { faults, ..state(Mode::Off) }), 10);
+        let mut stopped = Vec::new();
+        bed.freeze(10, |body| {
+            let told = read(&body).expect("a command");
+            assert_eq!(told.command, Command::Stop);
+            stopped.push(told.header.tile);
+        });
+        assert_eq!(stopped, [4, 6], "not one farther away, nor one that rests");
     }
 }

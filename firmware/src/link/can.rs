@@ -176,12 +176,11 @@ impl<C: Controller> Bus for End<C> {
     fn receive(&mut self, now: u32, mut take: impl FnMut(Arrival)) {
         let Self { port, tile, talk } = self;
         port.receive(|frame| {
-            let arrival = match is_data(frame, talk.receives()) {
-                true => talk.take(frame.data(), now).map(Arrival::Body),
-                false => stops(frame, *tile).then_some(Arrival::Stop),
-            };
-            if let Some(arrival) = arrival {
-                take(arrival);
+            if is_data(frame, talk.receives()) {
+                talk.take(frame.data(), now).map(Arrival::Body).map(&mut take);
+            } else if stops(frame, *tile) {
+                talk.drop_received();
+                take(Arrival::Stop);
             }
         });
     }

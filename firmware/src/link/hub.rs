@@ -1,10 +1,11 @@
 //! A supervisor's CAN controller: one bus, several tiles, one talk with each.
 //!
 //! In: frames, which their identifiers assign to a tile's talk; bodies for tiles. Out: frames, of all tiles in turn,
-//! and bodies with the tile that sent them. A stop has priority over everything else. Storage is the caller's: as many
-//! talks as tiles.
+//! and bodies with the tile that sent them. A stop has priority over everything else, and ends the messages under way to
+//! the tiles that it stops, whoever sends it. Storage is the caller's: as many talks as tiles.
 
-use super::can::{Controller, FRAMES, Port, STOP, is_data};
+use super::bus::Arrival;
+use super::can::{Controller, FRAMES, Port, STOP, is_data, stops};
 use super::frame::Body;
 use super::isotp::Data;
 use super::talk::Talk;
@@ -28,26 +29,34 @@ impl<'a, C: Controller> Hub<'a, C> {
     }
 
     /// Stops the tiles with these numbers (at most eight), or all tiles if the list is empty; it is sent before
-    /// anything else. Returns false if there are more than eight.
+    /// anything else, and messages under way to these tiles are not completed. The caller drops what it still holds for
+    /// them: commands signed before the stop must not follow it. Returns false if there are more than eight.
     #[must_use]
     pub fn stop(&mut self, tiles: &[u8]) -> bool {
         let data = Data::from_slice(tiles).ok();
         let fits = data.is_some();
+        if fits {
+            let stopped =
+                self.talks.iter_mut().filter(|talk| tiles.is_empty() || tiles.contains(&talk.tile()));
+            stopped.for_each(Talk::break_off);
+        }
         // Two pending stops become one for all tiles: never fewer than requested.
         self.stop = if self.stop.is_some() && fits { Some(Data::new()) } else { data.or(self.stop.take()) };
         fits
     }
 
-    /// Hands over the bodies received by now (ms), with the index of the tile's talk.
-    pub fn receive(&mut self, now: u32, mut take: impl FnMut(usize, Body)) {
+    /// Hands over the bodies received by now (ms), with the index of the tile's talk, and the stops that somebody else has
+    /// sent to a tile: the caller drops what it still holds for that.
+    pub fn receive(&mut self, now: u32, mut take: impl FnMut(usize, Arrival)) {
         let Self { port, talks, .. } = self;
         port.receive(|frame| {
-            let mut places = talks.iter_mut().enumerate();
-            let talk = places.find(|(_, talk)| is_data(frame, talk.receives()));
-            if let Some((place, body)) =
-                talk.and_then(|(place, talk)| Some((place, talk.take(frame.data(), now)?)))
-            {
-                take(place, body);
+            for (place, talk) in talks.iter_mut().enumerate() {
+                if is_data(frame, talk.receives()) {
+                    talk.take(frame.data(), now).map(Arrival::Body).map(|body| take(place, body));
+                } else if stops(frame, talk.tile()) {
+                    talk.break_off();
+                    take(place, Arrival::Stop);
+                }
             }
         });
     }

@@ -198,7 +198,7 @@ impl Receiver {
     }
 
     /// Aborts the message in progress, and counts it as lost.
-    fn give_up(&mut self) {
+    pub fn give_up(&mut self) {
         if self.length > 0 {
             self.lose();
         }

@@ -14,6 +14,7 @@ pub const REPORTS: u16 = 0x200;
 /// One side of the transport.
 #[derive(Clone, Debug)]
 pub struct Talk {
+    tile: u8,
     receives: u16,
     sends: u16,
     receiver: Receiver,
@@ -42,6 +43,7 @@ impl Talk {
     fn new(number: u8, receives: u16, sends: u16) -> Self {
         let [receives, sends] = [receives, sends].map(|id| id + u16::from(number));
         Self {
+            tile: number,
             receives,
             sends,
             receiver: Receiver::default(),
@@ -50,6 +52,12 @@ impl Talk {
             kept: None,
             lost: 0,
         }
+    }
+
+    /// Number of the tile.
+    #[must_use]
+    pub fn tile(&self) -> u8 {
+        self.tile
     }
 
     /// Identifier of received frames.
@@ -82,7 +90,8 @@ impl Talk {
 
     /// Data of the next frame; a new body starts when the last one has been sent.
     pub fn next(&mut self, now: u32, mut collect: impl FnMut() -> Option<Body>) -> Option<Data> {
-        if let Some(data) = self.answer.take().or_else(|| self.kept.take()) {
+        // A frame that found no room goes first: its place is free if this one finds none either.
+        if let Some(data) = self.kept.take().or_else(|| self.answer.take()) {
             return Some(data);
         }
         if self.sender.as_ref().is_some_and(|sender| !sender.is_done() && sender.is_late(now)) {
@@ -108,9 +117,49 @@ impl Talk {
         self.answer = None;
     }
 
+    /// Drops the message being received, which began before a stop.
+    pub fn drop_received(&mut self) {
+        self.receiver.give_up();
+        self.answer = None;
+    }
+
     /// Messages lost so far, both ways.
     #[must_use]
     pub fn lost(&self) -> u32 {
         self.lost.saturating_add(self.receiver.lost())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Data, Talk};
+    use crate::link::frame::Body;
+
+    /// A frame waits for room when a message of the other side begins: it goes first, and both messages arrive.
+    #[test]
+    fn flow_control_displaces_no_frame() {
+        let body = Body::from_slice(&[7; 30]).expect("it fits");
+        let (mut tile, mut supervisor) = (Talk::of_tile(3), Talk::of_supervisor(3));
+        let (mut of_tile, mut of_supervisor) = (Some(body.clone()), Some(body.clone()));
+        let (mut at_tile, mut at_supervisor) = (None, None);
+        let mut sent_late = 0;
+        for now in 0..60 {
+            let data = tile.next(now, || of_tile.take());
+            match data {
+                // No room at every third time.
+                Some(data) if now % 3 > 0 => {
+                    tile.keep(data);
+                    sent_late += 1;
+                }
+                Some(data) => at_supervisor = at_supervisor.or(supervisor.take(&data, now)),
+                None => (),
+            }
+            let data: Option<Data> = supervisor.next(now, || of_supervisor.take().filter(|_| now > 3));
+            at_tile = at_tile.or(data.and_then(|data| tile.take(&data, now)));
+            of_supervisor = of_supervisor.or(Some(body.clone()).filter(|_| now <= 3));
+        }
+        assert!(sent_late > 5);
+        assert_eq!((at_tile, at_supervisor), (Some(body.clone()), Some(body)));
+        assert_eq!((tile.lost(), supervisor.lost()), (0, 0));
     }
 }

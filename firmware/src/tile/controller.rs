@@ -124,7 +124,7 @@ impl Controller {
             // Neither the way forward nor the way back is free.
             self.stop(Mode::Hold);
         }
-        let outcome = command.map(|command| match self.execute(command) {
+        let outcome = command.map(|command| match self.execute(command, readings) {
             Ok(()) => Outcome::Done,
             Err(why) => Outcome::Refused(why),
         });
@@ -213,28 +213,32 @@ impl Controller {
         let testing = self.mode == Mode::SelfTest;
         active.set(Fault::EnableTest, testing && active.has(Fault::Current));
         let active = active.without(silence);
-        (self.latch.take(active), active)
+        (self.latch.take(active, is_moving), active)
     }
 
     /// Executes the response to new faults.
     fn respond(&mut self, new: Faults) {
+        let lowers = self.mode == Mode::Flatten || self.flattens;
+        let new = if lowers { new.against_lowering() } else { new };
         match new.response() {
             None => (),
             Some(Response::Off) => self.stop(Mode::Off),
             Some(_) if matches!(self.mode, Mode::Off | Mode::Boot | Mode::SelfTest) => self.stop(Mode::Off),
-            Some(Response::Retreat) => match self.following {
-                Following::Motion(motion) if matches!(self.mode, Mode::Moving | Mode::Flatten) => {
-                    let back = motion.back(self.sense.heights, UNHOMED_FACTOR);
-                    self.start(Mode::Retreat, Following::Motion(back));
-                }
-                _ => self.stop(Mode::Hold),
-            },
+            Some(Response::Retreat) => {
+                let here = self.sense.heights;
+                let back = match self.following {
+                    Following::Motion(motion) if self.mode != Mode::Retreat => motion.back(here),
+                    Following::Homing(homing) => homing.back(here),
+                    _ => return self.stop(Mode::Hold),
+                };
+                self.start(Mode::Retreat, Following::Motion(back));
+            }
             Some(Response::Hold) => self.stop(Mode::Hold),
         }
     }
 
     /// Executes a command, or says why not; a refused command changes nothing.
-    fn execute(&mut self, command: &Command) -> Result<(), Refusal> {
+    fn execute(&mut self, command: &Command, readings: &Readings) -> Result<(), Refusal> {
         let is_moving = self.following != Following::None;
         self.mode.allows(command, (self.is_armed(), is_moving), self.latched())?;
         match command {
@@ -270,6 +274,8 @@ impl Controller {
                 // Start again, so that the sensors settle; faults stay, and with them the safe state.
                 let latch = self.latch;
                 *self = Self { latch, ..Self::new(Some(*trim)) };
+                // A report of this tick tells heights, too.
+                self.sense.take(readings, trim);
             }
         }
         Ok(())

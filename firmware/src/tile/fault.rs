@@ -151,6 +151,15 @@ impl Faults {
         Self(self.0 & !other.0)
     }
 
+    /// Faults of this set that stop a tile on its way down for resuscitation. A bladder that carries much, or whose vent
+    /// does not open, is no reason to leave it half-way.
+    #[must_use]
+    pub fn against_lowering(self) -> Self {
+        let mut bearable = Self::default();
+        [Fault::ValveShut, Fault::Overload].into_iter().for_each(|fault| bearable.set(fault, true));
+        self.without(bearable)
+    }
+
     /// The strongest response to any fault of the set.
     #[must_use]
     pub fn response(self) -> Option<Response> {
@@ -166,17 +175,20 @@ pub struct Latch {
 }
 
 impl Latch {
-    /// Takes the faults of this tick; returns the new ones.
-    pub fn take(&mut self, active: Faults) -> Faults {
-        let new = active.without(self.latched);
+    /// Takes the faults of this tick; returns the new ones. While something moves a latched fault whose cause comes back is
+    /// new, too: resuscitation is allowed despite faults, and must end at the next obstacle all the same.
+    pub fn take(&mut self, active: Faults, is_moving: bool) -> Faults {
+        let new = active.without(if is_moving { self.active } else { self.latched });
         self.active = active;
         self.latched = self.latched.with(active);
         new
     }
 
-    /// Clears these; returns false and clears nothing if the cause of one is present or one cannot be cleared.
+    /// Clears those of these that are latched; returns false and clears nothing if the cause of one is present or one cannot
+    /// be cleared.
     pub fn clear(&mut self, faults: Faults) -> bool {
-        let stuck = |f: &Fault| faults.has(*f) && (self.active.has(*f) || !f.can_be_cleared());
+        let is_meant = |f: &Fault| faults.has(*f) && self.latched.has(*f);
+        let stuck = |f: &Fault| is_meant(f) && (self.active.has(*f) || !f.can_be_cleared());
         if Fault::ALL.iter().any(stuck) {
             return false;
         }
@@ -212,21 +224,37 @@ mod tests {
     #[test]
     fn a_fault_stays_until_its_cause_is_gone_and_it_is_cleared() {
         let mut latch = Latch::default();
-        assert_eq!(latch.take(set(&[Fault::Supply])), set(&[Fault::Supply]));
+        assert_eq!(latch.take(set(&[Fault::Supply]), false), set(&[Fault::Supply]));
         assert!(!latch.clear(set(&[Fault::Supply])), "its cause is there");
-        assert_eq!(latch.take(Faults::default()), Faults::default());
+        assert_eq!(latch.take(Faults::default(), false), Faults::default());
         assert!(latch.latched().has(Fault::Supply), "it is latched");
         assert!(latch.clear(set(&[Fault::Supply])));
         assert!(latch.latched().is_empty());
     }
 
     #[test]
+    fn a_cause_that_comes_back_during_a_motion_is_new() {
+        let (mut latch, silence) = (Latch::default(), set(&[Fault::Silence]));
+        let mut take = |active, is_moving| latch.take(active, is_moving);
+        assert_eq!([take(silence, true), take(silence, true)], [silence, Faults::default()]);
+        // At rest it is told once; a motion that begins with it goes on, and ends when it comes anew.
+        assert_eq!([take(Faults::default(), false), take(silence, false)], [Faults::default(); 2]);
+        assert_eq!(take(silence, true), Faults::default());
+        assert_eq!([take(Faults::default(), true), take(silence, true)], [Faults::default(), silence]);
+    }
+
+    #[test]
     fn some_faults_need_a_new_start() {
         let mut latch = Latch::default();
-        latch.take(set(&[Fault::Memory, Fault::Supply]));
-        latch.take(Faults::default());
+        latch.take(set(&[Fault::Memory, Fault::Supply]), false);
+        latch.take(Faults::default(), false);
         assert!(!latch.clear(set(&[Fault::Memory, Fault::Supply])));
         assert_eq!(latch.latched(), set(&[Fault::Memory, Fault::Supply]), "nothing is cleared by half");
+        // Of all faults only those that are latched are meant.
+        let mut latch = Latch::default();
+        latch.take(set(&[Fault::Silence]), false);
+        latch.take(Faults::default(), false);
+        assert!(latch.clear(Faults::from_bits(u32::MAX)) && latch.latched().is_empty());
     }
 
     #[test]

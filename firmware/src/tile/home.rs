@@ -4,7 +4,7 @@
 //! First level, just above the switches; then each leg goes down slowly until its switch opens, whose height is known
 //! to 0.05 mm; then level again, at the lowest height that may be commanded.
 
-use super::design::{SEEK_SPEED, SEEK_START, STROKE, SWITCH, UNHOMED_FACTOR};
+use super::design::{RETREAT, SEEK_SPEED, SEEK_START, STROKE, SWITCH, UNHOMED_FACTOR};
 use super::motion::{Heights, Motion};
 use super::profile::{Along, TICK};
 
@@ -65,6 +65,15 @@ impl Homing {
     #[must_use]
     pub fn seeks(&self) -> bool {
         !matches!(self.0, Phase::Approach(_))
+    }
+
+    /// A slow motion back from here, against the present one; up from the switches.
+    #[must_use]
+    pub fn back(&self, here: Heights) -> Motion {
+        match &self.0 {
+            Phase::Approach(motion) | Phase::Leave(motion) => motion.back(here),
+            Phase::Seek { .. } => Motion::new(here, here.map(|height| height + RETREAT), UNHOMED_FACTOR),
+        }
     }
 
     /// Advances by a tick.

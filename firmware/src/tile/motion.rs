@@ -4,7 +4,7 @@
 //! Heights are linear in heave and slopes, h_i = zc - R (tx cos alpha_i + ty sin alpha_i), so a straight line in
 //! heights is also one in heave and slopes: the platform takes the shortest path, without torsion.
 
-use super::design::{LEG_SPEED, RADIUS, RETREAT, SLOPE, SLOPE_RATE, STROKE};
+use super::design::{LEG_SPEED, RADIUS, RETREAT, SLOPE, SLOPE_RATE, STROKE, UNHOMED_FACTOR};
 use super::profile::{Along, Profile};
 use crate::command::Pose;
 use crate::link::message::Refusal;
@@ -105,9 +105,9 @@ impl Motion {
         self.tick.checked_sub(self.ticks())
     }
 
-    /// A motion back from here: 5 mm for the leg with the largest displacement, within the stroke.
+    /// A slow motion back from here: 5 mm for the leg with the largest displacement, within the stroke.
     #[must_use]
-    pub fn back(&self, here: Heights, factor: f32) -> Self {
+    pub fn back(&self, here: Heights) -> Self {
         let way = difference(self.from, self.to);
         let longest = way.map(Real::abs).into_iter().fold(0.0, Real::max);
         let scale = if longest > 0.0 { RETREAT / longest } else { 0.0 };
@@ -117,7 +117,7 @@ impl Motion {
         }
         // Not steeper than may be commanded: a motion that has just left a steep pose returns to it.
         let is_allowed = heights(pose(to)).is_ok();
-        Self::new(here, if is_allowed { to } else { self.from }, factor)
+        Self::new(here, if is_allowed { to } else { self.from }, UNHOMED_FACTOR)
     }
 }
 
@@ -182,13 +182,13 @@ mod tests {
     #[test]
     fn the_way_back_is_five_millimetres() {
         let motion = Motion::new([0.0; 3], [0.02, 0.01, 0.0], 1.0);
-        let mut back = motion.back([0.01, 0.005, 0.0], 1.0);
+        let mut back = motion.back([0.01, 0.005, 0.0]);
         while back.advance().is_none() {}
         let [a, b, c] = back.wanted().map(|w| w.position);
         assert!((a - (0.01 - RETREAT)).abs() < 1e-7 && (b - 0.0025).abs() < 1e-7 && c == 0.0);
         // From 15 degrees: 5 mm back would be steeper.
         let steep = heights(Pose { zc: 0.0, tx: 0.0, ty: 0.26 }).expect("it is allowed");
-        let back = Motion::new(steep, [0.0; 3], 1.0).back(steep.map(|h| 0.95 * h), 1.0);
+        let back = Motion::new(steep, [0.0; 3], 1.0).back(steep.map(|h| 0.95 * h));
         assert_eq!(back.end(), steep);
     }
 }

@@ -3,9 +3,9 @@
 use crate::bxcan::Chip;
 use crate::can_bus::{Carrier, OnBus, Pin, RATE};
 use crate::wire::KEY;
-use smartbed_firmware::link::bus::Bus;
+use smartbed_firmware::link::bus::{Arrival, Bus};
 use smartbed_firmware::link::bxcan::Bxcan;
-use smartbed_firmware::link::can::{Classic, End, FRAMES, REST, frame};
+use smartbed_firmware::link::can::{Classic, End, FRAMES, REST, STOP, frame};
 use smartbed_firmware::link::frame::Body;
 use smartbed_firmware::link::hub::Hub;
 use smartbed_firmware::link::message::{Command, Outcome, Report, Target, read};
@@ -88,7 +88,10 @@ impl<'a> Bed<'a> {
 
     fn tick(&mut self) {
         let Self { peers, hub, out, reports, now, .. } = self;
-        hub.receive(*now, |place, body| reports[place].extend(peers[place].take(&body, *now)));
+        hub.receive(*now, |place, arrival| match arrival {
+            Arrival::Body(body) => reports[place].extend(peers[place].take(&body, *now)),
+            Arrival::Stop => out[place].clear(),
+        });
         hub.transmit(*now, |place| out[place].pop_front().or_else(|| peers[place].beat(*now)));
         let tiles = self.boards.iter().map(|board| &board.pin as &dyn OnBus);
         let pins: Vec<&dyn OnBus> = tiles.chain([&self.pin as &dyn OnBus]).collect();
@@ -197,6 +200,38 @@ fn one_frame_stops_all_and_nothing_that_came_before_moves_them() {
     assert!(bed.hub.stop(&[FIRST]) && bed.hub.stop(&[FIRST + 1]));
     bed.run(3);
     assert_eq!(bed.modes(), [Mode::Hold; 2]);
+}
+
+/// Commands signed before a stop, by us or by somebody else, that are still with the supervisor or half-way to the tile.
+#[test]
+fn what_is_under_way_when_a_stop_comes_is_not_carried_out() {
+    for (is_ours, delay) in [true, false].into_iter().flat_map(|ours| (0..8).map(move |delay| (ours, delay)))
+    {
+        let mut talks = talks(2);
+        let mut bed = Bed::ready(&mut talks);
+        assert_eq!(bed.order(0, &UP), Some(Outcome::Done));
+        assert!(bed.hub.stop(&[]));
+        bed.run(100);
+        assert_eq!(bed.mode(0), Mode::Hold);
+        for command in [Command::Enable, UP] {
+            let body = bed.peers[0].command(&command, bed.now, 0).expect("it fits");
+            bed.out[0].push_back(body);
+        }
+        bed.run(delay);
+        let is_allowed = bed.mode(0) != Mode::Hold;
+        if is_ours {
+            assert!(bed.hub.stop(&[]));
+            bed.out[0].clear();
+        } else {
+            let stop = frame::<Classic>(STOP, &[FIRST]).expect("a frame");
+            bed.boards[0].pin.hear(&stop);
+            bed.pin.hear(&stop);
+        }
+        bed.run(300);
+        assert_eq!(bed.mode(0), Mode::Hold, "ours {is_ours}, after {delay} ms, allowed before {is_allowed}");
+        assert!(bed.order(1, &Command::Enable) == Some(Outcome::Done), "the other one is reached");
+        assert_eq!(bed.order(0, &Command::Enable), Some(Outcome::Done), "and so is this one");
+    }
 }
 
 #[test]

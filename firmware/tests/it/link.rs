@@ -62,6 +62,22 @@ fn silence_stops_motion() {
     assert_eq!(wire.order(&UP), Some(Outcome::Done));
 }
 
+/// Resuscitation is allowed despite the fault that an earlier silence has left.
+#[test]
+fn silence_stops_motion_each_time() {
+    let mut wire = Wire::ready(20.0);
+    wire.order(&UP);
+    for command in [None, Some(Command::Flatten), Some(Command::Flatten)] {
+        wire.beats = true;
+        command.into_iter().for_each(|command| assert_eq!(wire.order(&command), Some(Outcome::Done)));
+        wire.run(300);
+        assert!(wire.is_enabled());
+        wire.beats = false;
+        wire.run(SILENCE + 200);
+        assert_eq!((wire.mode(), wire.is_enabled(), wire.has(Fault::Silence)), (Mode::Hold, false, true));
+    }
+}
+
 #[test]
 fn a_refused_command_with_the_right_tag_is_a_sign_of_life_and_used_up() {
     let mut wire = Wire::ready(20.0);

@@ -1,6 +1,7 @@
 //! An obstacle in a leg's way is detected and released; a mere shift of the load is not taken for one.
 
 use crate::bench::{Bench, FRICTIONS, drive, target};
+use smartbed_firmware::link::message::Command;
 use smartbed_firmware::plant::Defect;
 use smartbed_firmware::plant::single::Parameters;
 use smartbed_firmware::tile::design::{AREA, GRAVITY};
@@ -30,6 +31,50 @@ fn an_obstruction_is_left_alone() {
         assert_eq!((bench.controller.mode(), bench.faults()), (Mode::Hold, vec!["Obstruction"]));
         assert!(hardest < 150.0, "{hardest} N");
         assert!((back - 5e-3).abs() < 2e-4, "{back}");
+    }
+}
+
+/// Lowers or homes the tile onto an obstacle below leg 1; returns the largest force (N), and how far the leg moved back (m).
+fn go_down(bench: &mut Bench, command: Command) -> (f32, f32) {
+    bench.order(command);
+    let (mut hardest, mut lowest) = (0.0_f32, bench.tile.heights()[1]);
+    for _ in 0..60_000 {
+        if !matches!(bench.controller.mode(), Mode::Homing | Mode::Flatten | Mode::Retreat) {
+            break;
+        }
+        bench.tick(None);
+        hardest = hardest.max(bench.tile.contacts()[1].abs());
+        lowest = lowest.min(bench.tile.heights()[1]);
+    }
+    (hardest, bench.tile.heights()[1] - lowest)
+}
+
+/// Resuscitation is allowed despite the fault that the obstacle has left.
+#[test]
+fn an_obstacle_is_left_alone_each_time_the_tile_is_lowered_onto_it() {
+    for friction in FRICTIONS {
+        let mut bench = Bench::ready(20.0, [0.0; 2], [0.0; 3], drive(friction));
+        bench.tile.set_defect(Some(Defect::Block { leg: 1, height: -0.01, above: false }));
+        for _ in 0..3 {
+            let (hardest, back) = go_down(&mut bench, Command::Flatten);
+            println!("{friction:?}: {hardest} N, {} mm back", back * 1e3);
+            assert_eq!((bench.controller.mode(), bench.faults()), (Mode::Hold, vec!["Obstruction"]));
+            assert!(hardest < 150.0, "{hardest} N");
+            assert!((back - 5e-3).abs() < 3e-4, "{back}");
+        }
+    }
+}
+
+#[test]
+fn an_obstacle_is_left_alone_while_switches_are_searched() {
+    for (friction, height) in FRICTIONS.into_iter().flat_map(|f| [-0.01, -0.024].map(|height| (f, height))) {
+        let mut bench = Bench::ready(20.0, [0.0; 2], [0.0; 3], drive(friction));
+        bench.tile.set_defect(Some(Defect::Block { leg: 1, height, above: false }));
+        let (hardest, back) = go_down(&mut bench, Command::Home);
+        println!("{friction:?}: {hardest} N, {} mm back, {:?}", back * 1e3, bench.faults());
+        assert_eq!((bench.controller.mode(), bench.faults()), (Mode::Hold, vec!["Obstruction"]));
+        assert!(hardest < 150.0, "{hardest} N");
+        assert!((back - 5e-3).abs() < 3e-4, "{back}");
     }
 }
 

@@ -124,6 +124,29 @@ fn a_tile_that_is_lowered_cannot_be_enabled_before_it_is_down() {
     assert_eq!((bench.controller.mode(), bench.faults()), (Mode::Ready, vec![]));
 }
 
+/// A vent that does not open is told, and no reason to stop half-way.
+#[test]
+fn a_bladder_that_does_not_empty_is_lowered_all_the_same() {
+    let mut bench = Bench::homed(25.0, [0.03, 0.0], DRIVE);
+    bench.order(target(0.012, 0.0, 0.0));
+    bench.until(Mode::Ready, 60_000);
+    bench.tile.air.fill(4000.0);
+    bench.tile.set_defect(Some(Defect::ValveShut { vent: true }));
+    bench.order(Command::Flatten);
+    bench.run(30_000);
+    assert_eq!((bench.controller.mode(), bench.faults()), (Mode::Flatten, vec!["ValveShut"]));
+    assert!((bench.pose().zc + STROKE).abs() < 1e-4, "{:?}", bench.pose());
+}
+
+#[test]
+fn a_calibration_tells_heights_at_once() {
+    let mut bench = Bench::new(25.0, [0.0; 2], [-0.02; 3], DRIVE);
+    bench.run(200);
+    bench.order(Command::Calibrate(Trim::default()));
+    let heights = bench.controller.state().heights;
+    assert!(heights.iter().all(|height| (height + 0.02).abs() < 3e-4), "{heights:?}");
+}
+
 #[test]
 fn a_calibration_clears_no_fault() {
     let mut bench = Bench::ready(25.0, [0.0; 2], [0.0; 3], DRIVE);

@@ -12,7 +12,7 @@ use smartbed_bed::policy::Supervisor;
 use smartbed_bed::tile;
 use smartbed_firmware::command::Pose;
 use smartbed_firmware::link::message::{
-    self, Command, Header, REPORT, Report, State, Target, VERSION, write,
+    self, Command, Header, Outcome, REPORT, Report, State, Target, VERSION, write,
 };
 use smartbed_firmware::link::tag::Key;
 use smartbed_firmware::supervisor::{Bed, Denied, MOST_MOVING, Peer};
@@ -97,17 +97,16 @@ impl Tiles<'_> {
         for tile in 0..self.until.len() {
             let heights = self.pose(tile, time).heights(RADIUS);
             let state = State { mode: self.mode(tile, time) as u8, heights, ..State::default() };
-            let place = self.place(tile);
-            let peer = &mut self.peers[place];
-            let header = Header {
-                version: VERSION | REPORT,
-                tile: peer.tile(),
-                boot: 1,
-                sequence: 0,
-                tick: ticks(time),
-            };
-            write(&header, &Report::State(state)).and_then(|body| peer.take(&body, ticks(time)));
+            self.tell(tile, &Report::State(state), time);
         }
+    }
+
+    /// Reports something of a tile to its peer.
+    fn tell(&mut self, tile: usize, report: &Report, time: f64) {
+        let place = self.place(tile);
+        let (peer, tick) = (&mut self.peers[place], ticks(time));
+        let header = Header { version: VERSION | REPORT, tile: peer.tile(), boot: 1, sequence: 0, tick };
+        write(&header, report).and_then(|body| peer.take(&body, tick));
     }
 
     /// Checks one tile's part of a move by the tile's controller, then by the supervisor.
@@ -141,7 +140,12 @@ impl Tiles<'_> {
         }
         let (place, columns) = (self.place(tile), self.plan.layout.columns);
         let mut bed = Bed { peers: &mut self.peers, columns };
-        bed.order(place, target, ticks(told.at), 0).map(drop).map_err(denied)
+        let body = bed.order(place, target, ticks(told.at), 0).map_err(denied)?;
+        if let Ok(received) = message::read(&body) {
+            let carried_out = Report::Answer(received.header.sequence, Outcome::Done);
+            self.tell(tile, &carried_out, told.at);
+        }
+        Ok(())
     }
 }
 
