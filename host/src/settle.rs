@@ -42,19 +42,24 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let columns = engine.columns();
     let state = engine.state().map_err(Failure::Wrong)?;
     let energies = engine.energies().map_err(Failure::Wrong)?;
+    if let Some(warning) = settled.warning() {
+        output::say(&format!("warning: {warning}"));
+    }
     if arguments.json {
         let last = json_object(columns.iter().map(|c| c.name.as_str()).zip(state));
         return output::print(&format!(
-            "{{\"settled\": {}, \"steps\": {}, \"acceleration\": {}, \"total\": {}, \"last\": {last}}}\n",
+            "{{\"settled\": {}, \"steps\": {}, \"acceleration\": {}, \"unstable\": {}, \"total\": {}, \"last\": {last}}}\n",
             json_string(&assembly.title),
             settled.steps,
             json_number(settled.acceleration),
+            settled.unstable.as_deref().map_or_else(|| "null".to_owned(), json_string),
             json_number(energies.total()),
         ));
     }
     let mut text = format!(
-        "{}: at rest after {} of relaxation, largest acceleration left {:.1e} m/s^2, energy {:.6e} J\n",
+        "{}: {} after {} of relaxation, largest acceleration left {:.1e} m/s^2, energy {:.6e} J\n",
         assembly.title,
+        if settled.unstable.is_none() { "at rest" } else { "in unstable equilibrium" },
         smartbed_codegen::words::count(settled.steps, "step"),
         settled.acceleration,
         energies.total()

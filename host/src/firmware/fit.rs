@@ -80,8 +80,10 @@ impl Fitted {
         let assembly = if rows.is_some() { read(rows)? } else { written };
         let mut world = CarriedWorld::new(&assembly).map_err(wrong)?;
         world.for_chip(&assembly).map_err(wrong)?;
-        if assembly.run.settled {
-            world.settle().map_err(wrong)?;
+        if assembly.run.settled
+            && let Some(warning) = world.settle().map_err(wrong)?.warning()
+        {
+            output::say(&format!("warning: {warning}"));
         }
         if !assembly.sensors.is_empty() {
             output::say("note: the image has no sensors: they do not affect the motion");

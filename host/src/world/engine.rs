@@ -93,12 +93,26 @@ pub struct Event {
 }
 
 /// Result of a relaxation to equilibrium.
-#[derive(Clone, Copy, PartialEq, Debug)]
+#[derive(Clone, PartialEq, Debug)]
 pub struct Settled {
     /// Steps of relaxation.
     pub steps: usize,
     /// Largest remaining acceleration (m/s^2).
     pub acceleration: f64,
+    /// The part that a small disturbance moves away from there, if there is one.
+    pub unstable: Option<String>,
+}
+
+impl Settled {
+    /// Warning of an unstable equilibrium.
+    #[must_use]
+    pub fn warning(&self) -> Option<String> {
+        let part = self.unstable.as_ref()?;
+        Some(format!(
+            "settle: `{part}` is balanced in an unstable equilibrium: a disturbance of 1e-6 m or less grew tenfold, so that \
+             a real machine does not stay there; move its `start` to the side on which it should come to rest"
+        ))
+    }
 }
 
 /// The message for a checkpoint of another world.

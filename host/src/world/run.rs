@@ -193,6 +193,7 @@ pub fn run<E: From<String>>(
     mut stepped: impl FnMut(f64) -> Result<(), E>,
 ) -> Result<Ran, E> {
     let at = |t: f64, why: String| format!("t = {t:.6} s: {why}");
+    let mut warnings = Vec::new();
     let (first, start) = match from {
         Some(checkpoint) => {
             if checkpoint.steps > assembly.run.steps() {
@@ -220,7 +221,7 @@ pub fn run<E: From<String>>(
         }
         None => {
             if assembly.run.settled {
-                engine.settle()?;
+                warnings.extend(engine.settle()?.warning());
             }
             (0, engine.energies().map_err(|why| at(0.0, why))?.total())
         }
@@ -268,5 +269,6 @@ pub fn run<E: From<String>>(
         }
         stepped(t)?;
     }
-    Ok(Ran { events, seen: feedback.save(), warnings: passing.warnings(assembly) })
+    warnings.extend(passing.warnings(assembly));
+    Ok(Ran { events, seen: feedback.save(), warnings })
 }

@@ -1,7 +1,7 @@
 //! Lasting contacts: forces at rest, ten seconds from equilibrium, flat faces that slide.
 
 use super::rigid::G;
-use super::support::{fails, find, json, number, rows, scene, settled};
+use super::support::{fails, find, json, number, rows, scene, settled, smartbed};
 
 /// The last row of a scene with changes, settled.
 fn at_rest(scene: &str, changes: &[String]) -> serde_json::Value {
@@ -211,4 +211,88 @@ fn a_mechanism_at_rest_stands_with_methods_that_iterate() {
         let done = json(&arguments);
         assert!(number(&done["last"]["kinetic"]) < 1e-15, "{method}: {done}");
     }
+}
+
+/// A part on the ground, with friction.
+fn on_ground(part: &str, friction: f64) -> String {
+    format!(
+        "format = 2\n[parts.ground]\nrigid = \"half_space\"\n[parts.load]\n{part}\nmass = 2\n[[contacts]]\n\
+         between = [\"load\", \"ground\"]\nimpact = \"moreau\"\nfriction = {friction}\n[run]\nseconds = 0.01\n"
+    )
+}
+
+/// A pendulum that begins at an angle (degrees).
+fn pendulum(angle: f64) -> String {
+    format!(
+        "format = 2\n[parts.load]\nmechanism = \"pendulum\"\nstart = {{ q = \"{angle}_deg\" }}\n[run]\nseconds = 0.01\n"
+    )
+}
+
+const BOX: &str = "rigid = \"box\"\nsize = [0.1, 0.1, 0.1]\n";
+
+#[test]
+fn unstable_equilibria_are_named() {
+    let edge = format!("{BOX}start = {{ axis = [0, 1, 0], angle = \"45_deg\", height = 0 }}");
+    let cases = [("up", pendulum(180.0)), ("edge", on_ground(&edge, 0.5))];
+    for (name, text) in cases {
+        for step in ["1e-2", "1e-3", "1e-4"] {
+            let (file, step) = (scene(name, &text), format!("run.step={step}"));
+            let done = settled(&[&file, "--set", &step]);
+            assert_eq!(done["unstable"], "load", "{name}, {step}: {done}");
+            let begun = smartbed(&[
+                "run",
+                &file,
+                "--set",
+                &step,
+                "--set",
+                "run.start=settled",
+                "--set",
+                "run.seconds=0.1",
+            ]);
+            let said = String::from_utf8_lossy(&begun.stderr);
+            assert!(said.contains("`load` is balanced in an unstable equilibrium"), "{name}, {step}: {said}");
+        }
+    }
+    assert_eq!(settled(&["ball_on_bladder"])["unstable"], "ball");
+}
+
+/// What keeps a disturbance or comes back is not called unstable.
+#[test]
+fn neutral_and_stable_equilibria_are_not_called_unstable() {
+    let ball = "rigid = \"sphere\"\nradius = 0.1\nstart = { height = 0 }";
+    let flat = format!("{BOX}start = {{ height = 0 }}");
+    let thin = "rigid = \"box\"\nsize = [0.02, 0.02, 1]\nstart = { height = 0 }";
+    let steep = "gravity = [4, 0, -9]\n";
+    let slope = on_ground(&flat, 0.5).replacen("[parts.ground]", &format!("{steep}[parts.ground]"), 1);
+    let cases = [
+        ("rolls", on_ground(ball, 0.5)),
+        ("slips", on_ground(ball, 0.0)),
+        ("flat", on_ground(&flat, 0.5)),
+        ("smooth", on_ground(&flat, 0.0)),
+        ("thin", on_ground(thin, 0.5)),
+        ("slope", slope),
+        ("hangs", pendulum(0.0)),
+        ("swings", pendulum(170.0)),
+    ];
+    for (name, text) in cases {
+        let done = settled(&[&scene(name, &text)]);
+        assert!(done["unstable"].is_null(), "{name}: {done}");
+    }
+    for scene in
+        ["plate_on_bladder", "stack_cubes", "tile_with_bladder", "tile_bladder_coupled", "closed_loop_hung"]
+    {
+        assert!(settled(&[scene])["unstable"].is_null(), "{scene}");
+    }
+}
+
+/// A mass of 1e6 kg between soft springs: a quarter of its period takes 3e5 steps of 1 ms.
+#[test]
+fn a_heavy_part_is_settled_by_larger_steps() {
+    let text = "format = 2\ngravity = [0, 0, 0]\n[parts.s]\npoints = [[0, 0, 0], [1, 0, 0], [3, 0, 0], [3, 1, 0]]\n\
+                springs = [[0, 1], [1, 2], [1, 3]]\nrest_lengths = [0.5, 0.7, 0.8]\nmass = [1, 1e6, 1, 1]\n\
+                K = [10, 20, 30]\nfixed = [0, 2, 3]\n[run]\nseconds = 1\n";
+    let file = scene("heavy", text);
+    let said = fails(&["settle", &file]);
+    assert!(said.contains("a larger step brings it further") && !said.contains("smaller"), "{said}");
+    settled(&[&file, "--set", "run.step=1"]);
 }

@@ -3,7 +3,8 @@
 use super::methods::{Contacts, RELAXED};
 use super::{CarriedWorld, Place};
 use crate::world::engine::Settled;
-use crate::world::settle::{Relaxing, relax};
+use crate::world::relaxing::Relaxing;
+use crate::world::settle::relax;
 use smartbed_runtime::mechanism::Fault;
 use smartbed_runtime::ode::{Ode, State};
 use smartbed_runtime::real::Scalar;
