@@ -95,6 +95,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     match &arguments.command {
         Command::Run(asked) => {
             let (origin, read) = opened("run", &asked.plan, &asked.set)?;
+            one_in_standard_output(asked)?;
             writable(asked, &read)?;
             let history = history(&read)?;
             let report = RunReport::new(&read, &history);
@@ -122,6 +123,18 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
             output::print(&format!("{}: {}\n", asked.output, read.plan.title))
         }
         Command::Map(asked) => map::run(asked),
+    }
+}
+
+/// Refuses two results for standard output, of which one would end within the other.
+fn one_in_standard_output(asked: &Run) -> Result<(), Failure> {
+    let to = |file: &Option<String>| file.as_deref() == Some("-");
+    let asked = [("--csv -", to(&asked.csv)), ("--readings -", to(&asked.readings)), ("--json", asked.json)];
+    match asked.iter().filter(|(_, is_asked)| *is_asked).map(|(name, _)| *name).collect::<Vec<_>>()[..] {
+        [one, other, ..] => Err(Failure::Wrong(format!(
+            "{one} and {other}: only one of them can go to standard output; name a file for the other"
+        ))),
+        _ => Ok(()),
     }
 }
 

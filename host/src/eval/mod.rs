@@ -33,8 +33,9 @@ const VIOLATED: f64 = 1e-4;
 
 All numbers are in SI units. Of each state:
   t           time; 0 if left out
-  q           independent coordinates must be given; dependent ones may be left out and are then
-              solved for; those with a closed form are computed, and if given must agree with it
+  q           independent coordinates must be given; if dependent ones are left out, all of them are
+              solved for, from those that are given; those with a closed form are computed, and if
+              given must agree with it
   u           independent speeds; 0 if left out
   inputs      0 if left out
   parameters  the model's values if left out
@@ -142,6 +143,7 @@ fn evaluate<S: EngineScalar>(
                  dependent ones nearer to a solution"
             ))
         })?;
+        solved_for(number, &given.q, &q, program);
         let u = complete_speeds(model, program, (state.t, &q, &given.parameters), &given.u)
             .map_err(|fault| at(explain(fault).to_owned()))?;
         check_masses(model, program, &given.parameters).map_err(at)?;
@@ -191,6 +193,20 @@ fn evaluate<S: EngineScalar>(
     }
     text.push_str("\n]}\n");
     Ok(text)
+}
+
+/// Says which of the given coordinates were start values of the search for those left out.
+fn solved_for(number: usize, given: &[Option<f64>], q: &[f64], program: &Program) {
+    let names = program.q.iter().map(|own| own.name.as_str());
+    for ((given, q), name) in given.iter().zip(q).zip(names) {
+        let Some(given) = given.filter(|given| (given - q).abs() > VIOLATED * q.abs().max(1.0)) else {
+            continue;
+        };
+        output::say(&format!(
+            "note: states[{number}]: `{name}` = {given} is where the search began, and was solved for: {q:.6}. Others are \
+             left out; give all to take them as they are"
+        ));
+    }
 }
 
 /// Refuses parameters at which a mass or a moment of inertia is negative.

@@ -34,6 +34,14 @@ fn left_out_coordinates_close_the_loop() {
 }
 
 #[test]
+fn a_coordinate_where_the_search_began_is_told() {
+    let done = eval("began.json", "fourbar", r#"{"states": [{"q": {"q1": 1, "q2": -1.6}}]}"#, &[]);
+    assert!(done.err.contains("note: states[0]: `q2` = -1.6 is where the search began"), "{done:?}");
+    let done = eval("begins.json", "fourbar", r#"{"states": [{"q": {"q1": 1}}]}"#, &[]);
+    assert!(!done.err.contains("note:"), "{done:?}");
+}
+
+#[test]
 fn dependent_coordinates_beside_left_out_ones_choose_the_branch() {
     // The rocker folded to the other side: the mirror image about the line from crank pin to ground.
     let nominal = state(&eval("near.json", "fourbar", r#"{"states": [{"q": {"q1": 1}}]}"#, &[]));

@@ -337,3 +337,13 @@ fn special_files_are_refused_at_once() {
     child.stdin.take().expect("piped").write_all(states).expect("written");
     assert!(child.wait_with_output().expect("it ends").status.success());
 }
+
+/// Two results would end within one another, or one be left out.
+#[test]
+fn one_result_of_a_plan_goes_to_standard_output() {
+    for asked in [["--csv", "-", "--json"].as_slice(), &["--csv", "-", "--readings", "-"]] {
+        let done = smartbed(&[&["bed", "run", "ball_on_four"], asked].concat());
+        assert!(done.status == 1 && done.out.is_empty(), "{done:?}");
+        assert!(done.err.contains("only one of them can go to standard output"), "{done:?}");
+    }
+}

@@ -102,6 +102,7 @@ fn every_refusal_of_a_scene_has_its_cause_and_cure() {
         attached("[{ nodes = [0, 0], to = \"ball\" }]"),
         pair(""),
         pair("impact = \"newton\"\nfriction = 0.1"),
+        pair("impact = \"plastic\"\nshare = 0.5"),
         pair("impact = \"plastic\"\n[[contacts]]\nbetween = [\"ball\", \"ground\"]\nimpact = \"stronge\""),
         format!("{}[parts.ball-ground]\nrigid = \"half_space\"", pair("impact = \"plastic\"\n")),
         format!("{BALL}[[contacts]]\nbetween = [\"ball\", \"ball\"]\nimpact = \"plastic\""),

@@ -108,3 +108,13 @@ fn a_row_of_balls_passes_its_speed_on() {
         }
     }
 }
+
+/// Masses whose squares vanish are named as what they are.
+#[test]
+fn a_mass_that_is_too_small_is_named() {
+    let text = "format = 2\n[parts.ground]\nrigid = \"half_space\"\n[parts.ball]\nrigid = \"sphere\"\nradius = 0.1\n\
+                mass = 1e-300\nstart = { height = 1 }\n[[contacts]]\nbetween = [\"ball\", \"ground\"]\n\
+                impact = \"plastic\"\n[run]\nseconds = 1\n";
+    let said = support::fails(&["run", &support::scene("tiny_mass", text)]);
+    assert!(said.contains("the mass of `ball`, 1e-300 kg, is so small"), "{said}");
+}

@@ -303,7 +303,7 @@ fn a_bar_that_can_fall_between_nodes_is_named() {
         let text = String::from_utf8_lossy(&output.stderr);
         assert!(output.status.success(), "{text}");
         assert_eq!(
-            text.contains("`load` is longer than `sheet` and narrower than its facets"),
+            text.contains("`load` is longer than `sheet` and no wider than its facets"),
             said,
             "{kind}: {text}"
         );

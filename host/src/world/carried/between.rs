@@ -14,7 +14,7 @@ const RIM: f64 = 1e-9;
 
 impl<S: Scalar> CarriedWorld<S> {
     /// One warning for each pair of a bar that is longer than a mesh, so that its ends need not be over facets, and
-    /// narrower than a facet, so that it need not be over a node.
+    /// no wider than a facet, so that it need not be over a node.
     pub(super) fn bars_between_nodes(&self) -> Vec<String> {
         let Some(touching) = &self.touching else { return Vec::new() };
         let mut said = Vec::new();
@@ -29,10 +29,10 @@ impl<S: Scalar> CarriedWorld<S> {
                 else {
                     continue;
                 };
-                if length > span && width < facet {
+                if length > span && width <= facet * (1.0 + RIM) {
                     let [bar, mesh] = [one, other].map(|k| &self.names[parts[k]]);
                     said.push(format!(
-                        "`{bar}` is longer than `{mesh}` and narrower than its facets; a bar touches facets with its ends and \
+                        "`{bar}` is longer than `{mesh}` and no wider than its facets; a bar touches facets with its ends and \
                          corners only, and nodes: between nodes it falls through; take smaller facets"
                     ));
                 }

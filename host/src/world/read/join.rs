@@ -247,7 +247,7 @@ pub(super) fn contact(
     let between = fields.need("between", "[\"load\", \"ground\"]", found);
     let sides = between.and_then(|value| sides(value, parts, found));
     let law = law(&fields, found);
-    fields.finish(found);
+    finish(fields, found);
     let (Some([one, other]), Some(law)) = (sides, law) else { return Vec::new() };
     let mut pairs = Vec::new();
     for a in &one {
@@ -273,6 +273,25 @@ pub(super) fn contact(
         found.push(error.label(fields_span(between, table), "named by an earlier table").help(help));
     }
     pairs
+}
+
+/// Reports fields that the law does not read, and says which laws read those that are known.
+fn finish(fields: Fields<'_>, found: &mut Diagnostics) {
+    let impact = fields.get("impact").and_then(|value| match value {
+        Value::Text(text) if IMPACTS.contains(&text.text.as_str()) => Some(text.text.as_str()),
+        _ => None,
+    });
+    for (key, laws) in [("share", &["compensation"][..]), ("restitution", &["stronge", "newton", "moreau"])] {
+        let Some(law) = impact.filter(|law| !laws.contains(law)) else { continue };
+        if let Some(value) = fields.get(key) {
+            let error = Diagnostic::error(format!("impact = \"{law}\" reads no `{key}`"));
+            let help = format!("leave it out, or take impact = \"{}\"", laws.join("\", \""));
+            found.push(
+                error.label(value.span(), format!("`{key}` is read by {}", laws.join(", "))).help(help),
+            );
+        }
+    }
+    fields.finish(found);
 }
 
 fn fields_span(value: Option<&Value>, table: &Table) -> Span {
