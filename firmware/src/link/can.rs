@@ -176,11 +176,15 @@ impl<C: Controller> Bus for End<C> {
     fn receive(&mut self, now: u32, mut take: impl FnMut(Arrival)) {
         let Self { port, tile, talk } = self;
         port.receive(|frame| {
-            if is_data(frame, talk.receives()) {
-                talk.take(frame.data(), now).map(Arrival::Body).map(&mut take);
-            } else if stops(frame, *tile) {
-                talk.drop_received();
-                take(Arrival::Stop);
+            let arrival = match is_data(frame, talk.receives()) {
+                true => talk.take(frame.data(), now).map(Arrival::Body),
+                false => stops(frame, *tile).then_some(Arrival::Stop),
+            };
+            if let Some(arrival) = arrival {
+                if matches!(arrival, Arrival::Stop) {
+                    talk.drop_received();
+                }
+                take(arrival);
             }
         });
     }

@@ -124,7 +124,7 @@ impl Controller {
             // Neither the way forward nor the way back is free.
             self.stop(Mode::Hold);
         }
-        let outcome = command.map(|command| match self.execute(command, readings) {
+        let outcome = command.map(|command| match self.execute(command) {
             Ok(()) => Outcome::Done,
             Err(why) => Outcome::Refused(why),
         });
@@ -238,7 +238,7 @@ impl Controller {
     }
 
     /// Executes a command, or says why not; a refused command changes nothing.
-    fn execute(&mut self, command: &Command, readings: &Readings) -> Result<(), Refusal> {
+    fn execute(&mut self, command: &Command) -> Result<(), Refusal> {
         let is_moving = self.following != Following::None;
         self.mode.allows(command, (self.is_armed(), is_moving), self.latched())?;
         match command {
@@ -272,10 +272,8 @@ impl Controller {
                     return Err(Refusal::Trim);
                 }
                 // Start again, so that the sensors settle; faults stay, and with them the safe state.
-                let latch = self.latch;
-                *self = Self { latch, ..Self::new(Some(*trim)) };
-                // A report of this tick tells heights, too.
-                self.sense.take(readings, trim);
+                let (latch, sense) = (self.latch, self.sense.clone().anew());
+                *self = Self { latch, sense, ..Self::new(Some(*trim)) };
             }
         }
         Ok(())
@@ -442,6 +440,8 @@ impl Controller {
         self.start(mode, following);
     }
 
+    // Once in the image: a tile on CAN has little flash left.
+    #[inline(never)]
     fn start(&mut self, mode: Mode, following: Following) {
         self.following = following;
         if let Some((wanted, _)) = self.following() {

@@ -155,15 +155,40 @@ impl Faults {
     /// does not open, is no reason to leave it half-way.
     #[must_use]
     pub fn against_lowering(self) -> Self {
-        let mut bearable = Self::default();
-        [Fault::ValveShut, Fault::Overload].into_iter().for_each(|fault| bearable.set(fault, true));
-        self.without(bearable)
+        const BEARABLE: Faults = Faults(1 << Fault::ValveShut as u8 | 1 << Fault::Overload as u8);
+        self.without(BEARABLE)
     }
 
     /// The strongest response to any fault of the set.
     #[must_use]
     pub fn response(self) -> Option<Response> {
-        Fault::ALL.into_iter().filter(|f| self.has(*f)).map(Fault::response).max()
+        const SETS: [(Response, Faults); 3] = [
+            (Response::Off, Faults::answered_by(Response::Off)),
+            (Response::Retreat, Faults::answered_by(Response::Retreat)),
+            (Response::Hold, Faults::answered_by(Response::Hold)),
+        ];
+        let found = SETS.iter().find(|(_, faults)| self.0 & faults.0 != 0);
+        found.map(|(response, _)| *response)
+    }
+
+    /// All faults with this response.
+    const fn answered_by(response: Response) -> Self {
+        let (mut bits, mut number) = (0, 0);
+        while number < Fault::ALL.len() {
+            bits |= ((Fault::ALL[number].response() as u8 == response as u8) as u32) << number;
+            number += 1;
+        }
+        Self(bits)
+    }
+
+    /// All faults that need a new start.
+    const fn lasting() -> Self {
+        let (mut bits, mut number) = (0, 0);
+        while number < Fault::ALL.len() {
+            bits |= (!Fault::ALL[number].can_be_cleared() as u32) << number;
+            number += 1;
+        }
+        Self(bits)
     }
 }
 
@@ -187,9 +212,8 @@ impl Latch {
     /// Clears those of these that are latched; returns false and clears nothing if the cause of one is present or one cannot
     /// be cleared.
     pub fn clear(&mut self, faults: Faults) -> bool {
-        let is_meant = |f: &Fault| faults.has(*f) && self.latched.has(*f);
-        let stuck = |f: &Fault| is_meant(f) && (self.active.has(*f) || !f.can_be_cleared());
-        if Fault::ALL.iter().any(stuck) {
+        const LASTING: Faults = Faults::lasting();
+        if faults.0 & self.latched.0 & self.active.with(LASTING).0 != 0 {
             return false;
         }
         self.latched = self.latched.without(faults);

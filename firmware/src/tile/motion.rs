@@ -106,6 +106,8 @@ impl Motion {
     }
 
     /// A slow motion back from here: 5 mm for the leg with the largest displacement, within the stroke.
+    // Once in the image.
+    #[inline(never)]
     #[must_use]
     pub fn back(&self, here: Heights) -> Self {
         let way = difference(self.from, self.to);

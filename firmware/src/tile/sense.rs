@@ -97,6 +97,12 @@ impl Sense {
         }
     }
 
+    /// Begins anew with the next readings; until then the heights are the present ones.
+    #[must_use]
+    pub fn anew(self) -> Self {
+        Self { is_begun: false, ..self }
+    }
+
     /// Resets the heights to those of the displacement sensors.
     pub fn recover(&mut self) {
         (self.base, self.reference, self.heights) = (self.displaced, self.last, self.displaced);

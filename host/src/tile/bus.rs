@@ -203,7 +203,9 @@ impl Bus {
         let faults = state.map_or_else(Faults::default, |state| Faults::from_bits(state.faults));
         if !faults.is_empty() {
             let names = faults.names().collect::<Vec<_>>().join(", ");
-            output::say(&format!("warning: tile {tile}: the motion ended by a fault: {names}; see `status`"));
+            let is_down = state.is_some_and(|state| state.mode == Mode::Flatten as u8);
+            let what = if is_down { "it is down, with a fault" } else { "the motion ended by a fault" };
+            output::say(&format!("warning: tile {tile}: {what}: {names}; see `status`"));
         }
         Ok(())
     }
