@@ -174,29 +174,39 @@ fn confirm(
     }))
 }
 
-/// Of a calibration, a run with a sample at the end of each step, or at each row of an adaptive method; beyond
-/// [`MOST`] numbers, at as many of them as divide the time evenly.
+/// Of a calibration, a run with samples at the ends of steps.
 fn rows(
     subject: &dyn Subject,
     truth: &Truth,
     plan: &Plan,
     how: (&str, Control, ScalarKind),
 ) -> Result<Option<Trace>, Stop> {
-    let Some(rows) = plan.rows else { return Ok(None) };
+    let is_calibration = plan.rows.is_some();
+    let time = Time::new(truth.seconds, LONGEST * plan.run);
+    is_calibration.then(|| at_step_ends(subject, truth.coordinates(), plan, how, time)).transpose()
+}
+
+/// A run with a sample at the end of each step, or at each row of an adaptive method; beyond [`MOST`] numbers, at as many
+/// of them as divide the time evenly.
+pub fn at_step_ends(
+    subject: &dyn Subject,
+    coordinates: usize,
+    plan: &Plan,
+    how: (&str, Control, ScalarKind),
+    time: Time,
+) -> Result<Trace, Stop> {
     let longest = match how.1 {
         Control::Step(h) => h,
-        Control::Tolerance(_) => rows,
+        Control::Tolerance(_) => plan.rows.unwrap_or(time.seconds),
     };
-    let each = parts(truth.seconds / SAMPLES as f64, longest);
-    let most = MOST / SAMPLES / truth.trace.samples.first().map_or(1, Vec::len).max(1);
-    let every =
-        (1..=each).find(|every| each.is_multiple_of(*every) && each / every <= most.max(1)).unwrap_or(each);
-    let time = Time { samples: SAMPLES * each / every, ..Time::new(truth.seconds, LONGEST * plan.run) };
-    subject.run(how, time).map(Some)
+    let each = parts(time.seconds / SAMPLES as f64, longest);
+    let most = (MOST / SAMPLES / coordinates.max(1)).max(1);
+    let every = (1..=each).find(|every| each.is_multiple_of(*every) && each / every <= most).unwrap_or(each);
+    subject.run(how, Time { samples: SAMPLES * each / every, ..time })
 }
 
 /// The control of a ladder's next rung.
-fn finer(control: Control, plan: &Plan) -> Control {
+pub fn finer(control: Control, plan: &Plan) -> Control {
     match control {
         Control::Step(h) => Control::Step(h / plan.factor as f64),
         Control::Tolerance(e) => Control::Tolerance(e * plan.tolerance_factor),
@@ -204,7 +214,7 @@ fn finer(control: Control, plan: &Plan) -> Control {
 }
 
 /// Error of a rung over its difference from the next one, whose own error is smaller by the ladder's factor.
-fn share(method: &Method, plan: &Plan) -> f64 {
+pub fn share(method: &Method, plan: &Plan) -> f64 {
     let smaller = match method.adaptive {
         true => plan.tolerance_factor,
         false => (plan.factor as f64).powi(-(method.order as i32)),

@@ -33,6 +33,7 @@ mod sheet_body;
 mod sheet_mechanism;
 mod sheet_table;
 pub mod subject;
+mod whole;
 pub mod work_precision;
 pub mod world;
 

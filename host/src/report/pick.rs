@@ -9,6 +9,7 @@ use super::plan::Plan;
 use super::point::{Control, Point};
 use super::reference::{self, Truth};
 use super::subject::{Kind, Subject};
+use super::whole::{self, Whole};
 use crate::engine::{EngineKind, ScalarKind};
 use crate::failure::Failure;
 use smartbed_codegen::words::count;
@@ -39,6 +40,8 @@ pub struct Pick {
 /// Time limits of the calibration: for one run, for all runs.
 const RUN: Duration = Duration::from_millis(80);
 const ALL: Duration = Duration::from_millis(3000);
+/// Time limit for the runs over the whole time, where the reference covers only its start.
+const WHOLE: Duration = Duration::from_millis(2000);
 /// Factor of these limits for a world, a step of which costs as much as many steps of one body.
 const WORLD: u32 = 10;
 /// Time limit for the reference.
@@ -52,6 +55,7 @@ fn plan(kind: Kind, rows: f64, (method, scalar, engine): (Option<&str>, ScalarKi
     Plan {
         run: times * RUN,
         subject: times * ALL,
+        whole: times * WHOLE,
         reference: REFERENCE,
         work: WORK,
         method: method.map(str::to_owned),
@@ -93,13 +97,56 @@ pub fn pick(
         return Err(Failure::Wrong(format!("{goal}: {}", nearest(&points, &notes, (aim, subject.kind())))));
     };
     let other = fits.iter().copied().filter(|p| p.method != best.method).min_by(better);
-    let control = best.control.unwrap_or(Control::Step(subject.coarsest_step(&best.method)));
-    let text = explain(subject, &truth, &goal, (best, other), &points);
-    Ok(Pick {
-        method: best.method.clone(),
-        control,
-        text,
-        warning: reference::unexamined(&truth, subject.seconds()),
+    let (method, control) = (best.method.clone(), taken(subject, best, truth.seconds));
+    let Some(whole) = over_all(subject, &truth, best, how.1, &plan, aim) else {
+        let text = explain(subject, &truth, &goal, (best, other), &points);
+        return Ok(Pick { method, control, text, warning: reference::unexamined(&truth, subject.seconds()) });
+    };
+    let text = explain_whole(subject, &truth, &goal, (best, &whole), points.len());
+    let warning = unkept(&whole, aim, (subject.seconds(), &plan));
+    Ok(Pick { method, control: whole.control, text, warning })
+}
+
+/// The control of a run over so many seconds, with the step that it took: controllers ask for parts of the scene's own.
+fn taken(subject: &dyn Subject, point: &Point, seconds: f64) -> Control {
+    match point.control.unwrap_or(Control::Step(subject.coarsest_step(&point.method))) {
+        Control::Step(h) => Control::Step(subject.step(h, seconds)),
+        tolerance @ Control::Tolerance(_) => tolerance,
+    }
+}
+
+/// What the whole run shows of a pick, where the reference covers only its start: for an error a step that keeps it,
+/// for a budget the error of the step that was picked.
+fn over_all(
+    subject: &dyn Subject,
+    truth: &Truth,
+    best: &Point,
+    scalar: ScalarKind,
+    plan: &Plan,
+    aim: Aim,
+) -> Option<Whole> {
+    let enough = match aim {
+        Aim::Error(e) => e,
+        Aim::Budget(_) => f64::INFINITY,
+    };
+    let method = subject.methods().into_iter().find(|method| method.name == best.method)?;
+    let is_cut = truth.seconds < subject.seconds();
+    let plan = Plan { enough, ..plan.clone() };
+    let first = taken(subject, best, subject.seconds());
+    is_cut.then(|| whole::judge(subject, truth.coordinates(), (&method, first, scalar), &plan)).flatten()
+}
+
+/// The warning about an error that is not kept over the whole run, of so many seconds.
+fn unkept(whole: &Whole, aim: Aim, (seconds, plan): (f64, &Plan)) -> Option<String> {
+    let Aim::Error(asked) = aim else { return None };
+    (whole.error > asked || whole.error.is_nan()).then(|| {
+        format!(
+            "--error {asked:e} is not known to be kept over all {seconds} s: finer steps differ so that the error may be {:.1e}, and more than \
+             asked for from {:.2e} s on; it is the least found in {} s of computing, as where motion is chaotic or friction decides",
+            whole.error,
+            whole.kept,
+            plan.whole.as_secs()
+        )
     })
 }
 
@@ -132,6 +179,27 @@ fn explain(
         words(best),
         truth.reference.text,
         count(points.len(), "run")
+    )
+}
+
+/// The choice where the reference covers only the start, and the error is that over the whole run.
+fn explain_whole(
+    subject: &dyn Subject,
+    truth: &Truth,
+    goal: &str,
+    (best, whole): (&Point, &Whole),
+    runs: usize,
+) -> String {
+    let &Whole { control, error, nanoseconds, .. } = whole;
+    let known = Point { control: Some(control), error, nanoseconds, ..best.clone() };
+    format!(
+        "{goal}: picked {} (m or rad, against finer runs at all ends of steps over all {} s; method by {} over the first {} s against {}; \
+         time without rows and ledger)",
+        words(&known),
+        subject.seconds(),
+        count(runs, "run"),
+        truth.seconds,
+        truth.reference.text
     )
 }
 

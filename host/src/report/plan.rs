@@ -1,7 +1,7 @@
 //! The extent of the measurements: the full report, the quick one, or one point.
 
 use super::point::Control;
-use super::subject::{Method, ROUNDING, SAMPLES, Subject, parts};
+use super::subject::{Method, ROUNDING, SAMPLES, Subject, parts, step_of};
 use crate::engine::{EngineKind, ScalarKind};
 use std::time::Duration;
 
@@ -29,6 +29,8 @@ pub struct Plan {
     pub subject: Duration,
     /// Computing time for the reference of a subject, and the same for its graph.
     pub reference: Duration,
+    /// Of a calibration: computing time for runs over the whole time, where the reference covers only its start.
+    pub whole: Duration,
     /// Wall-clock time for all subjects, if it is limited.
     pub wall: Option<Duration>,
     /// Most spring-seconds (or seconds of a mechanism) simulated; longer runs are cut.
@@ -59,6 +61,7 @@ impl Plan {
             run: Duration::from_secs(1),
             subject: Duration::from_secs(25),
             reference: Duration::from_secs(120),
+            whole: Duration::ZERO,
             wall: Some(Duration::from_secs(600)),
             work: f64::INFINITY,
             method: None,
@@ -178,9 +181,4 @@ impl Plan {
 fn divides(part: f64, whole: f64) -> bool {
     let times = whole / part;
     (times - times.round()).abs() <= ROUNDING * times
-}
-
-/// The step of a ladder that divides the time between two samples into `steps`.
-pub fn step_of(seconds: f64, steps: usize) -> f64 {
-    seconds / (SAMPLES * steps) as f64
 }

@@ -25,6 +25,14 @@ pub struct Truth {
     pub trace: Trace,
 }
 
+impl Truth {
+    /// The number of coordinates.
+    #[must_use]
+    pub fn coordinates(&self) -> usize {
+        self.trace.samples.first().map_or(0, Vec::len)
+    }
+}
+
 /// Makes the reference over at most `seconds`, within a limit of computing time; `cut` allows it to be shorter.
 ///
 /// # Errors

@@ -61,6 +61,14 @@ impl Trace {
         between.map(|(_, difference)| difference).fold(0.0, larger)
     }
 
+    /// Fraction of the time from the start on over which both differ by at most so much.
+    #[must_use]
+    pub fn agreement(&self, other: &Trace, most: f64) -> f64 {
+        let differences = self.thinned(other).differences(&other.thinned(self));
+        let agreeing = differences.iter().take_while(|difference| **difference <= most).count();
+        agreeing as f64 / differences.len().max(1) as f64
+    }
+
     /// Only the samples at times at which another trace over the same time has one, too.
     fn thinned(&self, other: &Trace) -> Trace {
         let (own, others) = (self.samples.len(), other.samples.len());
@@ -85,6 +93,12 @@ impl Trace {
 #[must_use]
 pub fn parts(whole: f64, longest: f64) -> usize {
     (whole / longest - ROUNDING).ceil().max(1.0) as usize
+}
+
+/// The step that divides the time between two samples into `steps`.
+#[must_use]
+pub fn step_of(seconds: f64, steps: usize) -> f64 {
+    seconds / (SAMPLES * steps) as f64
 }
 
 /// The larger number; NaN counts as the largest.
@@ -137,6 +151,10 @@ pub trait Subject {
     fn seconds(&self) -> f64;
     /// The step with which a method's ladder begins (s): the largest stable one, or a coarse one.
     fn coarsest_step(&self, method: &str) -> f64;
+    /// The step (s), of at most `longest`, that a run over so many seconds takes.
+    fn step(&self, longest: f64, seconds: f64) -> f64 {
+        step_of(seconds, parts(step_of(seconds, 1), longest))
+    }
     /// Is the motion smooth, without touches and releases?
     fn is_smooth(&self) -> bool;
     /// Work per simulated second, in rough units of one spring; quick runs are shortened by it.

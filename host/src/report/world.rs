@@ -8,7 +8,7 @@
 use super::clock::{self, Deadline, Stop};
 use super::point::Control;
 use super::sheet::Sheet;
-use super::subject::{AGREEMENT, Kind, Method, Subject, Time, Trace, parts};
+use super::subject::{AGREEMENT, Kind, Method, Subject, Time, Trace, parts, step_of};
 use crate::engine::ScalarKind;
 use crate::failure::Failure;
 use crate::model_argument;
@@ -322,6 +322,13 @@ impl Subject for World {
         match &self.start {
             Start::Carried(world) => world.largest_stable_step().map_or(coarse, |h| (STABLE * h).min(coarse)),
             Start::Rigid(_) => coarse,
+        }
+    }
+
+    fn step(&self, longest: f64, seconds: f64) -> f64 {
+        match self.is_controlled() {
+            true => self.assembly.run.step / parts(self.assembly.run.step, longest) as f64,
+            false => step_of(seconds, parts(step_of(seconds, 1), longest)),
         }
     }
 

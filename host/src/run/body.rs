@@ -27,11 +27,11 @@ use std::path::Path;
 /// Points whose heights the page plots.
 const HEIGHTS: usize = 7;
 
-/// Runs it; returns the summary, and the data of `--view`.
+/// Runs it; returns the summary, and the data of `--view`. What was found before joins the findings.
 ///
 /// # Errors
 /// Status 1 for a wrong scene or setting and for a motion that cannot go on.
-pub(super) fn simulate(arguments: &Arguments, path: &Path) -> Result<Outcome, Failure> {
+pub(super) fn simulate(arguments: &Arguments, path: &Path, before: &[String]) -> Result<Outcome, Failure> {
     if arguments.engine == EngineKind::Compiled {
         return Err(Failure::Wrong(
             "--engine compiled: it is for mechanisms; leave it out for a scene".to_owned(),
@@ -47,8 +47,8 @@ pub(super) fn simulate(arguments: &Arguments, path: &Path) -> Result<Outcome, Fa
         }
         ScalarKind::F64 => record::<f64>(arguments, &scene)?,
     };
-    let text = done.report(arguments, &scene, clock.seconds());
-    let findings = done.health.findings();
+    let findings = [&done.health.findings(), before].concat();
+    let text = done.report(arguments, &scene, &findings, clock.seconds());
     Ok(Outcome { text, film: done.film, findings })
 }
 
@@ -77,7 +77,7 @@ struct Done {
 }
 
 impl Done {
-    fn report(&self, arguments: &Arguments, scene: &Scene, elapsed: f64) -> String {
+    fn report(&self, arguments: &Arguments, scene: &Scene, findings: &[String], elapsed: f64) -> String {
         let touches = self.events.iter().filter(|e| !e.touches.is_empty()).count();
         if arguments.json {
             return format!(
@@ -96,7 +96,7 @@ impl Done {
                 json_number(self.total[1]),
                 json_number(self.imbalance),
                 json_number(elapsed),
-                serde_json::Value::from(self.health.findings()),
+                serde_json::Value::from(findings),
             );
         }
         format!(

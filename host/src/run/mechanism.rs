@@ -26,7 +26,8 @@ use std::fmt::Write as _;
 /// Last values below this fraction of the largest of their unit are rounding.
 const ROUNDING: f64 = 1e-12;
 
-pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
+/// What was found before joins the findings.
+pub(super) fn run(arguments: &Arguments, before: &[String]) -> Result<Outcome, Failure> {
     let clock = Progress::new("run");
     let model = model_argument::read(&arguments.model)?;
     let (model, settings) = Settings::new(&model, arguments)?;
@@ -43,8 +44,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         ScalarKind::F32 => record::<f32>(arguments, model, setup)?,
         ScalarKind::F64 => record::<f64>(arguments, model, setup)?,
     };
-    let text = report(arguments, model, setup, &summary, clock.seconds());
-    Ok(Outcome { text, film, findings: summary.health.findings() })
+    let findings = [&summary.health.findings(), before].concat();
+    let text = report(arguments, model, setup, (&summary, &findings), clock.seconds());
+    Ok(Outcome { text, film, findings })
 }
 
 /// Simulates and writes what is asked for; returns the data of `--view`.
@@ -125,7 +127,13 @@ fn series(model: &Model, names: &[String]) -> (Vec<Series>, Vec<usize>) {
 }
 
 /// The summary, as text or JSON.
-fn report(arguments: &Arguments, model: &Model, setup: Setup<'_>, summary: &Summary, elapsed: f64) -> String {
+fn report(
+    arguments: &Arguments,
+    model: &Model,
+    setup: Setup<'_>,
+    (summary, findings): (&Summary, &[String]),
+    elapsed: f64,
+) -> String {
     let names = columns(setup.program, setup.observers);
     let (settings, method) = (setup.settings, setup.settings.method.name());
     if arguments.json {
@@ -143,7 +151,7 @@ fn report(arguments: &Arguments, model: &Model, setup: Setup<'_>, summary: &Summ
             json_number(summary.residual),
             json_number(summary.imbalance),
             json_number(elapsed),
-            serde_json::Value::from(summary.health.findings()),
+            serde_json::Value::from(findings),
         );
     }
     let mut text = format!(

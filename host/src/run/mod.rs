@@ -76,7 +76,7 @@ fn carry_out(arguments: &Arguments) -> Result<Outcome, Failure> {
     #[cfg(feature = "whole")]
     return any(arguments);
     #[cfg(not(feature = "whole"))]
-    mechanism::run(arguments)
+    mechanism::run(arguments, &[])
 }
 
 /// Runs a world, a scene or a mechanism.
@@ -96,13 +96,12 @@ fn any(arguments: &Arguments) -> Result<Outcome, Failure> {
         ));
     }
     let (arguments, unexamined) = &choose::resolve(arguments, (&path, kind))?;
-    let mut outcome = match kind {
-        FileKind::World => world::simulate(arguments, &path),
-        FileKind::Body => body::simulate(arguments, &path),
-        _ => mechanism::run(arguments),
-    }?;
-    outcome.findings.extend(unexamined.clone());
-    Ok(outcome)
+    let unexamined = unexamined.as_slice();
+    match kind {
+        FileKind::World => world::simulate(arguments, &path, unexamined),
+        FileKind::Body => body::simulate(arguments, &path, unexamined),
+        _ => mechanism::run(arguments, unexamined),
+    }
 }
 
 /// Prints the summary, unless rows go there; then the findings, which `--strict` turns into a failure.

@@ -48,16 +48,16 @@ pub(super) fn open(arguments: &Arguments, path: &Path) -> Result<Assembly, Failu
     model_argument::open_world(path, &settings)
 }
 
-/// Runs it; returns the summary, and the data of `--view`.
+/// Runs it; returns the summary, and the data of `--view`. What was found before joins the findings.
 ///
 /// # Errors
 /// Status 1 for a wrong scene or setting and for a motion that cannot go on.
-pub(super) fn simulate(arguments: &Arguments, path: &Path) -> Result<Outcome, Failure> {
+pub(super) fn simulate(arguments: &Arguments, path: &Path, before: &[String]) -> Result<Outcome, Failure> {
     let assembly = open(arguments, path)?;
     let clock = Progress::new("running");
     let done = record(arguments, &assembly)?;
     let mut findings = done.kept.health.findings();
-    findings.extend(done.warnings.iter().cloned());
+    findings.extend(done.warnings.iter().chain(before).cloned());
     let text = done.report(arguments, &assembly, &findings, clock.seconds());
     Ok(Outcome { text, film: done.film, findings })
 }

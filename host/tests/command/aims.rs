@@ -79,18 +79,38 @@ fn an_adaptive_method_is_as_exact_as_told() {
     }
 }
 
-/// With friction, only the start has a reference: a warning of its own, which --strict turns into a failure.
+/// With friction, only the start has a reference: the whole run is judged by finer ones, and keeps what was asked for.
 #[test]
-fn what_was_not_examined_is_a_warning() {
+fn what_has_no_reference_is_judged_by_finer_runs() {
+    let slides = ["run", "truss", "--set", "mu=0.3", "--set", "tilt=0.2", "--seconds", "0.8"];
+    let asked = smartbed(&[&slides[..], &["--error", "1e-6", "--csv", "-", "--strict"]].concat());
+    let fine = ["--method", "verlet", "--step", "1e-6", "--set", "every=1000", "--csv", "-"];
+    let (asked, fine) = (asked, smartbed(&[&slides[..], &fine].concat()));
+    assert!(asked.err.contains("over all 0.8 s; method by"), "{}", asked.err);
+    let (found, exact) = (rows(&asked), rows(&fine));
+    let at = |t: f64| found.iter().find(|row| (row[0] - t).abs() < 1e-9);
+    let errors: Vec<f64> = exact.iter().filter_map(|[t, z]| Some((at(*t)?[1] - z).abs())).collect();
+    let error = errors.iter().copied().fold(0.0, f64::max);
+    assert!(errors.len() > 100 && error <= told(&asked) && told(&asked) <= 1e-6, "{error:e}: {}", asked.err);
+}
+
+/// What is not kept over the whole run is a warning of its own, in JSON too, which --strict turns into a failure.
+#[test]
+fn what_is_not_kept_is_a_warning() {
     let slides =
-        ["run", "truss", "--set", "mu=0.3", "--set", "tilt=0.2", "--seconds", "0.8", "--error", "1e-6"];
-    let done = smartbed(&slides);
-    let warning = "\nwarning: errors are known over the first 0.4 s of 0.8 s only";
-    assert!(done.status == 0 && done.err.contains(warning), "{}", done.err);
+        ["run", "truss", "--set", "mu=0.3", "--set", "tilt=0.2", "--seconds", "3", "--error", "1e-6"];
+    let done = smartbed(&[&slides[..], &["--json"]].concat());
+    let warning = "--error 1e-6 is not known to be kept over all 3 s";
+    assert!(done.status == 0 && done.err.contains(&format!("\nwarning: {warning}")), "{}", done.err);
+    assert!(done.out.contains(&format!("\"warnings\": [\"{warning}")), "{}", done.out);
     let strict = smartbed(&[&slides[..], &["--strict"]].concat());
-    assert!(strict.status == 1 && strict.err.contains("error: --strict: errors are known"), "{}", strict.err);
+    assert!(
+        strict.status == 1 && strict.err.contains(&format!("error: --strict: {warning}")),
+        "{}",
+        strict.err
+    );
     let known = smartbed(&["run", "single_spring", "--seconds", "0.4", "--error", "1e-6", "--strict"]);
-    assert!(known.status == 0 && !known.err.contains("errors are known"), "{}", known.err);
+    assert!(known.status == 0 && !known.err.contains("warning"), "{}", known.err);
     let report = smartbed(&[
         "report",
         "truss",

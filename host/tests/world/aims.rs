@@ -1,6 +1,6 @@
 //! `--error`, `--budget` and `report` of worlds: the chosen method and step meet the request.
 
-use super::support::{fails, json, number, run, smartbed};
+use super::support::{fails, json, number, run, scene, smartbed};
 use std::path::Path;
 
 /// Largest difference of two runs' coordinates at their ends (m, rad, or of an Euler parameter).
@@ -25,6 +25,86 @@ fn a_smooth_world_is_as_exact_as_asked() {
             assert!(number(&picked["steps"]) < 1e4, "{scene}");
         }
     }
+}
+
+/// Rows of a run at whole milliseconds: time, then the columns of these names.
+fn rows(arguments: &[&str], columns: &[&str]) -> Vec<Vec<f64>> {
+    let output = smartbed(&[&["run"], arguments, &["--csv", "-"]].concat());
+    let told = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert!(output.status.success() && !told.contains("warning: --error"), "{told}");
+    let text = String::from_utf8(output.stdout).expect("text");
+    let mut lines = text.lines().map(|line| line.split(','));
+    let names: Vec<&str> = lines.next().expect("names").collect();
+    let is_shown = |n: &usize| *n == 0 || columns.contains(&names[*n]);
+    let shown: Vec<usize> = (0..names.len()).filter(is_shown).collect();
+    let numbers = lines.map(|line| line.map(|x| x.parse().unwrap_or(f64::NAN)).collect::<Vec<f64>>());
+    let rows = numbers.map(|row| shown.iter().map(|n| row[*n]).collect::<Vec<f64>>());
+    rows.filter(|row| (1e3 * row[0] - (1e3 * row[0]).round()).abs() < 1e-6).collect()
+}
+
+/// Asserts that a run keeps an error over all of its time, by an independent run at a much smaller step.
+fn assert_kept(scene: &[&str], asked: f64, fine: &[&str], columns: &[&str]) {
+    let found = rows(&[scene, &["--error", &asked.to_string()]].concat(), columns);
+    let exact = rows(&[scene, fine].concat(), columns);
+    assert!(
+        found.len() == exact.len() && found[0].len() == 1 + columns.len(),
+        "{} and {} rows",
+        found.len(),
+        exact.len()
+    );
+    let differences = found.iter().flatten().zip(exact.iter().flatten()).map(|(a, b)| (a - b).abs());
+    let error = differences.fold(0.0, f64::max);
+    assert!(error <= asked, "{scene:?}: {error:e} of {asked:e}");
+}
+
+/// The sheet's oscillation drifts from the exact one long after the start that has a reference.
+#[test]
+fn an_error_is_kept_over_the_whole_run() {
+    let scene = ["tile_with_bladder", "--method", "rk4"];
+    let columns = ["bladder.x24", "bladder.y24", "bladder.z24", "bladder.z16", "bladder.z32", "tile.hA"];
+    assert_kept(&scene, 1e-4, &["--step", "1e-4", "--set", "run.every=10"], &columns);
+}
+
+/// Box, ball and capsule strike the ground, and one another, after the start that has a reference.
+#[test]
+fn an_error_is_kept_beyond_the_first_contact() {
+    let part = |(name, shape, start): (&str, &str, &str)| {
+        format!("[parts.{name}]\nrigid = {shape}\nstart = {{ position = {start} }}\n")
+    };
+    let parts = [
+        (
+            "box",
+            "\"box\"\nsize = [0.3, 0.2, 0.1]\nmass = 2",
+            "[0.1, 0.05, 0.35], axis = [1.0, 2.0, 0.5], angle = 0.4, velocity = [0.5, 0.3, 0.0], spin = [1.0, -2.0, 3.0]",
+        ),
+        (
+            "ball",
+            "\"sphere\"\nradius = 0.1\nmass = 1",
+            "[-0.5, 0.1, 0.4], velocity = [1.5, 0.2, 0.0], spin = [3.0, 4.0, -5.0]",
+        ),
+        (
+            "cap",
+            "\"capsule\"\nradius = 0.05\nlength = 0.2\nmass = 0.5",
+            "[0.6, -0.4, 0.3], axis = [0.3, 1.0, 0.0], angle = 1.2, velocity = [-0.5, 0.6, 0.0]",
+        ),
+    ];
+    let pairs = [
+        ("box", "ground"),
+        ("ball", "ground"),
+        ("cap", "ground"),
+        ("ball", "box"),
+        ("cap", "box"),
+        ("ball", "cap"),
+    ];
+    let contact = |(one, other): (&str, &str)| {
+        let law = "impact = \"moreau\"\nfriction = 0.3\nrestitution = 0.2";
+        format!("[[contacts]]\nbetween = [\"{one}\", \"{other}\"]\n{law}\n")
+    };
+    let text: String = parts.into_iter().map(part).chain(pairs.into_iter().map(contact)).collect();
+    let ground = "format = 2\ngravity = [0.0, 0.0, -9.81]\n[parts.ground]\nrigid = \"half_space\"\n";
+    let scene = scene("strikes", &format!("{ground}{text}[run]\nseconds = 0.4\nstep = \"1_ms\"\n"));
+    let columns = ["box.x", "box.y", "box.z", "ball.x", "ball.y", "ball.z", "cap.x", "cap.y", "cap.z"];
+    assert_kept(&[&scene], 1e-3, &["--step", "2e-6", "--set", "run.every=500"], &columns);
 }
 
 #[test]
