@@ -164,7 +164,7 @@ fn refused(why: message::Refusal) -> String {
     let most = match why {
         message::Refusal::Stroke => format!(": {:.1} mm up and down at most", 1e3 * STROKE),
         message::Refusal::Tilt => format!(": {:.1} deg at most", SLOPE.atan().to_degrees()),
-        message::Refusal::Pressure => format!(": 0 to {:.2} kPa", 1e-3 * PRESSURE),
+        message::Refusal::Pressure => format!(": 0 to {:.3} kPa", 1e-3 * PRESSURE),
         _ => String::new(),
     };
     format!("its controller refuses: {}{most}", why.words())

@@ -35,7 +35,7 @@ fn each_limit_is_the_controllers_and_holds_where_it_begins() {
     assert_eq!(press(10_666.0), Ok(()));
     assert_eq!(
         press(10_700.0).expect_err("too much"),
-        "tile 1 at 10.0000 s: its controller refuses: the pressure is outside the allowed range: 0 to 10.67 kPa"
+        "tile 1 at 10.0000 s: its controller refuses: the pressure is outside the allowed range: 0 to 10.666 kPa"
     );
     let lift = |heave: f64, over: f64| say(&[Move { heave: Some(heave), ..told(&[12], over) }]);
     // A way of 15 mm at 3 mm/s takes 5 s and half a second to start and to stop.
