@@ -42,9 +42,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let columns = engine.columns();
     let state = engine.state().map_err(Failure::Wrong)?;
     let energies = engine.energies().map_err(Failure::Wrong)?;
-    if let Some(warning) = settled.warning() {
-        output::say(&format!("warning: {warning}"));
-    }
+    settled.note().iter().for_each(|note| output::say(note));
     if arguments.json {
         let last = json_object(columns.iter().map(|c| c.name.as_str()).zip(state));
         return output::print(&format!(

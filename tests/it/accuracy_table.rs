@@ -7,8 +7,8 @@
 use smartbed::engine::{EngineKind, ScalarKind};
 use smartbed::file_kind::FileKind;
 use smartbed::report::point::Control;
-use smartbed::report::subject::{Method, SAMPLES, Subject, Time};
-use smartbed::report::{open, plan, reference};
+use smartbed::report::subject::{Method, SAMPLES, Subject, Time, step_of};
+use smartbed::report::{open, reference};
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
@@ -51,7 +51,7 @@ fn error(subject: &dyn Subject, truth: &reference::Truth, method: &Method, scala
     let seconds = truth.seconds;
     let coarsest = (seconds / SAMPLES as f64 / subject.coarsest_step(&method.name)).ceil().max(1.0) as usize;
     let control = match (method.adaptive, scalar) {
-        (false, _) => Control::Step(plan::step_of(seconds, 8 * coarsest)),
+        (false, _) => Control::Step(step_of(seconds, 8 * coarsest)),
         (true, ScalarKind::F64) => Control::Tolerance(1e-8),
         (true, ScalarKind::F32) => Control::Tolerance(1e-5),
     };

@@ -52,7 +52,9 @@ impl<'a, C: Controller> Hub<'a, C> {
         port.receive(|frame| {
             for (place, talk) in talks.iter_mut().enumerate() {
                 if is_data(frame, talk.receives()) {
-                    talk.take(frame.data(), now).map(Arrival::Body).map(|body| take(place, body));
+                    if let Some(body) = talk.take(frame.data(), now) {
+                        take(place, Arrival::Body(body));
+                    }
                 } else if stops(frame, talk.tile()) {
                     talk.break_off();
                     take(place, Arrival::Stop);

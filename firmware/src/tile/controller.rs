@@ -272,7 +272,7 @@ impl Controller {
                     return Err(Refusal::Trim);
                 }
                 // Start again, so that the sensors settle; faults stay, and with them the safe state.
-                let (latch, sense) = (self.latch, self.sense.clone().anew());
+                let (latch, sense) = (self.latch, self.sense.anew());
                 *self = Self { latch, sense, ..Self::new(Some(*trim)) };
             }
         }

@@ -81,9 +81,9 @@ impl Fitted {
         let mut world = CarriedWorld::new(&assembly).map_err(wrong)?;
         world.for_chip(&assembly).map_err(wrong)?;
         if assembly.run.settled
-            && let Some(warning) = world.settle().map_err(wrong)?.warning()
+            && let Some(note) = world.settle().map_err(wrong)?.note()
         {
-            output::say(&format!("warning: {warning}"));
+            output::say(&note);
         }
         if !assembly.sensors.is_empty() {
             output::say("note: the image has no sensors: they do not affect the motion");

@@ -186,7 +186,7 @@ fn rows(
     is_calibration.then(|| at_step_ends(subject, truth.coordinates(), plan, how, time)).transpose()
 }
 
-/// A run with a sample at the end of each step, or at each row of an adaptive method; beyond [`MOST`] numbers, at as many
+/// A run with a sample at the end of each step, or at each row of an adaptive method; beyond `MOST` numbers, at as many
 /// of them as divide the time evenly.
 pub fn at_step_ends(
     subject: &dyn Subject,

@@ -95,10 +95,11 @@ fn record(arguments: &Arguments, assembly: &Assembly) -> Result<Done, Failure> {
             interrupted(t)
         },
     );
-    let Ran { events, seen, warnings: mut passed } = match done {
+    let Ran { events, seen, warnings: mut passed, note: of_start } = match done {
         Ok(ran) => ran,
         Err(failure) => return Err(records.ended_early(failure, arguments.csv.as_deref())),
     };
+    of_start.iter().for_each(|note| output::say(note));
     if let Some(file) = &arguments.save {
         let checkpoint = Checkpoint {
             steps: assembly.run.steps(),

@@ -104,12 +104,12 @@ pub struct Settled {
 }
 
 impl Settled {
-    /// Warning of an unstable equilibrium.
+    /// Says that the equilibrium is unstable, if it is: no fault of the numbers, which warnings are of.
     #[must_use]
-    pub fn warning(&self) -> Option<String> {
+    pub fn note(&self) -> Option<String> {
         let part = self.unstable.as_ref()?;
         Some(format!(
-            "settle: `{part}` is balanced in an unstable equilibrium: a disturbance of 1e-6 m or less grew tenfold, so that \
+            "note: settle: `{part}` is balanced in an unstable equilibrium: a disturbance of 1e-6 m or less grew tenfold, so that \
              a real machine does not stay there; move its `start` to the side on which it should come to rest"
         ))
     }

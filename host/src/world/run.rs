@@ -105,6 +105,8 @@ pub struct Ran {
     pub seen: Vec<f64>,
     /// Warnings of what a run of steps shows.
     pub warnings: Vec<String>,
+    /// What is said of the equilibrium that it began in.
+    pub note: Option<String>,
 }
 
 impl Checkpoint {
@@ -193,7 +195,7 @@ pub fn run<E: From<String>>(
     mut stepped: impl FnMut(f64) -> Result<(), E>,
 ) -> Result<Ran, E> {
     let at = |t: f64, why: String| format!("t = {t:.6} s: {why}");
-    let mut warnings = Vec::new();
+    let mut note = None;
     let (first, start) = match from {
         Some(checkpoint) => {
             if checkpoint.steps > assembly.run.steps() {
@@ -221,7 +223,7 @@ pub fn run<E: From<String>>(
         }
         None => {
             if assembly.run.settled {
-                warnings.extend(engine.settle()?.warning());
+                note = engine.settle()?.note();
             }
             (0, engine.energies().map_err(|why| at(0.0, why))?.total())
         }
@@ -269,6 +271,5 @@ pub fn run<E: From<String>>(
         }
         stepped(t)?;
     }
-    warnings.extend(passing.warnings(assembly));
-    Ok(Ran { events, seen: feedback.save(), warnings })
+    Ok(Ran { events, seen: feedback.save(), warnings: passing.warnings(assembly), note })
 }
