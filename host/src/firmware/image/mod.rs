@@ -11,6 +11,7 @@ pub mod rules;
 pub mod size;
 pub mod stack;
 pub mod straight;
+mod table;
 
 use super::riscv;
 use super::thumb::{self, Instruction, Kind};
@@ -59,9 +60,9 @@ impl Image {
     pub fn read(elf: &[u8]) -> Result<Self, String> {
         let file = object::File::parse(elf).map_err(|e| format!("the image is not an ELF file: {e}"))?;
         let marks = marks(&file);
-        let decode = match file.architecture() {
+        let decode: Decode = match file.architecture() {
             Architecture::Arm => arm,
-            Architecture::Riscv32 => riscv::decode,
+            Architecture::Riscv32 => |base, code, at| riscv::decode(address(base, at), &code[at..]),
             other => {
                 return Err(format!(
                     "the code is of {other:?}; expected an image for a Cortex-M (ARM) or for RISC-V with 32 bits"
@@ -174,12 +175,21 @@ fn owner(functions: &[Function], address: u32) -> Option<usize> {
     functions.get(last).filter(|f| address < f.end).map(|_| last)
 }
 
-/// Decodes the instruction at the beginning of these bytes, which have this address.
-type Decode = fn(u32, &[u8]) -> Instruction;
+/// Decodes the instruction at a byte of this code, which begins at this address.
+type Decode = fn(u32, &[u8], usize) -> Instruction;
 
-fn arm(address: u32, code: &[u8]) -> Instruction {
+fn arm(base: u32, code: &[u8], at: usize) -> Instruction {
     let half = |at: usize| code.get(at..at + 2).map_or(0, |b| u16::from_le_bytes([b[0], b[1]]));
-    thumb::decode(address, half(0), half(2))
+    let instruction = thumb::decode(address(base, at), half(at), half(at + 2));
+    if instruction.kind == Kind::IndirectJump && table::is_branch(base, code, at) {
+        return Instruction { kind: Kind::Other, ..instruction };
+    }
+    instruction
+}
+
+/// Address of a byte of code that begins at `base`.
+fn address(base: u32, at: usize) -> u32 {
+    base.saturating_add(u32::try_from(at).unwrap_or(u32::MAX))
 }
 
 fn decode_section(
@@ -191,13 +201,13 @@ fn decode_section(
 ) {
     let mut at = 0;
     while at + 2 <= code.len() {
-        let address = base.saturating_add(u32::try_from(at).unwrap_or(u32::MAX));
+        let address = address(base, at);
         let is_code = marks.range(..=address).next_back().is_some_and(|(_, code)| *code);
         let Some(function) = owner(functions, address).filter(|_| is_code) else {
             at += 2;
             continue;
         };
-        let instruction = decode(address, &code[at..]);
+        let instruction = decode(base, code, at);
         at += instruction.size as usize;
         functions[function].instructions += 1;
         if instruction.kind != Kind::Other {
