@@ -80,7 +80,13 @@ pub fn is_data(frame: &impl Frame, identifier: u16) -> bool {
 /// Whether this frame stops the tile.
 #[must_use]
 pub fn stops(frame: &impl Frame, tile: u8) -> bool {
-    is_data(frame, STOP) && (frame.data().is_empty() || frame.data().contains(&tile))
+    is_data(frame, STOP) && names(frame.data(), tile)
+}
+
+/// Whether the data of a stop mean the tile.
+#[must_use]
+pub fn names(data: &[u8], tile: u8) -> bool {
+    data.is_empty() || data.contains(&tile)
 }
 
 /// A controller with its bus-off handling.
@@ -161,24 +167,23 @@ impl<C: Controller> Port<C> {
 #[derive(Clone, Debug)]
 pub struct End<C> {
     port: Port<C>,
-    tile: u8,
     talk: Talk,
 }
 
 impl<C: Controller> End<C> {
     /// The end of tile `number`.
     pub fn of_tile(controller: C, number: u8) -> Self {
-        Self { port: Port::new(controller), tile: number, talk: Talk::of_tile(number) }
+        Self { port: Port::new(controller), talk: Talk::of_tile(number) }
     }
 }
 
 impl<C: Controller> Bus for End<C> {
     fn receive(&mut self, now: u32, mut take: impl FnMut(Arrival)) {
-        let Self { port, tile, talk } = self;
+        let Self { port, talk } = self;
         port.receive(|frame| {
             let arrival = match is_data(frame, talk.receives()) {
                 true => talk.take(frame.data(), now).map(Arrival::Body),
-                false => stops(frame, *tile).then_some(Arrival::Stop),
+                false => stops(frame, talk.tile()).then_some(Arrival::Stop),
             };
             if let Some(arrival) = arrival {
                 if matches!(arrival, Arrival::Stop) {

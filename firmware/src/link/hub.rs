@@ -5,7 +5,7 @@
 //! the tiles that it stops, whoever sends it. Storage is the caller's: as many talks as tiles.
 
 use super::bus::Arrival;
-use super::can::{Controller, FRAMES, Port, STOP, is_data, stops};
+use super::can::{Controller, FRAMES, Port, STOP, is_data, names, stops};
 use super::frame::Body;
 use super::isotp::Data;
 use super::talk::Talk;
@@ -36,8 +36,7 @@ impl<'a, C: Controller> Hub<'a, C> {
         let data = Data::from_slice(tiles).ok();
         let fits = data.is_some();
         if fits {
-            let stopped =
-                self.talks.iter_mut().filter(|talk| tiles.is_empty() || tiles.contains(&talk.tile()));
+            let stopped = self.talks.iter_mut().filter(|talk| names(tiles, talk.tile()));
             stopped.for_each(Talk::break_off);
         }
         // Two pending stops become one for all tiles: never fewer than requested.

@@ -26,22 +26,20 @@ macro_rules! faults {
             /// All, by number.
             pub const ALL: [Self; [$($clear),+].len()] = [$(Self::$name),+];
 
-            /// What the tile does about it.
-            #[must_use]
-            pub const fn response(self) -> Response {
-                match self { $(Self::$name => Response::$response,)+ }
-            }
-
-            /// Can it be cleared without a new start?
-            #[must_use]
-            pub const fn can_be_cleared(self) -> bool {
-                match self { $(Self::$name => $clear,)+ }
-            }
-
             /// Its name.
             #[must_use]
             pub const fn name(self) -> &'static str {
                 match self { $(Self::$name => stringify!($name),)+ }
+            }
+        }
+
+        impl Faults {
+            /// All that need a new start.
+            const LASTING: Self = Self(0 $(| (!$clear as u32) << Fault::$name as u8)+);
+
+            /// All with this response.
+            const fn answered_by(response: Response) -> Self {
+                Self(0 $(| ((Response::$response as u8 == response as u8) as u32) << Fault::$name as u8)+)
             }
         }
     };
@@ -170,26 +168,6 @@ impl Faults {
         let found = SETS.iter().find(|(_, faults)| self.0 & faults.0 != 0);
         found.map(|(response, _)| *response)
     }
-
-    /// All faults with this response.
-    const fn answered_by(response: Response) -> Self {
-        let (mut bits, mut number) = (0, 0);
-        while number < Fault::ALL.len() {
-            bits |= ((Fault::ALL[number].response() as u8 == response as u8) as u32) << number;
-            number += 1;
-        }
-        Self(bits)
-    }
-
-    /// All faults that need a new start.
-    const fn lasting() -> Self {
-        let (mut bits, mut number) = (0, 0);
-        while number < Fault::ALL.len() {
-            bits |= (!Fault::ALL[number].can_be_cleared() as u32) << number;
-            number += 1;
-        }
-        Self(bits)
-    }
 }
 
 /// Latched faults.
@@ -212,8 +190,7 @@ impl Latch {
     /// Clears those of these that are latched; returns false and clears nothing if the cause of one is present or one cannot
     /// be cleared.
     pub fn clear(&mut self, faults: Faults) -> bool {
-        const LASTING: Faults = Faults::lasting();
-        if faults.0 & self.latched.0 & self.active.with(LASTING).0 != 0 {
+        if faults.0 & self.latched.0 & self.active.with(Faults::LASTING).0 != 0 {
             return false;
         }
         self.latched = self.latched.without(faults);

@@ -95,6 +95,12 @@ pub fn parts(whole: f64, longest: f64) -> usize {
     (whole / longest - ROUNDING).ceil().max(1.0) as usize
 }
 
+/// The longest step of at most `longest` (s) that divides the time between two samples evenly.
+#[must_use]
+pub fn even_step(longest: f64, seconds: f64) -> f64 {
+    step_of(seconds, parts(step_of(seconds, 1), longest))
+}
+
 /// The step that divides the time between two samples into `steps`.
 #[must_use]
 pub fn step_of(seconds: f64, steps: usize) -> f64 {
@@ -153,7 +159,7 @@ pub trait Subject {
     fn coarsest_step(&self, method: &str) -> f64;
     /// The step (s), of at most `longest`, that a run over so many seconds takes.
     fn step(&self, longest: f64, seconds: f64) -> f64 {
-        step_of(seconds, parts(step_of(seconds, 1), longest))
+        even_step(longest, seconds)
     }
     /// Is the motion smooth, without touches and releases?
     fn is_smooth(&self) -> bool;

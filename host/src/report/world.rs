@@ -8,7 +8,7 @@
 use super::clock::{self, Deadline, Stop};
 use super::point::Control;
 use super::sheet::Sheet;
-use super::subject::{AGREEMENT, Kind, Method, Subject, Time, Trace, parts, step_of};
+use super::subject::{AGREEMENT, Kind, Method, Subject, Time, Trace, even_step, parts};
 use crate::engine::ScalarKind;
 use crate::failure::Failure;
 use crate::model_argument;
@@ -328,7 +328,7 @@ impl Subject for World {
     fn step(&self, longest: f64, seconds: f64) -> f64 {
         match self.is_controlled() {
             true => self.assembly.run.step / parts(self.assembly.run.step, longest) as f64,
-            false => step_of(seconds, parts(step_of(seconds, 1), longest)),
+            false => even_step(longest, seconds),
         }
     }
 

@@ -181,7 +181,7 @@ type Decode = fn(u32, &[u8], usize) -> Instruction;
 fn arm(base: u32, code: &[u8], at: usize) -> Instruction {
     let half = |at: usize| code.get(at..at + 2).map_or(0, |b| u16::from_le_bytes([b[0], b[1]]));
     let instruction = thumb::decode(address(base, at), half(at), half(at + 2));
-    if instruction.kind == Kind::IndirectJump && table::is_branch(base, code, at) {
+    if instruction.kind == Kind::IndirectJump && table::is_branch(base, half, at) {
         return Instruction { kind: Kind::Other, ..instruction };
     }
     instruction

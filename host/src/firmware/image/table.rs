@@ -1,6 +1,6 @@
 //! Table branches of Thumb-2 that are no `tbb` or `tbh`: a jump into a list of jumps.
 //!
-//! In: code, and where a `mov pc, rn` is in it. Out: whether that jumps into such a list, so that its targets are known.
+//! In: halfwords of code, and where a `mov pc, rn` is among them. Out: whether that jumps into such a list, so that its targets are known.
 //! Where the code between is too long for offsets of a byte or two, and wherever their literals lie in between, LLVM writes
 //! ```text
 //! adr r, list     add.w rn, r, index, lsl #2     mov pc, rn     list: b.w first, b.w second, ...
@@ -12,9 +12,9 @@ use crate::firmware::thumb::{Kind, decode, is_wide};
 /// Most halfwords between the beginning of this and the jump.
 const REACH: usize = 16;
 
-/// Whether the halfword at byte `at` of the code, whose first byte has the address `base`, branches by a list.
-pub(super) fn is_branch(base: u32, code: &[u8], at: usize) -> bool {
-    let half = |at: usize| code.get(at..at + 2).map_or(0, |b| u16::from_le_bytes([b[0], b[1]]));
+/// Whether the halfword at byte `at` of code branches by a list. `half` gives the halfword at a byte, the first of which
+/// has the address `base`.
+pub(super) fn is_branch(base: u32, half: impl Fn(usize) -> u16, at: usize) -> bool {
     let jump = half(at);
     if is_wide(jump) || jump & 0xFF87 != 0x4687 {
         return false;
@@ -59,8 +59,7 @@ mod tests {
     ];
 
     fn is(halves: &[u16]) -> bool {
-        let code: Vec<u8> = halves.iter().flat_map(|half| half.to_le_bytes()).collect();
-        is_branch(0x0800_0000, &code, 10)
+        is_branch(0x0800_0000, |at| halves.get(at / 2).copied().unwrap_or(0), 10)
     }
 
     #[test]
