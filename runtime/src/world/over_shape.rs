@@ -118,23 +118,29 @@ impl<S: Scalar> Scenery<'_, S> {
     fn around(&self, mesh: &Mesh<S>, node: usize) -> Around<S> {
         let mut around =
             Around { normals: [vec3::zero(); FACETS], count: 0, rim: [vec3::zero(); 2], edges: 0 };
-        for [a, b, c, d] in mesh.facets.iter().filter(|facet| facet.contains(&node)) {
-            let corners = [*a, *b, *c, *d].map(|k| vec3::at(self.pos, k));
-            let [p, q, r, s] = corners;
-            let (own, area) = vec3::direction(vec3::cross(vec3::sub(r, p), vec3::sub(s, q)));
+        let mut own = [[usize::MAX; 4]; FACETS];
+        let mut count = 0;
+        for (place, facet) in own.iter_mut().zip(mesh.facets.iter().filter(|facet| facet.contains(&node))) {
+            (*place, count) = (*facet, count + 1);
+        }
+        let own = own.get(..count).unwrap_or_default();
+        for facet in own {
+            let [p, q, r, s] = facet.map(|k| vec3::at(self.pos, k));
+            let (normal, area) = vec3::direction(vec3::cross(vec3::sub(r, p), vec3::sub(s, q)));
             let Some(place) = around.normals.get_mut(around.count).filter(|_| area > S::ZERO) else {
                 continue;
             };
-            (*place, around.count) = (own, around.count + 1);
+            (*place, around.count) = (normal, around.count + 1);
+            let [a, b, c, d] = *facet;
             // A triangle repeats its third corner.
-            for [tail, head] in [[*a, *b], [*b, *c], [*c, *d], [*d, *a]] {
+            for [tail, head] in [[a, b], [b, c], [c, d], [d, a]] {
                 let ends = tail != head && (tail == node || head == node);
-                if !ends || mesh.facets.iter().any(|other| has_edge(other, [head, tail])) {
+                if !ends || own.iter().any(|other| has_edge(other, [head, tail])) {
                     continue;
                 }
                 let along = vec3::sub(vec3::at(self.pos, head), vec3::at(self.pos, tail));
                 if let Some(out) = around.rim.get_mut(around.edges) {
-                    (*out, around.edges) = (vec3::direction(vec3::cross(along, own)).0, around.edges + 1);
+                    (*out, around.edges) = (vec3::direction(vec3::cross(along, normal)).0, around.edges + 1);
                 }
             }
         }
