@@ -25,7 +25,7 @@ pub struct Ledger<S> {
     pub impact: S,
     /// Dissipated by friction.
     pub friction: S,
-    /// Supplied by actuators (none act on a body yet).
+    /// Supplied by actuators: 0, as none acts on a body; a column of the rows.
     pub actuator: S,
 }
 

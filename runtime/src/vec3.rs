@@ -1,7 +1,7 @@
 //! Vectors of three components in the inertial frame N, and reading and adding by index without a panic.
 //!
-//! An index out of range reads as the zero vector and adds nowhere. `flexible::Body::new` has refused such
-//! indices, so the fallback is never taken and no panic branch is compiled.
+//! An index out of range reads as the zero vector and adds nowhere, so that no panic branch is compiled.
+//! `flexible::Body::new` refuses such indices; lists that may be empty, such as friction's losses, read as zero.
 
 use crate::real::Scalar;
 
@@ -93,6 +93,14 @@ pub fn pick<T: Copy>(of: &[T; 3], i: usize) -> T {
 #[inline(always)]
 pub fn at<S: Scalar>(rows: &[Vec3<S>], i: usize) -> Vec3<S> {
     rows.get(i).copied().unwrap_or([S::ZERO; 3])
+}
+
+/// Sets row i.
+#[inline(always)]
+pub fn set_at<S: Scalar>(rows: &mut [Vec3<S>], i: usize, a: Vec3<S>) {
+    if let Some(row) = rows.get_mut(i) {
+        *row = a;
+    }
 }
 
 /// Adds a to row i.

@@ -36,7 +36,6 @@ struct Centre {
 const FEWEST_SEGMENTS: usize = 3;
 /// Upper limit of the average number of segments that a speed moves. Above it nothing is gained: speeds relative from
 /// body to body move every segment farther out.
-/// body move every segment farther out.
 const TOO_MANY_MOVED: usize = 2;
 
 /// The segments of a tree in which every speed moves few of them; `None` for other mechanisms. Also `None` if some

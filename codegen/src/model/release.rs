@@ -116,7 +116,7 @@ impl Sides<'_> {
         span == self.model.points[self.cut.point].span && of_frame == Some(span)
     }
 
-    /// What the cut joint itself makes roll goes on as if the joint were not open.
+    /// Rolling constraints of the cut joint itself keep the angular velocity that the frame has with the joint closed.
     fn keep_rolling(&self, model: &mut Model, frame: FrameId) {
         let rolls = |e: &Expr| {
             let mut found = false;
@@ -166,8 +166,8 @@ impl Sides<'_> {
         }
     }
 
-    /// A mean of points of the outer side and of the joint's own, of which each goes with the outer side. O itself cannot:
-    /// all others move back by as much instead, then the mean forward.
+    /// Displaces an expression that averages points of the outer side and the joint's own point. O cannot move: if the
+    /// cut is there, all others move back by as much, and the average forward.
     fn all_displaced(&self, way: &Expr, by: &Expr) -> Expr {
         if self.cut.point.index() != ORIGIN {
             let own = |e: &Expr| e.clone() + by.clone();
@@ -177,8 +177,8 @@ impl Sides<'_> {
         self.with_points(way, &|p| p.index() != ORIGIN, &back) + by.clone()
     }
 
-    /// Other constraints that say how the outer side turns hold it by its own copy of the joint's point, and so does the
-    /// drive of a joint that slides.
+    /// Constraints on the attitude of the outer side, and the drive of a sliding joint, refer to the displaced copy of the
+    /// joint's point.
     fn attach(&self, model: &mut Model, beyond: PointId) {
         for constraint in model.configuration_constraints.iter_mut().chain(&mut model.motion_constraints) {
             if self.is_of_joint(constraint.span) {
@@ -209,7 +209,7 @@ impl Sides<'_> {
         stays
     }
 
-    /// What the joint itself holds, and what hangs on the inner side, keeps to the copy that stays.
+    /// Constraints of the joint itself, and everything on the inner side, refer to the copy that stays.
     fn detach(&self, model: &mut Model) {
         let stays = self.leave_behind(model);
         for constraint in model.configuration_constraints.iter_mut().chain(&mut model.motion_constraints) {

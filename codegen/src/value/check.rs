@@ -8,11 +8,11 @@ use super::states::States;
 use crate::expr::tape::Tape;
 use crate::expr::{Dag, ExprId, SymbolId};
 
-/// Limits of a new program's error relative to the original's: for the median over the states,
+/// Largest error of a new program relative to the original's: median over the states.
 const MEDIAN_WORSE: f64 = 1.5;
-/// for the largest over the states, which varies by a factor of a few by chance,
+/// The same for the largest error over the states, which varies by a factor of a few by chance.
 const WORST_WORSE: f64 = 4.0;
-/// and for the error at a single state, where the original's may be small by chance.
+/// The same at a single state, where the original's error may be small by chance.
 const STATE_WORSE: f64 = 64.0;
 /// Errors below this many roundings count as zero.
 const ROUNDINGS: f64 = 4.0 * f64::EPSILON;

@@ -8,9 +8,9 @@ use crate::expr::{Binary, Unary, evaluate};
 
 /// Half the spacing of f64 at 1: relative error of one rounding.
 const ROUNDING: f64 = f64::EPSILON / 2.0;
-/// The bound of a new definition may be this many times the old one,
+/// A new definition's bound may be this many times the old one, plus [`MORE_ROUNDINGS`].
 const WORSE: f64 = 2.0;
-/// plus this many roundings of the value.
+/// Roundings of the value that a new definition's bound may have in addition.
 const MORE_ROUNDINGS: f64 = 4.0;
 /// A sum below this share of its terms cancels: admitted only if its bound is no larger than the old one.
 const CANCELS: f64 = 1e-3;

@@ -66,7 +66,7 @@ impl<S: Scalar> Point<'_, '_, S> {
             self.slide(pos, self.foot(origin, free, below));
             return;
         }
-        self.put(pos, below);
+        vec3::set_at(pos, self.i, below);
         self.balance_by(pos, true);
         let gap = self.ground.gap(vec3::at(pos, self.i));
         if gap < S::ZERO {
@@ -97,12 +97,6 @@ impl<S: Scalar> Point<'_, '_, S> {
         vec3::norm(correction) <= S::EPSILON * (S::ONE + vec3::norm(vec3::at(pos, self.i)))
     }
 
-    fn put(&self, pos: &mut [Vec3<S>], place: Vec3<S>) {
-        if let Some(x) = pos.get_mut(self.i) {
-            *x = place;
-        }
-    }
-
     /// Where friction would keep the point: where it was on the surface, or where it came down to it on its way.
     fn foot(&self, origin: Vec3<S>, free: Vec3<S>, below: Vec3<S>) -> Vec3<S> {
         let (above, under) = (self.ground.gap(origin), self.ground.gap(free));
@@ -116,7 +110,7 @@ impl<S: Scalar> Point<'_, '_, S> {
     /// increased the residual is halved.
     fn slide(&self, pos: &mut [Vec3<S>], foot: Vec3<S>) {
         let (ground, n) = (self.ground, self.ground.normal);
-        self.put(pos, foot);
+        vec3::set_at(pos, self.i, foot);
         let (mut direction, mut way) = (vec3::zero(), S::ZERO);
         let (mut least, mut step) = (None, vec3::zero());
         for correction in 0..SLIDES {

@@ -1,11 +1,11 @@
 //! Methods of fixed step: explicit Euler, semi-implicit Euler, Kutta's method of order 4.
-//! In: state at t, step h. Out: state at t + h. Stage values are x + (low + h a k), rounded once.
+//!
 //! In: state at t, step h. Out: state at t + h. Stage values are x + (low + h a k), rounded once.
 
 use super::state::State;
 use super::system::Ode;
 use super::tableau::{self, Tableau};
-use super::trial::{Report, Trial, check_shape, evaluate, split};
+use super::trial::{Report, Trial, check_shape, displace, evaluate, split};
 use crate::mechanism::Fault;
 use crate::real::{Constant, Scalar};
 
@@ -103,13 +103,13 @@ pub fn rk4<S: Scalar>(
     // before.
     evaluate(system, t, state.x(), k, &mut pivot)?;
     sum.iter_mut().zip(&*k).for_each(|(sum, k)| *sum = b1 * *k);
-    displace(stage, state, c2 * h, k);
+    displace(stage, state.x(), state.low(), c2 * h, k);
     evaluate(system, t + c2 * h, stage, k, &mut pivot)?;
     add(sum, b2, k);
-    displace(stage, state, c3 * h, k);
+    displace(stage, state.x(), state.low(), c3 * h, k);
     evaluate(system, t + c3 * h, stage, k, &mut pivot)?;
     add(sum, b3, k);
-    displace(stage, state, c4 * h, k);
+    displace(stage, state.x(), state.low(), c4 * h, k);
     evaluate(system, t + c4 * h, stage, k, &mut pivot)?;
     let mut trial = Trial { x, low };
     trial.advance_from(state, sum.iter().zip(&*k).map(|(sum, k)| h * (*sum + b4 * *k)));
@@ -122,13 +122,4 @@ pub fn rk4<S: Scalar>(
 #[inline(always)]
 fn add<S: Scalar>(sum: &mut [S], b: S, k: &[S]) {
     sum.iter_mut().zip(k).for_each(|(sum, k)| *sum = *sum + b * *k);
-}
-
-/// x + (low + step k), rounded once.
-#[inline(always)]
-fn displace<S: Scalar>(stage: &mut [S], state: &State<'_, S>, step: S, k: &[S]) {
-    let start = state.x().iter().zip(state.low());
-    for ((stage, (x, low)), k) in stage.iter_mut().zip(start).zip(k) {
-        *stage = *x + (*low + step * *k);
-    }
 }

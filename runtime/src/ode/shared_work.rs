@@ -7,7 +7,7 @@
 
 use super::state::{State, advance};
 use super::system::Ode;
-use super::trial::{Report, Trial, accept, check_shape, split};
+use super::trial::{Report, Trial, accept, check_shape, displace, split};
 use crate::mechanism::Fault;
 use crate::real::{Constant, Real, Scalar};
 
@@ -94,12 +94,4 @@ pub fn rk4_shared<S: Scalar>(
     }
     Trial { x: stage, low: k4 }.commit(system, state);
     Ok(Report { pivot, residual: begun.residual })
-}
-
-/// x + (low + step k), rounded once.
-#[inline(always)]
-fn displace<S: Scalar>(stage: &mut [S], start: &[S], low: &[S], step: S, k: &[S]) {
-    for (((stage, x), low), k) in stage.iter_mut().zip(start).zip(low).zip(k) {
-        *stage = *x + (*low + step * *k);
-    }
 }

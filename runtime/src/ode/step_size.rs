@@ -12,8 +12,9 @@ const SAFETY: f64 = 0.9;
 const PRESENT: f64 = 0.17;
 /// Weight of the last accepted error.
 const MEMORY: f64 = 0.04;
-/// Bounds of the factor.
+/// Smallest factor.
 const SHRINK: f64 = 0.2;
+/// Largest factor.
 const GROW: f64 = 10.0;
 /// Smaller norms count as this one: the logarithms of the controller stay bounded.
 const LEAST_NORM: f64 = 1e-4;

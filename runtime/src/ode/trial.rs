@@ -46,6 +46,14 @@ pub(super) fn accept<S: Scalar>(pivot: S, worst: &mut S) -> Result<(), Fault> {
     Ok(())
 }
 
+/// x + (low + step k), rounded once.
+#[inline(always)]
+pub(super) fn displace<S: Scalar>(stage: &mut [S], start: &[S], low: &[S], step: S, k: &[S]) {
+    for (((stage, x), low), k) in stage.iter_mut().zip(start).zip(low).zip(k) {
+        *stage = *x + (*low + step * *k);
+    }
+}
+
 /// A state that is not yet accepted.
 pub(super) struct Trial<'a, S> {
     pub(super) x: &'a mut [S],

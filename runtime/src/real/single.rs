@@ -2,8 +2,8 @@
 //!
 //! Polynomials and reductions are those of Cephes' single-precision library (Moshier 1992). Maximal
 //! errors, measured against f64 by `tests/it/functions.rs` [ulp]: tan 2.5 (|x| <= 100), asin 1.9, acos 1.3,
-//! atan2 2.2, exp 1.0, ln 0.9, tanh 1.3. Next to its zeros and poles, tan has besides what an error of 1.6e-13 of its angle
-//! makes, 1 + tan^2 times as much: 11 ulp at -4.712389, where it is 8e7.
+//! atan2 2.2, exp 1.0, ln 0.9, tanh 1.3. Next to zeros and poles of tan, an error of 1.6e-13 of its angle
+//! adds 1 + tan^2 times as much: 11 ulp at -4.712389, where it is 8e7.
 
 use super::lane::Lane;
 use super::sqrt::sqrt_f32;

@@ -23,8 +23,9 @@ use crate::vec3::{self, Vec3};
 const YIELDS: f64 = 1e-3;
 /// Fewest contacts whose normal forces fit in more than one way.
 pub(crate) const REDUNDANT: usize = 4;
-/// D of contacts that push by impulses, as the share above, and the most repetitions with it.
+/// D of contacts that push by impulses, as the share above.
 const PRESSED: f64 = 0.01;
+/// Most repetitions with it.
 const PRESSED_TIMES: usize = 8;
 /// Closing that such impulses may leave, relative to the largest velocity without them.
 const CLOSING: f64 = 1e-6;
@@ -32,8 +33,9 @@ const CLOSING: f64 = 1e-6;
 const SOFT: f64 = 0.1;
 /// Most repetitions with it, and those within which what is left halves at least.
 const SOFT_TIMES: [usize; 2] = [80, 8];
-/// Most sweeps of each, which end where one changes the forces by less than this share of what the repetition does.
+/// Most sweeps of each.
 const SOFT_SWEEPS: usize = 400;
+/// They end where one changes the forces by less than this share of what the repetition does.
 const INEXACT: f64 = 0.1;
 /// What contradictions may leave, relative to the largest acceleration without contact forces: contacts that stick move by
 /// the error of a step's middle, and redundant ones contradict one another by it.
@@ -44,8 +46,9 @@ const TURNED: f64 = 1e-6;
 const TIMES: usize = 12;
 /// Most sweeps of each; where many contacts would need more, forces are those that plain sweeps find from there.
 const SWEEPS: usize = 200;
-/// Sweeps within which what is left halves at least, and what may be left else (rounding units).
+/// Sweeps within which what is left must halve.
 const PATIENCE: usize = 20;
+/// What may be left where it does not (rounding units).
 const ROUGHEST: f64 = 4096.0;
 /// A repetition that leaves more than this share of what the one before left gains nothing: contacts contradict one another.
 const STAYS: f64 = 0.9;

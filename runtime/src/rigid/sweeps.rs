@@ -28,7 +28,7 @@ pub(crate) struct Patience<S> {
     allowed: S,
     /// The least left before these sweeps, and by these.
     least: [S; 2],
-    /// What the sweeps before these left of what there was.
+    /// Least of the sweeps before these over the least before them.
     rate: S,
 }
 

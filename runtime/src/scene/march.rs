@@ -1,7 +1,8 @@
-//! Many steps at once of a body that nothing meets and nobody looks at in between.
+//! Many steps at once of a body without ground and without an observer.
 //!
-//! In: the state, the length of a step, how many. Out: the state; by Verlet's method with the bits of [`super::step`] as often, by
-//! the energy-momentum method with the bits of as many marches of one step, which are those of [`super::step`] to rounding.
+//! In: the state, the length of a step, how many. Out: the state; by Verlet's method with the bits of as many
+//! [`super::step`], by the energy-momentum method with the bits of as many marches of one step, which are those of
+//! [`super::step`] to rounding.
 
 use super::state::State;
 use crate::contact::{Frozen, System};
@@ -18,8 +19,7 @@ pub struct Marching<'a, S> {
     pub rows: Rows<'a, S>,
     /// The facets that are no cells of it.
     pub beside: &'a [[Corner; 4]],
-    /// Whether the rows hold the state: false at first; a march that takes its steps says so, and who changes the state
-    /// otherwise takes it back.
+    /// Whether the rows hold the state: false at first, set by a march, to be cleared by any other change of the state.
     pub is_current: &'a mut bool,
 }
 

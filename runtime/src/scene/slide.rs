@@ -114,16 +114,10 @@ fn brake<S: Scalar, R: Repertoire<S>>(
             let way = vec3::scale(change, half * tau);
             let climb = -vec3::dot(vec3::at(work.end.elastic, i), way);
             let way = if climb > loss { vec3::scale(way, loss / climb) } else { way };
-            set(work.dx, i, way);
+            vec3::set_at(work.dx, i, way);
         }
-        set(work.dv, i, change);
-        set(work.end.vel, i, v);
+        vec3::set_at(work.dv, i, change);
+        vec3::set_at(work.end.vel, i, v);
     }
     braked
-}
-
-fn set<S: Scalar>(rows: &mut [vec3::Vec3<S>], i: usize, value: vec3::Vec3<S>) {
-    if let Some(row) = rows.get_mut(i) {
-        *row = value;
-    }
 }

@@ -27,7 +27,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
     /// overlapping parts were moved apart. Energy is not conserved.
     ///
     /// # Errors
-    /// As [`World::step`].
+    /// As [`World::step`]; if only the separation is refused, the state is that after the step.
     pub fn relax(
         &mut self,
         t: S,

@@ -150,9 +150,7 @@ impl Kind {
     pub fn is_standing(&self) -> bool {
         matches!(self.derive, Derive::Standing(_))
     }
-}
 
-impl Kind {
     /// Is the answer meaningful for independent speeds only?
     fn takes_independent(&self) -> bool {
         !self.is_standing() && self.needs != Needs::Motion

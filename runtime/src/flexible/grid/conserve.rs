@@ -20,8 +20,8 @@ use crate::kernel::Kernel;
 use crate::real::Scalar;
 use crate::vec3;
 
-/// Takes steps; returns whether all could be taken. Where one would be refused, or nearly so, the motion stays what it was: who
-/// takes them one by one finds which and why.
+/// Takes steps; returns whether all could be taken. Where one would be refused, or nearly so, the motion is unchanged;
+/// steps taken one by one then tell which and why.
 #[derive(Debug)]
 pub struct Conserve<'a, 'm, S> {
     /// The steps; a facet beside the grid touches two neighbouring rows.
@@ -32,10 +32,10 @@ pub struct Conserve<'a, 'm, S> {
     pub evaluations: &'a mut usize,
 }
 
-/// Iterations at most between two whose residual is looked at.
-const UNSEEN: usize = 3;
-/// How often it is looked at in a step at most.
-const LOOKS: usize = 60;
+/// Most iterations between two checks of the residual.
+const MAX_UNCHECKED: usize = 3;
+/// Most checks of it in a step.
+const MAX_CHECKS: usize = 60;
 /// Rounding units of the way that end the iteration.
 const SETTLED: f64 = 4.0;
 /// Bound on the stiffness of a node over that of its springs in one direction: on an inclined sheet those of the other add to it.
@@ -99,7 +99,7 @@ impl<S: Scalar> Conserve<'_, '_, S> {
         self.begin(forces);
         let mut chebyshev = Chebyshev::new(bounds.reach);
         let (mut unseen, mut before) = (0, None);
-        for _ in 0..LOOKS {
+        for _ in 0..MAX_CHECKS {
             for _ in 0..unseen {
                 self.iterate::<false>(chebyshev.next(), forces);
             }
@@ -117,7 +117,7 @@ impl<S: Scalar> Conserve<'_, '_, S> {
                 return stretch <= S::ONE;
             }
             unseen = match before {
-                None => UNSEEN,
+                None => MAX_UNCHECKED,
                 Some(_) if rate < S::ONE => iterations(rate, error * rate, goal),
                 Some(_) => 0,
             };
@@ -155,7 +155,7 @@ impl<S: Scalar> Conserve<'_, '_, S> {
         }
     }
 
-    /// Improves the way by multiples of the residual and of its last change. Who does not look gets no largest numbers.
+    /// Improves the way by multiples of the residual and of its last change. Computes the largest numbers with `LOOK` only.
     #[inline(always)]
     fn iterate<const LOOK: bool>(&mut self, gains: [S; 2], forces: &mut Forces<S>) -> Largest<S> {
         let mut largest = Largest::none();
@@ -261,16 +261,16 @@ impl<S: Scalar> Chebyshev<S> {
     }
 }
 
-/// Iterations from an error to a goal at a rate, [`UNSEEN`] at most.
+/// Iterations from an error to a goal at a rate, [`MAX_UNCHECKED`] at most.
 fn iterations<S: Scalar>(rate: S, mut error: S, goal: S) -> usize {
     let mut count = 0;
-    while count < UNSEEN && error > goal {
+    while count < MAX_UNCHECKED && error > goal {
         (error, count) = (error * rate, count + 1);
     }
     count
 }
 
-/// The factor that, as often as counted, makes a quotient.
+/// The `count`-th root of a quotient: the mean reduction by an iteration.
 fn mean_rate<S: Scalar>(quotient: S, count: usize) -> S {
     (quotient.ln() / S::from_f64(count.max(1) as f64)).exp()
 }

@@ -6,7 +6,7 @@
 use super::layout::{Grid, WIDTH};
 use super::line::{Corner, LEAD, Lanes, Line, Springs, Vectors, Wide, get, larger, set};
 use crate::flexible::pressure::{self, Weights};
-use crate::ode::nodes::add_exactly;
+use crate::ode::nodes::add_compensated;
 use crate::real::Scalar;
 use crate::vec3::{self, Vec3};
 
@@ -264,11 +264,11 @@ pub(super) fn arrive<S: Scalar>(h: S, course: &mut Course<S>, forces: &mut Force
             let inverse_mass = course.line.inverse_mass[lane];
             let change = h * ((*constant + forces.on(i, lane)) * inverse_mass);
             let (v, rest) = (course.line.vel[i][lane], course.line.vel_rest[i][lane]);
-            (course.line.vel[i][lane], course.line.vel_rest[i][lane]) = add_exactly(v, rest, change);
+            (course.line.vel[i][lane], course.line.vel_rest[i][lane]) = add_compensated(v, rest, change);
             let way = h * v + S::from_f64(0.5) * h * change;
             let way = if inverse_mass > S::ZERO { way } else { S::ZERO };
             let (x, rest) = (course.line.pos[i][lane], course.line.pos_rest[i][lane]);
-            (course.line.pos[i][lane], course.line.pos_rest[i][lane]) = add_exactly(x, rest, way);
+            (course.line.pos[i][lane], course.line.pos_rest[i][lane]) = add_compensated(x, rest, way);
         }
     }
 }

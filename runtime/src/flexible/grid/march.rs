@@ -1,9 +1,10 @@
-//! Many steps of velocity Verlet of a body that is one grid under constant pressure, its numbers by component from the first
-//! step to the last.
+//! Many steps of velocity Verlet of a body that is one grid under constant pressure, its numbers by component from the
+//! first step to the last.
 //!
 //! In: the motion at the start, how many steps. Out: the motion at the end, with the bits that [`Verlet`] gives step by step;
-//! the rows keep it, so that the next march need not read it again. A step goes through the grid once: the forces of a row, its second half kick, and at once the first half kick and the drift of
-//! the next step, because no row further on asks for its places any more.
+//! the rows keep it, so that the next march need not read it again. A step goes through the grid once: the forces of a
+//! row, its second half kick, and at once the first half kick and the drift of the next step, because no row further on
+//! asks for its places any more.
 //!
 //! [`Verlet`]: crate::ode::nodes::method::Verlet
 
@@ -12,12 +13,12 @@ use super::line::{LEAD, Lanes, Line, Springs, Vectors, Wide, add_sizes, get, lar
 use super::span::Span;
 use crate::flexible::pressure::{self, Weights};
 use crate::kernel::Kernel;
-use crate::ode::nodes::add_exactly;
+use crate::ode::nodes::add_compensated;
 use crate::real::Scalar;
 use crate::vec3::{self, Vec3};
 
-/// Takes steps; returns whether all could be taken. Where one would be refused, or nearly so, the motion stays what it was: who
-/// takes them one by one finds which and why.
+/// Takes steps; returns whether all could be taken. Where one would be refused, or nearly so, the motion is unchanged;
+/// steps taken one by one then tell which and why.
 #[derive(Debug)]
 pub struct March<'a, 'm, S> {
     /// The steps.
@@ -182,7 +183,7 @@ fn drift<S: Scalar>(h: S, line: &mut Line<S>, i: usize, lane: usize, v: S) {
     line.half[i][lane] = v;
     let way = if line.inverse_mass[lane] > S::ZERO { h * v } else { S::ZERO };
     let (x, rest) = (line.pos[i][lane], line.pos_rest[i][lane]);
-    (line.pos[i][lane], line.pos_rest[i][lane]) = add_exactly(x, rest, way);
+    (line.pos[i][lane], line.pos_rest[i][lane]) = add_compensated(x, rest, way);
 }
 
 /// v += h/2 a at the end of a step and, if it is not the last, what [`kick_and_drift`] does at the start of the next; after
@@ -213,7 +214,7 @@ fn arrive<S: Scalar, const LAST: bool, const BESIDE: bool>(
             let kick = half * (sum * line.inverse_mass[lane]);
             let (start, rest) = (line.vel[i][lane], line.vel_rest[i][lane]);
             let end = line.half[i][lane] + kick;
-            let (v, rest) = add_exactly(start, rest, end - start);
+            let (v, rest) = add_compensated(start, rest, end - start);
             (line.vel[i][lane], line.vel_rest[i][lane]) = (v, rest);
             if LAST {
                 line.half[i][lane] = sum;

@@ -7,7 +7,7 @@
 //! (`anderson`).
 
 use super::anderson::Trail;
-use super::motion::{Motion, set};
+use super::motion::Motion;
 use super::newton::{MeanStep, Newton, NodeFault};
 use super::rows;
 use super::workspace::Workspace;
@@ -71,7 +71,7 @@ fn iterate<S: Scalar, N: Newton<S>>(
     force: impl Fn(&mut Workspace<S>) -> Result<(), N::Fault>,
 ) -> Result<(), N::Fault> {
     for i in 0..newton.nodes() {
-        set(work.stages, i, newton.acceleration(i, start.force(i)));
+        vec3::set_at(work.stages, i, newton.acceleration(i, start.force(i)));
     }
     let (mut smallest, mut without_gain, mut before) = (None, 0_u32, None);
     for _ in 0..ITERATIONS {

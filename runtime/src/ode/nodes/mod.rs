@@ -19,5 +19,5 @@ pub use method::{Method, Step};
 pub(crate) use motion::copy;
 pub use motion::{MOTION_ROWS, Motion};
 pub use newton::{MeanStep, Newton, NodeFault};
-pub(crate) use rows::add_exactly;
+pub(crate) use rows::add_compensated;
 pub use workspace::{Workspace, workspace_len};

@@ -106,9 +106,3 @@ pub(crate) fn copy<T: Copy>(to: &mut [T], from: &[T]) {
         to.copy_from_slice(from);
     }
 }
-
-pub(super) fn set<S: Scalar>(rows: &mut [Vec3<S>], i: usize, value: Vec3<S>) {
-    if let Some(row) = rows.get_mut(i) {
-        *row = value;
-    }
-}

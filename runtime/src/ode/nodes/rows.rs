@@ -5,6 +5,7 @@
 
 use super::newton::Newton;
 use crate::kernel::{self, Kernel};
+use crate::ode::state::two_sum;
 use crate::real::Scalar;
 use crate::vec3::Vec3;
 
@@ -99,13 +100,11 @@ pub(super) fn multiply<S: Scalar>(y: &mut [Vec3<S>], a: &[Vec3<S>], b: &[Vec3<S>
     }
 }
 
-/// x + rest + change as a rounded sum and its rounding error, by Knuth's exact sum of two.
+/// x + (rest + change) as a rounded sum and its rounding error; rest + change is rounded once, which
+/// [`advance`](crate::ode::state::advance) does not.
 #[inline(always)]
-pub(crate) fn add_exactly<S: Scalar>(x: S, rest: S, change: S) -> (S, S) {
-    let change = change + rest;
-    let sum = x + change;
-    let part = sum - x;
-    (sum, (x - (sum - part)) + (change - part))
+pub(crate) fn add_compensated<S: Scalar>(x: S, rest: S, change: S) -> (S, S) {
+    two_sum(x, change + rest)
 }
 
 /// out + rest_out = x + rest + dx, by Knuth's exact sum of two.
@@ -119,7 +118,7 @@ pub(super) fn sum_compensated<S: Scalar>(
         let sums = out.iter_mut().zip(rest_out);
         for (((x, rest), dx), (out, rest_out)) in x.iter().zip(rest).zip(dx).zip(sums) {
             for i in 0..3 {
-                (out[i], rest_out[i]) = add_exactly(x[i], rest[i], dx[i]);
+                (out[i], rest_out[i]) = add_compensated(x[i], rest[i], dx[i]);
             }
         }
         return;
@@ -127,7 +126,7 @@ pub(super) fn sum_compensated<S: Scalar>(
     let terms = x.as_flattened().iter().zip(rest.as_flattened()).zip(dx.as_flattened());
     let sums = out.as_flattened_mut().iter_mut().zip(rest_out.as_flattened_mut());
     for (((x, rest), dx), (out, rest_out)) in terms.zip(sums) {
-        (*out, *rest_out) = add_exactly(*x, *rest, *dx);
+        (*out, *rest_out) = add_compensated(*x, *rest, *dx);
     }
 }
 

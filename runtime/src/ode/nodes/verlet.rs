@@ -132,7 +132,7 @@ impl<S: Scalar, N: Newton<S>> Kernel for KickAndDrift<'_, '_, '_, S, N> {
                 *v = *v0 + half * (*force * *factor);
                 let way = h * *v;
                 let way = if *factor > S::ZERO { way } else { S::ZERO };
-                (*x, *rest) = rows::add_exactly(*x0, *rest0, way);
+                (*x, *rest) = rows::add_compensated(*x0, *rest0, way);
                 far |= rows::is_far(*x);
             }
         }
@@ -166,7 +166,7 @@ impl<S: Scalar, N: Newton<S>> Kernel for Arrive<'_, '_, '_, S, N> {
             let ends = vel.zip(rest).zip(start_vel.zip(start_rest));
             for ((force, factor), ((v, rest), (v0, rest0))) in kicks.zip(ends) {
                 let end = *v + kick * (*force * *factor);
-                (*v, *rest) = rows::add_exactly(*v0, *rest0, end - *v0);
+                (*v, *rest) = rows::add_compensated(*v0, *rest0, end - *v0);
                 far |= rows::is_far(*v);
             }
             let [vel, rest] = [&mut *end.vel, end.vel_rest].map(|row| rows::block_mut(row, first));

@@ -9,7 +9,7 @@ use crate::rigid::{RigidBody, RigidState};
 use crate::surface::{Frame, Shape};
 use crate::vec3::{self, Vec3};
 
-/// From that far, in gaps and speeds that count as zero, to as far behind it an event is found.
+/// An event is located where its gap or speed is within this of zero, relative to what counts as zero.
 pub(crate) const NEAR: f64 = 1.0 / 2048.0;
 
 /// A rigid part.

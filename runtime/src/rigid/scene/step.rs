@@ -18,7 +18,7 @@ pub const SPLITS: usize = 64;
 /// Pieces of equal length for the rest of a step that has used up its splits; contacts are detected only between them.
 pub(crate) const PIECES: u32 = 16;
 
-/// Highest bounce that may count as none, in gaps that count as zero, however little it loses.
+/// A bounce higher than this, in gaps that count as zero, has not died out, however little energy it has.
 pub(crate) const HIGHEST: f64 = 1e4;
 /// A contact deeper than this many gaps that count as zero is an overlap; a shallower one was located.
 pub(crate) const OVERLAP: f64 = 64.0;
