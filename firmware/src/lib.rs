@@ -12,6 +12,8 @@
 //! Invariants: single precision only, no panic, no heap, no recursion, no fused multiply-add; so
 //! the host's trajectory is the chip's, bit for bit. A module imports only from those above it.
 #![no_std]
+// What a step or a tick calls must not panic.
+#![cfg_attr(not(test), deny(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 
 #[cfg(any(test, not(target_os = "none")))]
 extern crate std;

@@ -26,6 +26,8 @@
 #![doc = include_str!("../tests/example/pendulum.rs")]
 //! ```
 #![no_std]
+// What a step or a tick calls must not panic.
+#![cfg_attr(not(test), deny(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 
 pub mod real;
 

@@ -6,7 +6,7 @@
 use super::block::{Pulls, Pushes};
 use super::body::Body;
 use super::fault::BodyError;
-use super::grid::{Damp, Grid, Mean, Weave, beside};
+use super::grid::{DampingForces, ElasticForces, Grid, MeanForces, beside};
 use super::mean;
 use super::patch::{self, Patches};
 use super::pressure::{self, Filled};
@@ -183,7 +183,7 @@ impl<'a, S: Scalar> Elements<'a, S> {
         let gas = self.filled.map(|filled| (filled.inflation.form, pressure));
         let mut runaway = self.eval_beside_grids((mass, gravity), pos, force);
         for grid in self.grids().iter().filter(|grid| ours(grid)) {
-            runaway |= kernel::run(Weave { grid, pressure: gas, pos, gravity, force });
+            runaway |= kernel::run(ElasticForces { grid, pressure: gas, pos, gravity, force });
         }
         let Some(filled) = self.filled else { return Ok(()) };
         for facets in beside(self.grids(), |grid| grid.facets, filled.facets.len()) {
@@ -230,7 +230,7 @@ impl<'a, S: Scalar> Elements<'a, S> {
             None => self.springs_beside_grids().for_each(|springs| springs.add_viscous(pos, vel, force)),
         }
         for grid in self.grids().iter().filter(|grid| grid.is_damped()) {
-            kernel::run(Damp { grid, pos, vel, air_drag, force });
+            kernel::run(DampingForces { grid, pos, vel, air_drag, force });
         }
     }
 }
@@ -248,7 +248,7 @@ impl<S: Scalar> Element<S> for Elements<'_, S> {
         let pressure = self.filled.map_or(Ok(S::ZERO), |filled| mean::pressure(&filled, way))?;
         let gas = self.filled.map(|filled| (filled.inflation.form, pressure));
         for grid in self.grids() {
-            kernel::run(Mean { grid, pressure: gas, h: way.h, nodes: [way.pos[1], way.dx], force });
+            kernel::run(MeanForces { grid, pressure: gas, h: way.h, nodes: [way.pos[1], way.dx], force });
         }
         let Some(filled) = self.filled else { return Ok(()) };
         for facets in beside(self.grids(), |grid| grid.facets, filled.facets.len()) {

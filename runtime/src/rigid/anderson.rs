@@ -11,7 +11,7 @@
 //! by inverse mass: energies.
 
 use super::contact::{Inertia, Twist};
-use super::trail::{DEPTH, Swept};
+use super::history::{DEPTH, Swept};
 use crate::real::Scalar;
 use crate::vec3;
 
@@ -24,7 +24,7 @@ const WORSE: f64 = 4.0;
 
 /// State of the extrapolation.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Ahead<S> {
+pub(crate) struct Anderson<S> {
     /// Whether a sweep has been recorded.
     begun: bool,
     /// Differences recorded since the history began.
@@ -33,29 +33,30 @@ pub(crate) struct Ahead<S> {
     least: S,
 }
 
-impl<S: Scalar> Ahead<S> {
+impl<S: Scalar> Anderson<S> {
     /// Before the first sweep.
     pub(crate) fn new() -> Self {
-        Ahead { begun: false, number: 0, least: S::ZERO }
+        Anderson { begun: false, number: 0, least: S::ZERO }
     }
 
     /// Records a sweep; returns the largest difference (m/s) between its change and that of the sweep before, None
     /// where a history begins.
-    pub(crate) fn note(&mut self, list: &mut [impl Swept<S>]) -> Option<S> {
+    pub(crate) fn record(&mut self, list: &mut [impl Swept<S>]) -> Option<S> {
         let (mut square, mut apart, place) = (S::ZERO, S::ZERO, self.number % DEPTH);
         for entry in list.iter_mut() {
-            let (contact, weight, trail) = entry.parts();
-            square = square + weight * vec3::dot(trail.moved, trail.moved);
-            let (change, end) = (trail.moved, contact.impulse);
-            let difference = vec3::sub(change, trail.change);
+            let (contact, weight, history) = entry.parts();
+            square = square + weight * vec3::dot(history.moved, history.moved);
+            let (change, end) = (history.moved, contact.impulse);
+            let difference = vec3::sub(change, history.change);
             apart = apart.max(weight * vec3::norm(difference));
-            if let (Some(changes), Some(ends)) = (trail.changes.get_mut(place), trail.ends.get_mut(place)) {
-                (*changes, *ends) = (difference, vec3::sub(end, trail.end));
+            if let (Some(changes), Some(ends)) = (history.changes.get_mut(place), history.ends.get_mut(place))
+            {
+                (*changes, *ends) = (difference, vec3::sub(end, history.end));
             }
-            (trail.change, trail.end) = (change, end);
+            (history.change, history.end) = (change, end);
         }
         if !self.begun || square > S::from_f64(WORSE) * self.least {
-            *self = Ahead { begun: true, number: 0, least: square };
+            *self = Anderson { begun: true, number: 0, least: square };
             return None;
         }
         (self.number, self.least) = (self.number + 1, self.least.min(square));
@@ -63,7 +64,7 @@ impl<S: Scalar> Ahead<S> {
     }
 
     /// Gives the contacts the impulses that the next sweep starts from.
-    pub(crate) fn go_on(
+    pub(crate) fn extrapolate(
         &self,
         list: &mut [impl Swept<S>],
         inertia: &(impl Inertia<S> + ?Sized),
@@ -71,8 +72,8 @@ impl<S: Scalar> Ahead<S> {
     ) {
         let gamma = combination(list, self.number.min(DEPTH));
         for entry in list {
-            let (contact, _, trail) = entry.parts();
-            let ends = trail.ends.iter().zip(gamma);
+            let (contact, _, history) = entry.parts();
+            let ends = history.ends.iter().zip(gamma);
             let more = ends.fold(vec3::zero(), |sum, (end, gamma)| vec3::axpy(sum, -gamma, *end));
             contact.push(inertia, twists, more);
             contact.impulse = vec3::add(contact.impulse, more);
@@ -84,12 +85,12 @@ impl<S: Scalar> Ahead<S> {
 fn combination<S: Scalar>(list: &mut [impl Swept<S>], count: usize) -> [S; DEPTH] {
     let (mut matrix, mut right, mut square) = ([[S::ZERO; DEPTH]; DEPTH], [S::ZERO; DEPTH], S::ZERO);
     for entry in list {
-        let (_, weight, trail) = entry.parts();
-        let changes = &trail.changes;
-        square = square + weight * vec3::dot(trail.moved, trail.moved);
+        let (_, weight, history) = entry.parts();
+        let changes = &history.changes;
+        square = square + weight * vec3::dot(history.moved, history.moved);
         for ((own, row), right) in changes.iter().zip(&mut matrix).zip(&mut right).take(count) {
             let own = vec3::scale(*own, weight);
-            *right = *right + vec3::dot(own, trail.moved);
+            *right = *right + vec3::dot(own, history.moved);
             for (entry, other) in row.iter_mut().zip(changes).take(count) {
                 *entry = *entry + vec3::dot(own, *other);
             }

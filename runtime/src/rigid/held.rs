@@ -5,8 +5,8 @@
 //! that yield.
 
 use super::contact::{Contact, Inertia, Twist, onto_disc, rubbed, softness};
+use super::history::{History, Swept};
 use super::impact::InverseMass;
-use super::trail::{Swept, Trail};
 use crate::real::Scalar;
 use crate::vec3::{self, Vec3};
 
@@ -67,14 +67,14 @@ pub struct Held<S> {
     /// The force at which a contact that yields has not given way (N).
     pub(super) unyielded: Vec3<S>,
     /// History of the sweeps over it.
-    pub(crate) trail: Trail<S>,
+    pub(crate) history: History<S>,
 }
 
 impl<S: Scalar> Held<S> {
     /// A contact that sticks, with its K and W' u.
     #[must_use]
     pub fn new(contact: Contact<S>, inverse_mass: InverseMass<S>, bias: Vec3<S>) -> Self {
-        Held { contact, inverse_mass, bias, slip: None, unyielded: vec3::zero(), trail: Trail::empty() }
+        Held { contact, inverse_mass, bias, slip: None, unyielded: vec3::zero(), history: History::empty() }
     }
 }
 
@@ -94,9 +94,9 @@ impl<S> AsMut<Held<S>> for Held<S> {
 }
 
 impl<S: Scalar, T: AsMut<Held<S>>> Swept<S> for T {
-    fn parts(&mut self) -> (&mut Contact<S>, S, &mut Trail<S>) {
-        let Held { contact, inverse_mass: [[a, ..], [_, b, _], [.., c]], trail, .. } = self.as_mut();
-        (contact, a.max(*b).max(*c), trail)
+    fn parts(&mut self) -> (&mut Contact<S>, S, &mut History<S>) {
+        let Held { contact, inverse_mass: [[a, ..], [_, b, _], [.., c]], history, .. } = self.as_mut();
+        (contact, a.max(*b).max(*c), history)
     }
 }
 
@@ -124,8 +124,8 @@ pub(super) fn sweep<S: Scalar>(
     for h in held.iter_mut().map(AsMut::as_mut) {
         let before = h.contact.impulse;
         h.update(how, inertia, accelerations)?;
-        h.trail.moved = vec3::sub(h.contact.impulse, before);
-        moved = moved.max(vec3::norm(h.trail.moved));
+        h.history.moved = vec3::sub(h.contact.impulse, before);
+        moved = moved.max(vec3::norm(h.history.moved));
         largest = largest.max(vec3::norm(h.contact.impulse));
     }
     Ok(if moved > S::ZERO { moved / largest } else { S::ZERO })

@@ -11,7 +11,7 @@
 //! (`anderson`: a box on a smaller one). Where contacts are redundant (a box on four corners) forces are not unique, and
 //! where they slip in different directions accelerations depend on which are taken: `share` says which.
 
-use super::anderson::Ahead;
+use super::anderson::Anderson;
 use super::contact::{Inertia, Twist};
 pub(crate) use super::held::CORNERS;
 use super::held::sweep;
@@ -54,7 +54,7 @@ pub fn hold<S: Scalar>(
     }
     // One sweep without yielding then gives contacts that do not touch one another their exact forces.
     let shared = share(held, sought, scale, inertia, accelerations)?;
-    let (mut left, mut ahead, mut patience) = (S::ZERO, Ahead::new(), Patience::of_forces(rough));
+    let (mut left, mut anderson, mut patience) = (S::ZERO, Anderson::new(), Patience::of_forces(rough));
     for number in 0..SWEEPS {
         left = sweep(held, (number < TURNS, pulls, S::ZERO), scale, inertia, accelerations)?;
         let stays = patience.iter_mut().any(|patience| patience.ends(number, left));
@@ -65,8 +65,8 @@ pub fn hold<S: Scalar>(
             break;
         }
         if (PLAIN..SWEEPS - 1).contains(&number) {
-            ahead.note(held);
-            ahead.go_on(held, inertia, accelerations);
+            anderson.record(held);
+            anderson.extrapolate(held, inertia, accelerations);
         }
     }
     if patience.iter().any(|patience| patience.accepts(left)) {

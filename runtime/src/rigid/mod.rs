@@ -8,6 +8,7 @@ pub(crate) mod anderson;
 pub mod attitude;
 pub mod contact;
 mod held;
+pub(crate) mod history;
 pub mod hold;
 pub mod impact;
 pub mod law;
@@ -21,7 +22,6 @@ pub mod struck;
 pub(crate) mod sweeps;
 mod swerve;
 pub mod touch;
-pub(crate) mod trail;
 
 use crate::real::Scalar;
 use crate::surface::Frame;

@@ -12,7 +12,7 @@
 //! drive the forces away: each repetition moves them by that contradiction over D only. A large D takes few sweeps a
 //! repetition and moves them least: forces that plain sweeps did not find are found so (`soften`).
 
-use super::anderson::Ahead;
+use super::anderson::Anderson;
 use super::contact::{Inertia, Twist};
 use super::held::{Held, Slip, Sought, Unheld, sweep};
 use super::sweeps::{Patience, accepted, fine};
@@ -186,8 +186,8 @@ fn settle<S: Scalar>(
     inertia: &(impl Inertia<S> + ?Sized),
     accelerations: &mut [Twist<S>],
 ) -> Result<bool, Unheld> {
-    let (mut ahead, mut patience) =
-        (Ahead::new(), Patience::new(PATIENCE, S::from_f64(ROUGHEST) * S::EPSILON));
+    let (mut anderson, mut patience) =
+        (Anderson::new(), Patience::new(PATIENCE, S::from_f64(ROUGHEST) * S::EPSILON));
     for number in 0..SWEEPS {
         let left = sweep(held, (true, pulls, yields), scale, inertia, accelerations)?;
         if left <= fine::<S>(number) || patience.ends(number, left) {
@@ -197,8 +197,8 @@ fn settle<S: Scalar>(
             return Ok(false);
         }
         if number >= PLAIN {
-            ahead.note(held);
-            ahead.go_on(held, inertia, accelerations);
+            anderson.record(held);
+            anderson.extrapolate(held, inertia, accelerations);
         }
     }
     Ok(false)

@@ -4,7 +4,7 @@
 //! volume is the one that the facets enclose, independent of the origin because the surface is closed.
 
 use crate::flexible::block::Pushes;
-use crate::flexible::grid::{Bulk, Grid, Weave};
+use crate::flexible::grid::{CellVolume, ElasticForces, Grid};
 use crate::flexible::pressure::{PressureForm, Volume, enclosed_volume};
 use crate::flexible::{Body, mean};
 use crate::gas::{Chamber, GasFault, GasState, Regulated};
@@ -86,7 +86,7 @@ impl<S: Scalar> Cell<S> {
         let (mut volume, [mut first, end]) = (Volume::zero(), self.facets);
         for grid in grids.iter().filter(|grid| self.holds(grid)) {
             volume.add(part(first, grid.facets[0]), pos);
-            volume.quads = kernel::run(Bulk { grid, pos, sum: volume.quads });
+            volume.quads = kernel::run(CellVolume { grid, pos, sum: volume.quads });
             first = grid.facets[1];
         }
         volume.add(part(first, end), pos);
@@ -119,7 +119,7 @@ impl<S: Scalar> Cell<S> {
             kernel::run(Pushes { facets, form, pressure, pos, force });
         };
         for grid in grids.iter().filter(|grid| self.holds(grid)) {
-            kernel::run(Weave { grid, pressure: Some((form, pressure)), pos, gravity, force });
+            kernel::run(ElasticForces { grid, pressure: Some((form, pressure)), pos, gravity, force });
             push(first, grid.facets[0], force);
             first = grid.facets[1];
         }

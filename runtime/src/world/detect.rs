@@ -19,9 +19,9 @@ use super::thing::{Pair, Thing};
 use crate::mechanism::Fault;
 use crate::real::Scalar;
 use crate::rigid::contact::{Contact, Side};
+use crate::rigid::history::{History, Swept};
 use crate::rigid::impact::InverseMass;
 use crate::rigid::narrow::{Placed, core_points, features};
-use crate::rigid::trail::{Swept, Trail};
 use crate::vec3::{self, Vec3};
 
 /// Contact numbers from here on are those of a shape's points over facets; smaller ones are those of nodes.
@@ -55,7 +55,7 @@ pub struct Touch<S> {
     /// Least normal velocity (m/s) with which an overlap is left after the step.
     pub(super) out: S,
     /// History of the sweeps over it.
-    pub(super) trail: Trail<S>,
+    pub(super) history: History<S>,
     /// The impulse (N s) at which a contact that yields has not given way (`sweep`).
     pub(super) unyielded: Vec3<S>,
 }
@@ -100,16 +100,16 @@ impl<S: Scalar> Touch<S> {
             inverse_mass,
             start: zero,
             out: S::ZERO,
-            trail: Trail::empty(),
+            history: History::empty(),
             unyielded: zero,
         }
     }
 }
 
 impl<S: Scalar> Swept<S> for Touch<S> {
-    fn parts(&mut self) -> (&mut Contact<S>, S, &mut Trail<S>) {
+    fn parts(&mut self) -> (&mut Contact<S>, S, &mut History<S>) {
         let weight = self.weight();
-        (&mut self.contact, weight, &mut self.trail)
+        (&mut self.contact, weight, &mut self.history)
     }
 }
 

@@ -17,7 +17,7 @@
 
 use super::detect::Touch;
 use crate::real::Scalar;
-use crate::rigid::anderson::Ahead;
+use crate::rigid::anderson::Anderson;
 use crate::rigid::contact::{Inertia, Twist, rubbed, softness};
 use crate::rigid::share::{REDUNDANT, differ};
 use crate::vec3;
@@ -128,22 +128,22 @@ fn settle<S: Scalar>(
     let (limit, fine) =
         if few { (SWEEPS[0], S::from_f64(32.0) * S::EPSILON) } else { (SWEEPS[1], S::from_f64(COARSE)) };
     let (mut number, mut settled) = (0, false);
-    let (mut left, mut ahead) = (S::ZERO, Ahead::new());
+    let (mut left, mut anderson) = (S::ZERO, Anderson::new());
     while number < limit && !settled {
         let mut moved = S::ZERO;
         for touch in touches.iter_mut() {
             let before = touch.contact.impulse;
             moved = moved.max(relax(touch, how, inertia, twists));
-            touch.trail.moved = vec3::sub(touch.contact.impulse, before);
+            touch.history.moved = vec3::sub(touch.contact.impulse, before);
         }
         number += 1;
         left = moved / fastest;
         settled = left <= fine || moved <= rounding;
         if number > PLAIN && number < limit && !settled {
-            let alike = ahead.note(touches).is_some_and(|apart| apart <= fine * fastest);
+            let alike = anderson.record(touches).is_some_and(|apart| apart <= fine * fastest);
             settled = alike && left <= S::from_f64(CONTRADICTION);
             if !settled {
-                ahead.go_on(touches, inertia, twists);
+                anderson.extrapolate(touches, inertia, twists);
             }
         }
     }

@@ -3,7 +3,7 @@
 use proptest::prelude::*;
 use smartbed_runtime::flexible::block::Pulls;
 use smartbed_runtime::flexible::force;
-use smartbed_runtime::flexible::grid::{Damp, Family, Grid, Run, Weave, pitch};
+use smartbed_runtime::flexible::grid::{DampingForces, ElasticForces, Family, Grid, Run, pitch};
 use smartbed_runtime::flexible::{Body, BodyError, Gas, Inflation, PressureForm, Spring};
 use smartbed_runtime::kernel::{self, Registers};
 use smartbed_runtime::ode::nodes::MeanStep;
@@ -203,16 +203,16 @@ proptest! {
         net.shift([0; 3]);
         let vel: Vec<Vec3<f32>> = net.pos.iter().map(|[x, y, z]| [*y, -*z, *x * *y]).collect();
         let grid = net.grid();
-        let forces = |weave: bool, registers: Registers| {
+        let forces = |elastic: bool, registers: Registers| {
             let mut force = vec![[0.5; 3]; net.pos.len()];
             let (pressure, gravity) = (Some((PressureForm::Exact, 2.0)), [0.5; 3]);
             let (pos, springs) = (&net.pos, &net.springs);
-            let runaway = if weave {
+            let runaway = if elastic {
                 let mut damping = force.clone();
                 let air_drag = 0.25;
-                kernel::run_within(registers, Damp { grid: &grid, pos, vel: &vel, air_drag, force: &mut damping });
+                kernel::run_within(registers, DampingForces { grid: &grid, pos, vel: &vel, air_drag, force: &mut damping });
                 let runaway =
-                    kernel::run_within(registers, Weave { grid: &grid, pressure, pos, gravity, force: &mut force });
+                    kernel::run_within(registers, ElasticForces { grid: &grid, pressure, pos, gravity, force: &mut force });
                 force.extend(damping);
                 runaway
             } else {
@@ -222,8 +222,8 @@ proptest! {
             (runaway, bits)
         };
         for registers in [Registers::Avx2, Registers::Avx512] {
-            for weave in [true, false] {
-                prop_assert_eq!(forces(weave, registers), forces(weave, Registers::Plain));
+            for elastic in [true, false] {
+                prop_assert_eq!(forces(elastic, registers), forces(elastic, Registers::Plain));
             }
         }
         let mut force = vec![[0.5; 3]; net.pos.len()];

@@ -2,9 +2,9 @@
 //!
 //! In: a grid, the pressure, nodes in the middle of the step and their changes over it. Out: sums of forces.
 
+use super::elastic::{Shares, corners, share, sum};
 use super::layout::{Family, Grid, WIDTH};
 use super::strip::{FIRST, Row, Strip};
-use super::weave::{Shares, corners, share, sum};
 use crate::flexible::mean;
 use crate::flexible::pressure::{self, PressureForm, Weights};
 use crate::kernel::Kernel;
@@ -13,7 +13,7 @@ use crate::vec3::{self, Vec3};
 
 /// Adds the mean forces on the nodes of a grid (N).
 #[derive(Debug)]
-pub struct Mean<'a, S> {
+pub struct MeanForces<'a, S> {
     /// The grid.
     pub grid: &'a Grid<'a, S>,
     /// How pressure is shared by corners, and its value (Pa).
@@ -50,7 +50,7 @@ impl<S: Scalar> Line<S> {
     }
 }
 
-impl<S: Scalar> Kernel for Mean<'_, S> {
+impl<S: Scalar> Kernel for MeanForces<'_, S> {
     type Output = ();
 
     #[inline(always)]
@@ -69,7 +69,7 @@ impl<S: Scalar> Kernel for Mean<'_, S> {
     }
 }
 
-impl<'a, S: Scalar> Mean<'a, S> {
+impl<'a, S: Scalar> MeanForces<'a, S> {
     /// Reads the nodes of a row and the other forces on them; no other strip has yet written those that this strip
     /// owns.
     #[inline(always)]
@@ -80,7 +80,7 @@ impl<'a, S: Scalar> Mean<'a, S> {
         strip.read(self.grid, row, self.force, &mut to.besides);
     }
 
-    /// The forces on the nodes of a row, in the same order as [`super::Weave`].
+    /// The forces on the nodes of a row, in the same order as [`super::ElasticForces`].
     #[inline(always)]
     fn row(&mut self, strip: &Strip, row: usize, line: &mut Line<S>, next: &mut Line<S>) {
         let grid = self.grid;

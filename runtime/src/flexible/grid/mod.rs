@@ -2,29 +2,30 @@
 //!
 //! In: where the nodes of a grid stand in the lists of a body ([`Grid`]), positions. Out: the sums of forces that the lists
 //! give, number for number: a node's terms are added in their order, left, right, below, above, then its four cells;
-//! [`weave`] has the forces of positions, [`bulk`] the volume that gas needs, [`damp`] forces of speeds, [`mean`] the means over a step; [`march`] takes the steps
-//! of a [`span`] by Verlet's method, [`conserve`] by the energy-momentum method. Rows are computed side by side; a row wider than [`WIDTH`] goes in strips, whose borders are computed twice. Where there is no spring or cell
-//! its force is 0.
+//! [`elastic`] has the forces of positions, [`volume`] the volume that gas needs, [`damping`] forces of speeds, [`mean`]
+//! the means over a step; [`march`] takes the steps of a [`span`] by Verlet's method, [`conserve`] by the energy-momentum
+//! method. Rows are computed side by side; a row wider than [`WIDTH`] goes in strips, whose borders are computed twice.
+//! Where there is no spring or cell its force is 0.
 
-pub mod bulk;
 pub mod conserve;
 pub mod course;
-pub mod damp;
+pub mod damping;
+pub mod elastic;
 pub mod layout;
 pub mod line;
 pub mod march;
 pub mod mean;
 pub mod span;
 mod strip;
-pub mod weave;
+pub mod volume;
 
-pub use bulk::Bulk;
 pub use conserve::Conserve;
 pub use course::Course;
-pub use damp::Damp;
+pub use damping::DampingForces;
+pub use elastic::ElasticForces;
 pub use layout::{Family, Grid, Run, WIDTH, beside, pitch};
 pub use line::{Corner, Line};
 pub use march::March;
-pub use mean::Mean;
+pub use mean::MeanForces;
 pub use span::Span;
-pub use weave::Weave;
+pub use volume::CellVolume;

@@ -48,9 +48,9 @@ fn solve<S: Scalar, N: Newton<S>>(
     let pos: &[Vec3<S>] = work.stage_pos;
     let mut rows = Rows {
         k: work.stages,
-        left: work.stage_elastic,
-        turned: work.end.elastic,
-        way: work.stage_vel,
+        residual: work.stage_elastic,
+        preconditioned: work.end.elastic,
+        direction: work.stage_vel,
         inertia: work.end.vel,
         image: work.stage_viscous,
         memory: [work.dx, work.dv],
@@ -64,10 +64,10 @@ fn solve<S: Scalar, N: Newton<S>>(
         if size.partial_cmp(&enough) != Some(core::cmp::Ordering::Greater) {
             return Ok(());
         }
-        newton.viscous(pos, rows.way, rows.image);
-        let curvature = kernel::run(Bend { half: S::from_f64(0.5) * h, rows: &mut rows });
-        let next = kernel::run(GoOn { newton, gain: size / curvature, rows: &mut rows });
-        kernel::run(Turn { share: next / size, rows: &mut rows });
+        newton.viscous(pos, rows.direction, rows.image);
+        let curvature = kernel::run(ApplyMatrix { half: S::from_f64(0.5) * h, rows: &mut rows });
+        let next = kernel::run(UpdateSolution { newton, gain: size / curvature, rows: &mut rows });
+        kernel::run(NextDirection { share: next / size, rows: &mut rows });
         size = next;
     }
     Err(NodeFault::NotConverged { step: h }.into())
@@ -78,11 +78,11 @@ struct Rows<'a, S> {
     /// The solution (m/s^2).
     k: &'a mut [Vec3<S>],
     /// Residual f - C v - (M + h/2 C) k (N).
-    left: &'a mut [Vec3<S>],
-    /// Preconditioned residual, M^-1 `left` (m/s^2).
-    turned: &'a mut [Vec3<S>],
+    residual: &'a mut [Vec3<S>],
+    /// Preconditioned residual, M^-1 `residual` (m/s^2).
+    preconditioned: &'a mut [Vec3<S>],
     /// Search direction p (m/s^2).
-    way: &'a mut [Vec3<S>],
+    direction: &'a mut [Vec3<S>],
     /// M p (N).
     inertia: &'a mut [Vec3<S>],
     /// -C p, then (M + h/2 C) p (N).
@@ -93,7 +93,7 @@ struct Rows<'a, S> {
 
 /// Writes a block of M^-1 force into `out`.
 #[inline(always)]
-fn turn<S: Scalar, N: Newton<S>>(
+fn precondition<S: Scalar, N: Newton<S>>(
     newton: &N,
     first: usize,
     force: &[Vec3<S>],
@@ -130,7 +130,7 @@ impl<S: Scalar, N: Newton<S>> Kernel for PlaceMiddle<'_, '_, '_, S, N> {
     }
 }
 
-/// Starts with f and -C v in `left` and `image`: k = 0, p = M^-1 (f - C v). Returns a.M^-1 a for a = f - C v and for
+/// Starts with f and -C v in `residual` and `image`: k = 0, p = M^-1 (f - C v). Returns a.M^-1 a for a = f - C v and for
 /// the change of f - C v since the start of the step.
 struct Begin<'a, 'm, 'r, S, N> {
     newton: &'a N,
@@ -144,76 +144,76 @@ impl<S: Scalar, N: Newton<S>> Kernel for Begin<'_, '_, '_, S, N> {
     #[inline(always)]
     fn run(self) -> [S; 2] {
         let Begin { newton, start, rows } = self;
-        let Rows { k, left, turned, way, inertia, image, memory: [one, other] } = rows;
+        let Rows { k, residual, preconditioned, direction, inertia, image, memory: [one, other] } = rows;
         for first in rows::blocks(newton.nodes()) {
             rows::block_mut(k, first).as_flattened_mut().fill(S::ZERO);
-            rows::add_scaled(rows::block_mut(left, first), S::ONE, rows::block(image, first));
-            turn(newton, first, left, [one, other], way);
+            rows::add_scaled(rows::block_mut(residual, first), S::ONE, rows::block(image, first));
+            precondition(newton, first, residual, [one, other], direction);
             let [inertia, since] = [&mut **inertia, &mut **image].map(|row| rows::block_mut(row, first));
-            copy(inertia, rows::block(left, first));
+            copy(inertia, rows::block(residual, first));
             copy(since, inertia);
             rows::add_scaled(since, -S::ONE, rows::block(start.elastic, first));
             rows::add_scaled(since, -S::ONE, rows::block(start.viscous, first));
-            turn(newton, first, image, [one, other], turned);
+            precondition(newton, first, image, [one, other], preconditioned);
         }
-        [rows::product(left, way), rows::product(image, turned)]
+        [rows::product(residual, direction), rows::product(image, preconditioned)]
     }
 }
 
 /// Writes (M + h/2 C) p into `image` from M p and -C p; returns its product with p. `half` is h/2.
-struct Bend<'a, 'r, S> {
+struct ApplyMatrix<'a, 'r, S> {
     half: S,
     rows: &'a mut Rows<'r, S>,
 }
 
-impl<S: Scalar> Kernel for Bend<'_, '_, S> {
+impl<S: Scalar> Kernel for ApplyMatrix<'_, '_, S> {
     type Output = S;
 
     #[inline(always)]
     fn run(self) -> S {
-        let Rows { way, inertia, image, .. } = self.rows;
+        let Rows { direction, inertia, image, .. } = self.rows;
         for (image, inertia) in image.as_flattened_mut().iter_mut().zip(inertia.as_flattened()) {
             *image = *inertia - self.half * *image;
         }
-        rows::product(way, image)
+        rows::product(direction, image)
     }
 }
 
 /// Moves k by `gain` p and updates the residual r; returns r.M^-1 r.
-struct GoOn<'a, 'r, S, N> {
+struct UpdateSolution<'a, 'r, S, N> {
     newton: &'a N,
     gain: S,
     rows: &'a mut Rows<'r, S>,
 }
 
-impl<S: Scalar, N: Newton<S>> Kernel for GoOn<'_, '_, S, N> {
+impl<S: Scalar, N: Newton<S>> Kernel for UpdateSolution<'_, '_, S, N> {
     type Output = S;
 
     #[inline(always)]
     fn run(self) -> S {
-        let Rows { k, left, turned, way, image, memory: [one, other], .. } = self.rows;
+        let Rows { k, residual, preconditioned, direction, image, memory: [one, other], .. } = self.rows;
         for first in rows::blocks(self.newton.nodes()) {
-            rows::add_scaled(rows::block_mut(k, first), self.gain, rows::block(way, first));
-            rows::add_scaled(rows::block_mut(left, first), -self.gain, rows::block(image, first));
-            turn(self.newton, first, left, [one, other], turned);
+            rows::add_scaled(rows::block_mut(k, first), self.gain, rows::block(direction, first));
+            rows::add_scaled(rows::block_mut(residual, first), -self.gain, rows::block(image, first));
+            precondition(self.newton, first, residual, [one, other], preconditioned);
         }
-        rows::product(left, turned)
+        rows::product(residual, preconditioned)
     }
 }
 
 /// The next direction: p = M^-1 r + `share` p, and M p likewise.
-struct Turn<'a, 'r, S> {
+struct NextDirection<'a, 'r, S> {
     share: S,
     rows: &'a mut Rows<'r, S>,
 }
 
-impl<S: Scalar> Kernel for Turn<'_, '_, S> {
+impl<S: Scalar> Kernel for NextDirection<'_, '_, S> {
     type Output = ();
 
     #[inline(always)]
     fn run(self) {
-        let Rows { left, turned, way, inertia, .. } = self.rows;
-        for (next, row) in [(&**turned, way), (&**left, inertia)] {
+        let Rows { residual, preconditioned, direction, inertia, .. } = self.rows;
+        for (next, row) in [(&**preconditioned, direction), (&**residual, inertia)] {
             for (row, next) in row.as_flattened_mut().iter_mut().zip(next.as_flattened()) {
                 *row = *next + self.share * *row;
             }

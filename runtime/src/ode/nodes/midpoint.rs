@@ -6,7 +6,7 @@
 //! angular momentum are conserved. Solved by fixed-point iteration (h w_max < 2) with Anderson's acceleration
 //! (`anderson`).
 
-use super::anderson::Trail;
+use super::anderson::Anderson;
 use super::motion::Motion;
 use super::newton::{MeanStep, Newton, NodeFault};
 use super::rows;
@@ -62,7 +62,7 @@ pub(super) fn energy_momentum<S: Scalar, N: Newton<S>>(
 /// Solves k = force(middle of the step)/m; `force` leaves its result in `work.stage_elastic`.
 ///
 /// `stage_pos`, `stage_vel` hold the middle, `end.pos` the end of the step, `dx` the change of position, `stages` k.
-/// The [`Trail`] of the iteration before uses rows of the end of the step that are not needed yet.
+/// The [`Anderson`] of the iteration before uses rows of the end of the step that are not needed yet.
 fn iterate<S: Scalar, N: Newton<S>>(
     newton: &N,
     start: &Motion<S>,
@@ -79,8 +79,9 @@ fn iterate<S: Scalar, N: Newton<S>>(
         work.evaluations += 1;
         force(work)?;
         let Workspace { end, dx, dv, stage_elastic, stages, .. } = work;
-        let mut trail = Trail { k: stages, off: end.elastic, turn: end.pos_rest, before: end.vel };
-        let [change, size] = trail.improve(newton, stage_elastic, [dx, dv]);
+        let mut anderson =
+            Anderson { k: stages, residual: end.elastic, residual_change: end.pos_rest, last_g: end.vel };
+        let [change, size] = anderson.improve(newton, stage_elastic, [dx, dv]);
         if smallest.is_some_and(|smallest| change >= smallest) {
             without_gain += 1;
         } else {
@@ -96,7 +97,7 @@ fn iterate<S: Scalar, N: Newton<S>>(
             }
             return work.finish(newton, start);
         }
-        trail.go_on(before.is_none());
+        anderson.extrapolate(before.is_none());
         before = Some(change);
     }
     Err(NodeFault::NotConverged { step: h }.into())

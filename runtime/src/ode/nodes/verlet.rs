@@ -4,7 +4,7 @@
 //! act in a half step before and one after (Strang splitting: order 2), each by the implicit midpoint rule at
 //! fixed positions, which dissipates energy for every C and h and conserves momentum.
 
-use super::anderson::Trail;
+use super::anderson::Anderson;
 use super::motion::{Motion, copy};
 use super::newton::{Newton, NodeFault, movable};
 use super::rows::{self, accelerations};
@@ -199,21 +199,26 @@ fn relax<S: Scalar, N: Newton<S>>(
     if matches!(place, Place::Start) {
         stage_elastic.as_flattened_mut().fill(S::ZERO);
     }
-    let mut trail = Trail { k: stage_elastic, off: stage_pos, turn: end.vel_rest, before: end.viscous };
+    let mut anderson = Anderson {
+        k: stage_elastic,
+        residual: stage_pos,
+        residual_change: end.vel_rest,
+        last_g: end.viscous,
+    };
     let (half, middle) = (S::from_f64(0.5) * h, &mut **stages);
     let mut before: Option<S> = None;
     for _ in 0..ITERATIONS {
-        let size = kernel::run(Change { vel: stage_vel, h: half, k: trail.k, out: middle });
+        let size = kernel::run(Change { vel: stage_vel, h: half, k: anderson.k, out: middle });
         newton.viscous(pos, middle, stage_viscous);
-        let [change, _] = trail.improve(newton, stage_viscous, [dx, dv]);
+        let [change, _] = anderson.improve(newton, stage_viscous, [dx, dv]);
         // Estimated change of the midpoint by the next iteration.
         let rate = before.map_or(S::ONE, |before| change / before).max(S::from_f64(LEAST_RATE)).min(S::ONE);
         if half * change * rate <= S::from_f64(SETTLED) * S::EPSILON * size {
             copy(middle, stage_vel);
-            kernel::run(Change { vel: middle, h, k: trail.k, out: stage_vel });
+            kernel::run(Change { vel: middle, h, k: anderson.k, out: stage_vel });
             return Ok(());
         }
-        trail.go_on(before.is_none());
+        anderson.extrapolate(before.is_none());
         before = Some(change);
     }
     Err(NodeFault::NotConverged { step: h }.into())

@@ -10,12 +10,12 @@
 //! is conserved; so is angular momentum, except with gas and contacts between flexible parts (order 2). Mechanisms use
 //! rates at the middle of the step: order 2.
 
+mod anderson;
 mod means;
 mod observe;
-mod trail;
 
+use self::anderson::Anderson;
 use self::means::Mean;
-use self::trail::Trail;
 use super::carrier::{Carrier, Wrench};
 use super::contacts::{load_contacts, press};
 use super::observer::Observer;
@@ -27,7 +27,7 @@ use crate::mechanism::Fault;
 use crate::ode::nodes::{MeanStep, copy};
 use crate::ode::{Ode, State, pivot_limit, state::advance, trial::split};
 use crate::real::Scalar;
-use crate::rigid::trail::DEPTH;
+use crate::rigid::history::DEPTH;
 use crate::surface::Frame;
 use crate::vec3::{self, Vec3};
 
@@ -73,7 +73,7 @@ struct Spares<'m, S> {
     touched: &'m [S],
     found: &'m mut [S],
     spare: &'m mut [S],
-    trail: Trail<'m, S>,
+    anderson: Anderson<'m, S>,
 }
 
 impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
@@ -125,7 +125,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         if own.len() < StepMemory::<S>::scratch(n) || more.len() < MeanMemory::<S>::scratch(n) {
             return Err(Fault::Shape);
         }
-        let (more, trail) = more.split_at_mut_checked(5 * n).ok_or(Fault::Shape)?;
+        let (more, differences) = more.split_at_mut_checked(5 * n).ok_or(Fault::Shape)?;
         let [start, end, middle, rates, touched] = split(own, n)?;
         let [found, spare, gained, off, low] = split(more, n)?;
         let fits = means.nodes.iter().all(|rows| rows.len() == self.island.body.points())
@@ -141,8 +141,8 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         // Contacts keep the middle at which they were detected, while the iteration moves the span's.
         copy(touched, middle);
         let mut span = Span { t, h, start, end, middle, rates };
-        let trail = Trail { number: 0, least: S::ZERO, gained, off, differences: trail };
-        let spares = Spares { touched, found, spare, trail };
+        let anderson = Anderson { number: 0, least: S::ZERO, gained, off, differences };
+        let spares = Spares { touched, found, spare, anderson };
         let (pivot, sweeps) = self.settle_rates(&mut span, spares, state.low(), memory, means)?;
         let accounts = self.observe_means(h, memory, means, watch);
         if watch.watches() {
@@ -190,7 +190,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
     fn settle_rates(
         &mut self,
         span: &mut Span<'_, S>,
-        Spares { touched, found, spare, mut trail }: Spares<'_, S>,
+        Spares { touched, found, spare, mut anderson }: Spares<'_, S>,
         low: &[S],
         memory: &mut StepMemory<'_, S>,
         means: &mut MeanMemory<'_, S>,
@@ -244,7 +244,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
                 copy(span.rates, found);
                 return Ok((pivot, sweeps));
             }
-            trail.go_on(n_q, span.rates, found);
+            anderson.extrapolate(n_q, span.rates, found);
         }
         Err(Fault::Unsettled)
     }

@@ -6,7 +6,7 @@
 use super::{Pressed, Pressing};
 use crate::mechanism::Fault;
 use crate::real::Scalar;
-use crate::rigid::anderson::Ahead;
+use crate::rigid::anderson::Anderson;
 use crate::rigid::contact::{Twist, solve_tangential};
 use crate::rigid::sweeps::{PLAIN, Patience, fine};
 use crate::vec3::{self, Vec3};
@@ -32,7 +32,8 @@ impl<S: Scalar, C: Carrier<S>> Pressed<'_, '_, '_, S, C> {
             (own.correction, own.held.contact.impulse) = (own.held.contact.impulse, vec3::zero());
             scale = scale.max(vec3::norm(wanted(own)));
         }
-        let (mut ahead, mut patience) = (Ahead::new(), Patience::new(PATIENCE, S::from_f64(f64::INFINITY)));
+        let (mut anderson, mut patience) =
+            (Anderson::new(), Patience::new(PATIENCE, S::from_f64(f64::INFINITY)));
         for number in 0..SWEEPS {
             let mut left = S::ZERO;
             for own in self.list.iter_mut() {
@@ -50,14 +51,14 @@ impl<S: Scalar, C: Carrier<S>> Pressed<'_, '_, '_, S, C> {
                     (more[1], more[2]) = (x, y);
                 }
                 own.held.contact.impulse = vec3::add(own.held.contact.impulse, more);
-                own.held.trail.moved = more;
+                own.held.history.moved = more;
             }
             if patience.ends(number, left) || left <= fine::<S>(number) * scale {
                 break;
             }
             if (PLAIN..SWEEPS - 1).contains(&number) {
-                ahead.note(self.list);
-                ahead.go_on(self.list, inertias, gained);
+                anderson.record(self.list);
+                anderson.extrapolate(self.list, inertias, gained);
             }
         }
         for own in self.list.iter_mut() {

@@ -5,13 +5,13 @@
 use crate::ode::nodes::copy;
 use crate::real::Scalar;
 use crate::rigid::anderson::eliminate;
-use crate::rigid::trail::DEPTH;
+use crate::rigid::history::DEPTH;
 
 /// An iteration with |f|^2 above this many times the least of the history ends the history.
 const WORSE: f64 = 16.0;
 
-/// History of Anderson acceleration: differences of f = g(k) - k and of g from one iteration to the next.
-pub(super) struct Trail<'m, S> {
+/// What earlier iterations left: differences of f = g(k) - k and of g from one iteration to the next.
+pub(super) struct Anderson<'m, S> {
     /// Iterations recorded since it began.
     pub(super) number: usize,
     /// Least |f|^2 among them.
@@ -23,10 +23,10 @@ pub(super) struct Trail<'m, S> {
     pub(super) differences: &'m mut [S],
 }
 
-impl<S: Scalar> Trail<'_, S> {
+impl<S: Scalar> Anderson<'_, S> {
     /// The next rates by Anderson's method: g - sum_i gamma_i dg_i, gamma = argmin |f - sum_i gamma_i df_i| over the
     /// rates of the speeds.
-    pub(super) fn go_on(&mut self, n_q: usize, rates: &mut [S], found: &[S]) {
+    pub(super) fn extrapolate(&mut self, n_q: usize, rates: &mut [S], found: &[S]) {
         let n = rates.len().max(1);
         let square =
             found.iter().zip(rates.iter()).skip(n_q).fold(S::ZERO, |sum, (g, k)| sum + (*g - *k) * (*g - *k));

@@ -9,7 +9,7 @@ pub(crate) const DEPTH: usize = 6;
 
 /// One contact's history.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Trail<S> {
+pub struct History<S> {
     /// f of the present sweep.
     pub(crate) moved: Vec3<S>,
     /// f and g of the last one.
@@ -20,17 +20,17 @@ pub struct Trail<S> {
     pub(super) ends: [Vec3<S>; DEPTH],
 }
 
-impl<S: Scalar> Trail<S> {
+impl<S: Scalar> History<S> {
     /// Before the first sweep.
     #[must_use]
     pub fn empty() -> Self {
         let zero = vec3::zero();
-        Trail { moved: zero, change: zero, end: zero, changes: [zero; DEPTH], ends: [zero; DEPTH] }
+        History { moved: zero, change: zero, end: zero, changes: [zero; DEPTH], ends: [zero; DEPTH] }
     }
 }
 
 /// A contact whose impulse sweeps change.
 pub(crate) trait Swept<S> {
     /// The contact, the largest diagonal entry of its K (1/kg), and its history.
-    fn parts(&mut self) -> (&mut Contact<S>, S, &mut Trail<S>);
+    fn parts(&mut self) -> (&mut Contact<S>, S, &mut History<S>);
 }

@@ -13,7 +13,7 @@ use crate::vec3::{self, Vec3};
 /// Writes the forces on the nodes of a grid (N), including their weight; returns whether any spring is a runaway, see
 /// [`crate::flexible::spring::STRETCH_LIMIT`].
 #[derive(Debug)]
-pub struct Weave<'a, S> {
+pub struct ElasticForces<'a, S> {
     /// The grid.
     pub grid: &'a Grid<'a, S>,
     /// How pressure is shared by corners, and its value (Pa).
@@ -47,7 +47,7 @@ impl<S: Scalar> Line<S> {
     }
 }
 
-impl<S: Scalar> Kernel for Weave<'_, S> {
+impl<S: Scalar> Kernel for ElasticForces<'_, S> {
     type Output = bool;
 
     #[inline(always)]
@@ -67,7 +67,7 @@ impl<S: Scalar> Kernel for Weave<'_, S> {
     }
 }
 
-impl<S: Scalar> Weave<'_, S> {
+impl<S: Scalar> ElasticForces<'_, S> {
     /// The forces on the nodes of a row. `next` holds the values of the row below and receives the nodes of the row
     /// above. Writes the sums of the row below: the processor would have to wait for those just computed.
     #[inline(always)]

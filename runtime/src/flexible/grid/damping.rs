@@ -10,7 +10,7 @@ use crate::vec3::{self, Vec3};
 
 /// Writes the speed-dependent forces on the nodes of a grid (N), including air drag.
 #[derive(Debug)]
-pub struct Damp<'a, S> {
+pub struct DampingForces<'a, S> {
     /// The grid.
     pub grid: &'a Grid<'a, S>,
     /// Positions (m).
@@ -47,7 +47,7 @@ impl<S: Scalar> Line<S> {
     }
 }
 
-impl<S: Scalar> Kernel for Damp<'_, S> {
+impl<S: Scalar> Kernel for DampingForces<'_, S> {
     type Output = ();
 
     #[inline(always)]
@@ -66,14 +66,14 @@ impl<S: Scalar> Kernel for Damp<'_, S> {
     }
 }
 
-impl<S: Scalar> Damp<'_, S> {
+impl<S: Scalar> DampingForces<'_, S> {
     #[inline(always)]
     fn read(&self, strip: &Strip, row: usize, to: &mut Nodes<S>) {
         strip.read(self.grid, row, self.pos, &mut to.pos);
         strip.read(self.grid, row, self.vel, &mut to.vel);
     }
 
-    /// The forces on the nodes of a row, in the same order as [`super::Weave`].
+    /// The forces on the nodes of a row, in the same order as [`super::ElasticForces`].
     #[inline(always)]
     fn row(&mut self, strip: &Strip, row: usize, line: &mut Line<S>, next: &mut Line<S>) {
         let grid = self.grid;

@@ -3,9 +3,9 @@
 //! In: a grid, positions, the sum over the facets before its own. Out: the sum over these and its cells, in the order of
 //! the list and so with its bits: products of a row are computed side by side and added one after the other.
 
+use super::elastic::corners;
 use super::layout::{Grid, WIDTH};
 use super::strip::{FIRST, Row, Strip};
-use super::weave::corners;
 use crate::flexible::pressure;
 use crate::kernel::Kernel;
 use crate::real::Scalar;
@@ -13,7 +13,7 @@ use crate::vec3::Vec3;
 
 /// Adds 24 times the volume between each cell and the origin to `sum` (m^3).
 #[derive(Debug)]
-pub struct Bulk<'a, S> {
+pub struct CellVolume<'a, S> {
     /// The grid.
     pub grid: &'a Grid<'a, S>,
     /// Positions (m).
@@ -22,12 +22,12 @@ pub struct Bulk<'a, S> {
     pub sum: S,
 }
 
-impl<S: Scalar> Kernel for Bulk<'_, S> {
+impl<S: Scalar> Kernel for CellVolume<'_, S> {
     type Output = S;
 
     #[inline(always)]
     fn run(self) -> S {
-        let Bulk { grid, pos, mut sum } = self;
+        let CellVolume { grid, pos, mut sum } = self;
         let (mut here, mut above, mut products) = (Row::zero(), Row::zero(), [S::ZERO; WIDTH]);
         for row in 0..grid.rows.saturating_sub(1) {
             for strip in Strip::all(grid.columns) {
