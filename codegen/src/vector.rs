@@ -135,6 +135,19 @@ impl Algebra {
         self.triads.dot(&mut self.dag, a, b)
     }
 
+    /// a . a as a sum of squares: products of terms in several triads would cancel where points meet or a point stands,
+    /// and rounding leave less than 0.
+    pub fn square(&mut self, a: &Vector) -> ExprId {
+        let candidates: Vec<TriadId> = a.terms.keys().copied().collect();
+        let squares = candidates.into_iter().map(|triad| {
+            let components = self.express(a, triad);
+            dot_components(&mut self.dag, &components, &components)
+        });
+        let squares: Vec<ExprId> = squares.collect();
+        let least = squares.into_iter().min_by_key(|square| self.dag.cone_cost(&[*square]));
+        least.unwrap_or_else(|| self.dag.zero())
+    }
+
     /// a x b.
     pub fn cross(&mut self, a: &Vector, b: &Vector) -> Vector {
         self.triads.cross(&mut self.dag, a, b)

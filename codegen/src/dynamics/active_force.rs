@@ -63,7 +63,7 @@ pub(super) fn spring_line(alg: &mut Algebra, k: &Kinematics, ends: [PointId; 2])
     let [a, b] = ends.map(|p| &k.positions[p]);
     let line = b.minus(&mut alg.dag, a);
     let line = flatten(alg, k, &line);
-    let square = alg.dot(&line, &line);
+    let square = alg.square(&line);
     (line, alg.dag.sqrt(square))
 }
 

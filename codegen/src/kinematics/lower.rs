@@ -218,16 +218,12 @@ fn operator(alg: &mut Algebra, k: &Kinematics, kind: &ExprKind) -> Value {
         }
         ExprKind::Norm(a) => {
             let a = flat_vector(alg, k, a);
-            let mut square = alg.dot(&a, &a);
-            // Products of parts in several triads cancel where a point does not move: rounding may leave less than 0.
-            if !reads_speeds(alg, k, square) {
-                return Value::Scalar(alg.dag.sqrt(square));
+            let square = alg.square(&a);
+            if reads_speeds(alg, k, square) {
+                Value::Scalar(alg.dag.norm(square))
+            } else {
+                Value::Scalar(alg.dag.sqrt(square))
             }
-            if a.terms.len() > 1 {
-                let zero = alg.dag.zero();
-                square = alg.dag.binary(Binary::Max, zero, square);
-            }
-            Value::Scalar(alg.dag.norm(square))
         }
         _ => unreachable!("every other kind is lowered by `value`"),
     }

@@ -8,6 +8,7 @@ mod carried;
 mod chain;
 mod dead_points;
 mod dead_points_near;
+mod distances;
 mod draw;
 mod driven;
 mod driven_models;

@@ -7,9 +7,12 @@
 use super::part::Part;
 use super::stages::{Stages, Target};
 use crate::diagnostic::Diagnostic;
+use crate::expr::ExprId;
 use crate::kinematics::{Marker, lower_scalar};
 use crate::model::Body;
-use crate::vector::{Components, cross_components, dot_components};
+
+/// Components along the axes of one frame.
+type Components = [ExprId; 3];
 
 pub(super) fn momentum(stages: &mut Stages, target: &Target) -> Result<Vec<Part>, Diagnostic> {
     let zero = stages.alg.dag.zero();
@@ -34,7 +37,7 @@ pub(super) fn momentum(stages: &mut Stages, target: &Target) -> Result<Vec<Part>
             let moment = position.map(|r| dag.mul(m, r));
             first = plus(stages, first, moment);
             linear = plus(stages, linear, momentum);
-            let about = cross_components(&mut stages.alg.dag, &position, &momentum);
+            let about = cross(stages, position, momentum);
             angular = plus(stages, angular, about);
         }
         let turning = of_turning(stages, body);
@@ -67,12 +70,25 @@ fn of_turning(stages: &mut Stages, body: &Body) -> Components {
     let triad = stages.k.frame_triad[frame];
     let w = stages.k.angular[triad].value(stages.alg, stages.k);
     let w = stages.alg.express(&w, triad);
-    let along =
-        [[xx, xy, zx], [xy, yy, yz], [zx, yz, zz]].map(|row| dot_components(&mut stages.alg.dag, &row, &w));
+    let along = [[xx, xy, zx], [xy, yy, yz], [zx, yz, zz]].map(|row| dot(stages, row, w));
     let axes = Marker { point: None, frame: Some(frame) }.rotation(stages.alg, stages.k);
-    axes.map_or(along, |rows| rows.map(|row| dot_components(&mut stages.alg.dag, &row, &along)))
+    axes.map_or(along, |rows| rows.map(|row| dot(stages, row, along)))
 }
 
 fn plus(stages: &mut Stages, a: Components, b: Components) -> Components {
     std::array::from_fn(|i| stages.alg.dag.add(a[i], b[i]))
+}
+
+fn dot(stages: &mut Stages, a: Components, b: Components) -> ExprId {
+    let terms: Vec<ExprId> = a.into_iter().zip(b).map(|(x, y)| stages.alg.dag.mul(x, y)).collect();
+    stages.alg.dag.sum(&terms)
+}
+
+fn cross(stages: &mut Stages, a: Components, b: Components) -> Components {
+    let dag = &mut stages.alg.dag;
+    std::array::from_fn(|i| {
+        let (j, l) = ((i + 1) % 3, (i + 2) % 3);
+        let (left, right) = (dag.mul(a[j], b[l]), dag.mul(a[l], b[j]));
+        dag.sub(left, right)
+    })
 }
