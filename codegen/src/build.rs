@@ -12,6 +12,7 @@ use crate::program::{self, Program, Settings};
 use crate::rust::{self, EmitOptions};
 use crate::source::Source;
 use std::path::{Path, PathBuf};
+use std::sync::{Mutex, PoisonError};
 
 /// What to derive and how to emit it.
 #[derive(Clone, Debug, Default)]
@@ -121,9 +122,27 @@ pub fn try_build(path: &Path, options: &Options) -> Result<(PathBuf, Program), D
         path.file_stem().map_or_else(|| model.name.clone(), |stem| stem.to_string_lossy().into_owned())
     });
     let file = Path::new(&directory).join(format!("{name}.rs"));
-    std::fs::write(&file, rust::emit(&program, &options.emit))
-        .map_err(|e| failure(format!("cannot write {}: {e}", file.display())))?;
+    let text = rust::emit(&program, &options.emit);
+    check_unwritten(path, &file, &text)?;
+    std::fs::write(&file, text).map_err(|e| failure(format!("cannot write {}: {e}", file.display())))?;
     Ok((file, program))
+}
+
+/// Refuses another text for a file that this script has written: both modules would include the second one.
+fn check_unwritten(model: &Path, file: &Path, text: &str) -> Result<(), Diagnostics> {
+    static WRITTEN: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
+    let mut written = WRITTEN.lock().unwrap_or_else(PoisonError::into_inner);
+    if written.iter().any(|other| other == file) && std::fs::read_to_string(file).is_ok_and(|old| old != text)
+    {
+        let name = file.file_name().unwrap_or_default().to_string_lossy();
+        return Err(failure(format!(
+            "{}: `{name}` was written for another model, or for another scalar of the same one; give each its own \
+             `file_name` in `Options`",
+            model.display()
+        )));
+    }
+    written.push(file.to_owned());
+    Ok(())
 }
 
 /// Asks cargo to run the script again when the file changes. Cargo reads one instruction a line.
@@ -140,4 +159,24 @@ fn watch(path: &str) -> Result<(), Diagnostics> {
 /// A diagnostic that refers to no place in a model.
 fn failure(message: String) -> Diagnostics {
     Diagnostics::one(Source::default(), Diagnostic::error(message))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::check_unwritten;
+    use std::path::Path;
+
+    #[test]
+    fn another_text_for_a_written_file_is_refused() {
+        let file = std::env::temp_dir().join(format!("smartbed-written-{}.rs", std::process::id()));
+        let mut write = |model: &str, text: &str| {
+            let checked = check_unwritten(Path::new(model), &file, text).map_err(|why| why.to_string());
+            checked.map(|()| std::fs::write(&file, text).expect("a temporary folder"))
+        };
+        assert_eq!(write("a/plant.toml", "one"), Ok(()));
+        assert_eq!(write("a/plant.toml", "one"), Ok(()));
+        let refused = write("b/plant.toml", "two").expect_err("another model");
+        assert!(refused.contains("b/plant.toml") && refused.contains("file_name"), "{refused}");
+        std::fs::remove_file(&file).expect("it was written");
+    }
 }

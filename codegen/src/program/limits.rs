@@ -12,7 +12,7 @@ pub fn fits_single(x: f64) -> bool {
 }
 
 impl Program {
-    /// The first parameter or constant that single precision cannot hold, in words.
+    /// The first parameter, start value or constant that single precision cannot hold, in words.
     #[must_use]
     pub fn beyond_single(&self) -> Option<String> {
         let range = format!("{:.1e} to {:.1e}", f32::MIN_POSITIVE, f32::MAX);
@@ -21,6 +21,12 @@ impl Program {
             return Some(format!(
                 "the parameter `{}` = {:e} is beyond single precision ({range})",
                 found.name, found.value
+            ));
+        }
+        let start = self.stated_start.iter().find(|(_, value)| !(*value as f32).is_finite());
+        if let Some((name, value)) = start {
+            return Some(format!(
+                "the start value `{name}` = {value:e} is beyond single precision ({range})"
             ));
         }
         // A constant that is too small only drops out of a sum; one that is too large makes results infinite.

@@ -136,6 +136,7 @@ fn derive_stages(
     let origin = Origin::new(model, choice, settings);
     let mut program =
         assemble(model, (alg, k), (&solution, &mut table), dynamics, (assembly, answered, origin));
+    warnings.items.extend(program.warn_of_start());
     program.warnings = warnings;
     program.keep_only(asked);
     stage::begin(Stage::Values);

@@ -104,7 +104,7 @@ pub(super) fn parameters(program: &Program, names: &[String], scalar: &ScalarTyp
 /// The ranges of the parameters, and the method that checks them.
 fn check(program: &Program, names: &[String], scalar: &ScalarType, runtime: &str) -> String {
     let ends = |p: &Quantity| {
-        let [low, high] = [p.range.0, p.range.1].map(|end| scalar.literal(end));
+        let [low, high] = [p.range.0, p.range.1].map(|end| scalar.literal(scalar.within(end)));
         layout::text(format_args!("[{low}, {high}]"))
     };
     let ranges: Vec<String> = program.parameters.iter().map(ends).collect();

@@ -83,6 +83,17 @@ impl ScalarType {
         }
     }
 
+    /// A bound that the scalar can hold: in f32 a finite one is at most its largest number, and 0 only if it is 0.
+    pub(super) fn within(&self, bound: f64) -> f64 {
+        match self {
+            Self::F32 if bound.is_finite() && bound != 0.0 => {
+                let size = bound.abs().clamp(f64::from(f32::MIN_POSITIVE), f64::from(f32::MAX));
+                size.copysign(bound)
+            }
+            _ => bound,
+        }
+    }
+
     /// A constant of the scalar: a literal, or a conversion for other scalars.
     pub(super) fn literal(&self, value: f64) -> String {
         let special = match value {

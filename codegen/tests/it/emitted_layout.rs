@@ -169,3 +169,39 @@ fn functions_of_a_step_share_their_sines() {
         assert!(text.contains(&format!("pub const N_NEAR: usize = {turned}usize;")), "{name}");
     }
 }
+
+/// A particle with a speed that follows from another, a start and a range.
+fn tied(start: &str, range: &str) -> Program {
+    crate::models::derived_from(&format!(
+        "format = 1\nname = \"tied\"\n[parameters]\nm = {{ value = 1, unit = \"kg\", range = {range} }}\n\
+         [coordinates]\nx = {{ unit = \"m\" }}\ny = {{ unit = \"m\", speed = {{ independent = false }} }}\n\
+         [points]\nB = \"x*N.x + y*N.y\"\n[constraints.motion]\nc = \"u_y - 2*u_x\"\n\
+         [bodies]\nb = {{ centre = \"B\", mass = \"m\" }}\n[start]\n{start}\n"
+    ))
+}
+
+#[test]
+fn a_start_that_follows_from_the_rest_is_warned_of_and_not_emitted() {
+    let program = tied("u_y = 2", "[0.1, 10]");
+    let warned = program.warnings.to_string();
+    assert!(warned.contains("the start value of `u_y` cannot be used"), "{warned}");
+    let text = emitted(&program, ScalarType::F64);
+    assert!(text.contains("// No START_Q and START_U: [start] states `u_y`"), "{text}");
+    assert!(!text.contains("pub const START_U"), "{text}");
+    let program = tied("u_x = 2", "[0.1, 10]");
+    assert!(!program.warnings.to_string().contains("start value"), "{}", program.warnings);
+    assert!(emitted(&program, ScalarType::F64).contains("START_U: [f64; 1usize] = [2f64]"));
+}
+
+#[test]
+fn ranges_beyond_single_precision_end_with_it() {
+    let text = emitted(&tied("u_x = 2", "[1e-60, 1e300]"), ScalarType::F32);
+    assert!(text.contains("1.1754944e-38_f32") && text.contains("3.4028235e38_f32"), "{text}");
+    assert!(!text.contains("inf"), "{text}");
+    let beyond = tied("x = 1e45", "[0.1, 10]").beyond_single();
+    assert_eq!(
+        beyond.as_deref().map(|why| why.contains("the start value `x` = 1e45")),
+        Some(true),
+        "{beyond:?}"
+    );
+}
