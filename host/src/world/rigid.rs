@@ -329,6 +329,14 @@ fn message(fault: Fault) -> String {
     match fault {
         Fault::TooManyContacts => "more contacts at once than the memory allows".to_owned(),
         Fault::WrongSizes => "the lists of the parts have different lengths".to_owned(),
-        Fault::TooFast => "a part turns too far in one step; take a smaller step".to_owned(),
+        Fault::TooFast => {
+            "a part turns too far in one step, or its state would not be finite; take a smaller step"
+                .to_owned()
+        }
+        Fault::StepSize => "the step is not a finite time; expected one above 0 s".to_owned(),
+        Fault::Gravity => "gravity is not finite".to_owned(),
+        Fault::Part(part) => format!(
+            "the mass, inertia or size of part {part} (counted from 0) is out of range, or its state is not finite"
+        ),
     }
 }

@@ -11,7 +11,8 @@
 //! work   dW_n = v_n dp;  compression ends at v_n = 0 with W_c;  restitution where W_n = (1 - e^2) W_c   (Eq. 4.4)
 //! ```
 //! While the direction of slip is constant, v is linear and W quadratic in p, so such a phase is solved in closed form.
-//! Friction's work is -mu |v_t| dp <= 0 and W_n <= 0 at the end, so no impact creates energy, whatever e and mu.
+//! Friction's work is -mu |v_t| dp <= 0 and W_n <= 0 at the end, so no impact creates energy, for e from 0 to 1
+//! and mu >= 0. The caller sees to these ranges, which [`Law`](super::law::Law) checks.
 
 use super::swerve;
 use super::touch::{BISECTIONS, Progress, slip_of};

@@ -19,15 +19,20 @@ const PARTS: u32 = 1 << 20;
 /// Newton iterations: they start within a tenth of the root and converge quadratically.
 const ITERATIONS: usize = 5;
 
-/// A step that rotates the body too far.
+/// The largest moment of inertia (kg m^2) may be between this and its inverse: products of three are numbers in f32, too.
+const SIZE: f64 = 65536.0;
+/// So many changes by [`SIZE`]^2 bring any f64 there.
+const SIZES: usize = 34;
+
+/// A step that rotates the body too far, or after which a number is not finite.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct TooFast;
 
 /// Advances by h (s) under a constant force and moment (N, N m, in N); exact for the centre of mass.
 ///
 /// # Errors
-/// [`TooFast`] where h times the angular velocity exceeds half a million radians or is not finite; the state is
-/// unchanged.
+/// [`TooFast`] where h times the angular velocity exceeds half a million radians, or where a number of the state at the
+/// end would not be finite; the state is unchanged.
 pub fn advance<S: Scalar>(
     body: &RigidBody<S>,
     state: &mut RigidState<S>,
@@ -40,10 +45,16 @@ pub fn advance<S: Scalar>(
     let attitude = rotate(body, state.attitude, kicked, h)?;
     let acceleration = vec3::scale(force, S::ONE / body.mass);
     let mean = vec3::axpy(state.velocity, half, acceleration);
-    state.position = vec3::axpy(state.position, h, mean);
-    state.velocity = vec3::axpy(state.velocity, h, acceleration);
-    state.attitude = attitude;
-    state.angular_momentum = vec3::axpy(kicked, half, moment);
+    let end = RigidState {
+        position: vec3::axpy(state.position, h, mean),
+        velocity: vec3::axpy(state.velocity, h, acceleration),
+        attitude,
+        angular_momentum: vec3::axpy(kicked, half, moment),
+    };
+    if !end.is_finite() {
+        return Err(TooFast);
+    }
+    *state = end;
     Ok(())
 }
 
@@ -61,18 +72,36 @@ pub fn rotate<S: Scalar>(
     const P: f64 = 0.414_490_771_794_375_7;
     const STEPS: [f64; 5] = [P, P, 1.0 - 4.0 * P, P, P];
     // No rotation is faster than |m| over the smallest moment of inertia.
-    let [a, b, c] = body.inertia;
+    let (inertia, momentum) = brought_to_size(body.inertia, momentum);
+    let [a, b, c] = inertia;
     let fastest = vec3::norm(momentum) / a.min(b).min(c) * h.abs();
     let parts = parts_of(fastest).ok_or(TooFast)?;
-    let (mut attitude, mut part) = (attitude, 0);
+    let (body, mut attitude, mut part) = (RigidBody { inertia, ..*body }, attitude, 0);
     let length = h / count::<S>(parts);
     while part < parts {
         for step in STEPS {
-            attitude = turn(body, attitude, momentum, S::from_f64(step) * length);
+            attitude = turn(&body, attitude, momentum, S::from_f64(step) * length);
         }
         part += 1;
     }
     Ok(attitude)
+}
+
+/// Inertia and momentum, both times the power of two that brings the largest moment of inertia between 1/[`SIZE`] and
+/// [`SIZE`]: a body turns by their quotient, to the same bits.
+fn brought_to_size<S: Scalar>(mut inertia: Vec3<S>, mut momentum: Vec3<S>) -> (Vec3<S>, Vec3<S>) {
+    let (size, up, down) = (S::from_f64(SIZE), S::from_f64(SIZE * SIZE), S::from_f64(1.0 / (SIZE * SIZE)));
+    for _ in 0..SIZES {
+        let [a, b, c] = inertia;
+        let largest = a.max(b).max(c);
+        let (is_small, is_large) = (largest * size < S::ONE, largest > size);
+        if !(is_small || is_large) {
+            break;
+        }
+        let factor = if is_small { up } else { down };
+        (inertia, momentum) = (vec3::scale(inertia, factor), vec3::scale(momentum, factor));
+    }
+    (inertia, momentum)
 }
 
 /// Number of parts for a rotation by this angle (rad); None where it is too large or not finite.

@@ -48,8 +48,15 @@ pub enum Fault {
     TooManyContacts,
     /// Slices whose lengths differ from the number of parts, or a pair of parts that do not exist.
     WrongSizes,
-    /// A part rotates too far in one step, or a state is not finite: take a shorter step.
+    /// A part rotates too far in one step, or a state at its end would not be finite: take a shorter step.
     TooFast,
+    /// The length of the step is not > 0 and finite.
+    StepSize,
+    /// Gravity is not finite.
+    Gravity,
+    /// This part's mass or a moment of inertia is not > 0 and finite, or so small that its inverse is not; or a size is
+    /// negative or not finite; or its state is not finite.
+    Part(usize),
 }
 
 impl<S: Scalar> RigidState<S> {
@@ -62,6 +69,21 @@ impl<S: Scalar> RigidState<S> {
 }
 
 impl<S: Scalar> Part<S> {
+    /// Whether it can move: its sizes and inertia in range, its state finite.
+    pub(super) fn is_sound(&self, state: &RigidState<S>) -> bool {
+        let positive = |x: S| x > S::ZERO && x.is_finite() && (S::ONE / x).is_finite();
+        let moves =
+            self.body.is_none_or(|body| positive(body.mass) && body.inertia.iter().all(|i| positive(*i)));
+        let size = |x: S| x >= S::ZERO && x.is_finite();
+        let sized = match self.shape {
+            Shape::HalfSpace => true,
+            Shape::Sphere(sphere) => size(sphere.radius),
+            Shape::Capsule(capsule) => size(capsule.radius) && size(capsule.half_length),
+            Shape::Cuboid(cuboid) => cuboid.half.iter().all(|x| size(*x)),
+        };
+        moves && sized && state.is_finite()
+    }
+
     /// Its frame with its motion.
     #[must_use]
     pub fn frame(&self, state: &RigidState<S>) -> Frame<S> {

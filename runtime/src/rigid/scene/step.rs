@@ -55,6 +55,7 @@ impl<S: Scalar> RigidScene<'_, S> {
         mut watch: (impl FnMut(Strike<'_, S>), impl FnMut(Piece<'_, S>)),
     ) -> Result<Report<S>, Fault> {
         self.check_sizes(states, memory)?;
+        self.check_numbers(states, h)?;
         let mut report = Report {
             impacts: 0,
             splits: 0,
@@ -68,8 +69,24 @@ impl<S: Scalar> RigidScene<'_, S> {
         let [now, ..] = &mut memory.states;
         now.iter_mut().zip(states.iter()).for_each(|(to, from)| *to = *from);
         self.go(h, memory, &mut report, &mut watch)?;
+        if !memory.states[0].iter().all(RigidState::is_finite) {
+            return Err(Fault::TooFast);
+        }
         states.iter_mut().zip(memory.states[0].iter()).for_each(|(to, from)| *to = *from);
         Ok(report)
+    }
+
+    fn check_numbers(&self, states: &[RigidState<S>], h: S) -> Result<(), Fault> {
+        if !(h > S::ZERO && h.is_finite()) {
+            return Err(Fault::StepSize);
+        }
+        if !self.gravity.iter().all(|g| g.is_finite()) {
+            return Err(Fault::Gravity);
+        }
+        match self.parts.iter().zip(states).position(|(part, state)| !part.is_sound(state)) {
+            Some(part) => Err(Fault::Part(part)),
+            None => Ok(()),
+        }
     }
 
     fn check_sizes(&self, states: &[RigidState<S>], memory: &Memory<S>) -> Result<(), Fault> {
