@@ -10,6 +10,7 @@
 
 use super::fault::BodyError;
 use super::spring::{Spring, is_runaway};
+use crate::gas::work;
 use crate::real::Scalar;
 use crate::vec3::{self, Vec3};
 
@@ -239,13 +240,8 @@ pub fn energy<S: Scalar>(filled: &Filled<S>, pos: &[Vec3<S>]) -> S {
         Gas::Polytropic { pressure, ambient, volume, exponent, dead_volume } => {
             let now = facet_volume + dead_volume;
             let (absolute, log_ratio) = (pressure + ambient, (now / volume).ln());
-            let power = exponent - S::ONE;
-            // int p_abs dV from `volume` to `now`; n = 1 is the limit, used where the quotient would lose its digits.
-            let work = if power.abs() > S::from_f64(1e-6) {
-                absolute * volume * (S::ONE - (-(power * log_ratio)).exp()) / power
-            } else {
-                absolute * volume * log_ratio
-            };
+            // int p_abs dV from `volume` to `now`.
+            let work = work(absolute * volume, exponent, log_ratio);
             ambient * (now - volume) - work
         }
     }

@@ -1,6 +1,6 @@
 //! A chamber of gas: state, pressure at a volume, lines, and energy accounts.
 
-use super::ideal::Gas;
+use super::ideal::{self, Gas};
 use super::nozzle::{Nozzle, Source};
 use crate::real::Scalar;
 
@@ -264,9 +264,7 @@ impl<S: Scalar> Chamber<S> {
 
     /// The integral of (V_r/V)^n dV/V_r from V_r to a volume.
     fn length(&self, volume: S) -> S {
-        let (power, log) = (self.exponent - S::ONE, (volume / self.reference_volume).ln());
-        // n = 1 is the limit, used where the quotient would lose its digits.
-        if power.abs() > S::from_f64(1e-6) { (S::ONE - (-(power * log)).exp()) / power } else { log }
+        ideal::work(S::ONE, self.exponent, (volume / self.reference_volume).ln())
     }
 
     /// (V/V_r)^n.

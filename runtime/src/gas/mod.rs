@@ -19,4 +19,5 @@ mod nozzle;
 
 pub use chamber::{Account, Chamber, GasFault, GasState, Line, Rates, Regulated};
 pub use ideal::Gas;
+pub(crate) use ideal::work;
 pub use nozzle::{LINEAR_RANGE, Nozzle, REFERENCE_DENSITY, REFERENCE_TEMPERATURE, Source};

@@ -260,3 +260,29 @@ fn a_regulator_keeps_its_books_and_faults_are_values() {
     let wide = Nozzle::orifice(&Gas::air(), 2e-3, 0.65).mass_flow(at(AMBIENT + 4000.0), AMBIENT);
     close(f64::from(flow), wide, 1e-5);
 }
+
+#[test]
+fn an_exponent_near_1_keeps_the_digits_of_works() {
+    // The series of (1 - e^-z)/z in f64, at the same exponent.
+    let exact = |exponent: f32, ratio: f64| {
+        let (log, z) = (ratio.ln(), (f64::from(exponent) - 1.0) * ratio.ln());
+        let mut term = 1.0;
+        log * (1..24).fold(1.0, |sum, k| {
+            term *= -z / f64::from(k + 1);
+            sum + term
+        })
+    };
+    for exponent in [1.0, 1.000_000_1, 1.000_001, 1.000_01, 1.000_1, 1.001, 1.01, 1.05, 1.07, 1.4_f32] {
+        let chamber = Chamber { gas: Gas::air(), exponent, reference_volume: 1.0, ambient: 0.0 };
+        for ratio in [0.5, 0.75, 1.25, 2.0, 8.0] {
+            let state = GasState { reference_pressure: 1.0, mass: 1.0 };
+            let (work, exact) =
+                (-chamber.potential(&state, ratio).unwrap(), exact(exponent, f64::from(ratio)));
+            let error = (f64::from(work) - exact).abs() / exact.abs();
+            // Four bits of 2^-24 at most, and the rounding of the logarithm.
+            assert!(error <= 2e-6, "n = {exponent}, V/V_r = {ratio}: {work} instead of {exact}");
+            let pushed = chamber.pushed(&state, 1.0, ratio);
+            assert!((f64::from(pushed.work) - exact).abs() <= 2e-6 * exact.abs(), "{exponent} {ratio}");
+        }
+    }
+}
