@@ -85,8 +85,8 @@ fn refused(fault: ChannelFault, channel: &Channel<f64>) -> String {
             DEPTH - 1
         ),
         ChannelFault::OutOfRange => {
-            "expected `noise`, `bias` and `resolution` >= 0, and a `range` whose first number is not \
-                                     above its second"
+            "expected `noise`, `bias` and `resolution` >= 0 and finite, a finite `drift`, and a `range` whose first \
+             number is not above its second"
                 .to_owned()
         }
     }

@@ -19,8 +19,10 @@ pub const MAX_EVALUATIONS: u32 = 400;
 /// Why no root was located.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum RootFault {
-    /// The guard has the same sign at both ends, or is no number at one of them.
+    /// The guard has the same sign at both ends, or is no number at one of them; or the bracket's length is not finite.
     NotBracketed,
+    /// The bracket is still wider after [`MAX_EVALUATIONS`]: it was longer than the width by too many orders of magnitude.
+    NotConverged,
     /// The guard became not-a-number inside the bracket.
     NonFinite,
 }
@@ -103,7 +105,7 @@ fn inverse_parabola<S: Scalar>([(a, fa), (b, fb), (c, fc)]: [(S, S); 3]) -> S {
 /// Narrows [low, high] around a sign change of `g` to `width`, or to neighbouring numbers.
 ///
 /// # Errors
-/// [`RootFault`] if there is no sign change or `g` fails.
+/// [`RootFault`] if there is no sign change, `g` fails, or the bracket is longer than `width` beyond measure.
 pub fn locate<S: Scalar>(g: impl FnMut(S) -> S, low: S, high: S, width: S) -> Result<(S, S), RootFault> {
     reach(g, [low, high], width, S::ZERO)
 }
@@ -121,7 +123,7 @@ pub fn reach<S: Scalar>(
     let (g_low, g_high) = (g(low), g(high));
     let rising = g_low <= S::ZERO && S::ZERO <= g_high;
     let falling = g_high <= S::ZERO && S::ZERO <= g_low;
-    if !(rising || falling) {
+    if !((rising || falling) && (high - low).is_finite()) {
         return Err(RootFault::NotBracketed);
     }
     // Search for a guard that falls below 0; one that ends at exactly 0 counts as falling there.
@@ -133,7 +135,7 @@ pub fn reach<S: Scalar>(
         let (low, high) = (a.min(b), a.max(b));
         let middle = low + S::from_f64(0.5) * (high - low);
         if high - low <= width || !(low < middle && middle < high) {
-            break;
+            return Ok((low, high));
         }
         let t = search.propose();
         let value = sign * g(t);
@@ -145,6 +147,5 @@ pub fn reach<S: Scalar>(
         }
         search.take(t, value);
     }
-    let (a, b) = search.ends();
-    Ok((a.min(b), a.max(b)))
+    Err(RootFault::NotConverged)
 }

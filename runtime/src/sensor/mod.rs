@@ -39,7 +39,7 @@ pub enum ChannelFault {
     NoPeriod,
     /// The delay needs more pending samples than there is room for: at most (`DEPTH` - 1) periods.
     TooLate,
-    /// Noise, bias and resolution must be 0 or more, the range not empty.
+    /// Noise, bias and resolution must be 0 or more and finite, drift finite, the range not empty.
     OutOfRange,
 }
 
@@ -81,7 +81,8 @@ impl<S: Scalar, const DEPTH: usize> Sensor<S, DEPTH> {
         }
         let [low, high] = channel.range;
         let sizes = [channel.noise, channel.bias, channel.resolution];
-        if !(sizes.iter().all(|x| *x >= S::ZERO) && low <= high) {
+        let are_sizes = sizes.iter().all(|x| *x >= S::ZERO && x.is_finite());
+        if !(are_sizes && channel.drift.is_finite() && low <= high) {
             return Err(ChannelFault::OutOfRange);
         }
         let source = Noise::new(seed);

@@ -131,6 +131,16 @@ fn channels_that_cannot_be_are_refused() {
     assert_eq!(refused(Channel { noise: -1.0, ..EXACT }), Some(ChannelFault::OutOfRange));
     assert_eq!(refused(Channel { resolution: f64::NAN, ..EXACT }), Some(ChannelFault::OutOfRange));
     assert_eq!(refused(Channel { range: [1.0, 0.0], ..EXACT }), Some(ChannelFault::OutOfRange));
+    for x in [f64::INFINITY, f64::NAN] {
+        for channel in [
+            Channel { noise: x, ..EXACT },
+            Channel { bias: x, ..EXACT },
+            Channel { drift: x, ..EXACT },
+            Channel { resolution: x, ..EXACT },
+        ] {
+            assert_eq!(refused(channel), Some(ChannelFault::OutOfRange), "{channel:?}");
+        }
+    }
 }
 
 #[test]

@@ -52,6 +52,27 @@ fn roots_are_bracketed_tightly() {
     assert_eq!(locate(hole, 0.0, 1.0, 1e-9), Err(RootFault::NonFinite));
 }
 
+#[test]
+fn brackets_too_long_to_be_narrowed_are_refused() {
+    let found = |low: f64, high: f64| locate(|t: f64| if t < 1.0 { 1.0 } else { -1.0 }, low, high, 1e-9);
+    for (low, high) in [(0.0, f64::INFINITY), (f64::NEG_INFINITY, 2.0), (-1e308, 1e308), (0.0, f64::NAN)] {
+        assert_eq!(found(low, high), Err(RootFault::NotBracketed), "{low} {high}");
+    }
+    let mut given_up = 0;
+    for size in [1e100, 1e200, 8e307] {
+        for low in [0.0, -size, -0.1 * size] {
+            match found(low, size) {
+                Ok((low, high)) => assert!(low < 1.0 && 1.0 <= high && high - low <= 1e-9, "{low} {high}"),
+                fault => {
+                    assert_eq!(fault, Err(RootFault::NotConverged));
+                    given_up += 1;
+                }
+            }
+        }
+    }
+    assert!(given_up > 0);
+}
+
 /// The root search needs few evaluations: for smooth, steep and kinked event functions, also from a wide bracket.
 #[test]
 fn roots_of_smooth_guards_take_few_evaluations() {
