@@ -15,6 +15,10 @@ pub fn describe<S: Scalar>(error: &BodyError<S>) -> String {
         BodyError::UnknownPoint { point, points } => {
             format!("point {point} does not exist: the points are 0 to {}", points - 1)
         }
+        BodyError::OutOfRange(quantity) => {
+            let expected = quantity.expected();
+            format!("a constant of the body or its ground is out of range: expected {expected}")
+        }
         BodyError::Negative { index } => format!("entry {index} of the masses or springs is negative"),
         BodyError::Scratch { needed, given } => {
             format!("scratch memory: {given} vectors given, {needed} needed")

@@ -10,7 +10,7 @@ use smartbed::engine::explain;
 use smartbed::scene::describe::describe;
 use smartbed::scene::run::no_number;
 use smartbed::switches::jumped;
-use smartbed_runtime::flexible::BodyError;
+use smartbed_runtime::flexible::{BodyError, Quantity};
 use smartbed_runtime::mechanism::Fault;
 use std::path::{Path, PathBuf};
 
@@ -215,6 +215,7 @@ fn every_error_of_a_run_has_its_cause_and_cure() {
         BodyError::Empty,
         BodyError::Length { expected: 2, found: 1 },
         BodyError::UnknownPoint { point: 7, points: 3 },
+        BodyError::OutOfRange(Quantity::Normal),
         BodyError::Negative { index: 1 },
         BodyError::Scratch { needed: 9, given: 1 },
         BodyError::NotFinite { point: 1 },
@@ -228,7 +229,10 @@ fn every_error_of_a_run_has_its_cause_and_cure() {
     for body in &bodies {
         match body {
             BodyError::Empty | BodyError::Length { .. } | BodyError::UnknownPoint { .. } => {}
-            BodyError::Negative { .. } | BodyError::Scratch { .. } | BodyError::NotFinite { .. } => {}
+            BodyError::OutOfRange(_)
+            | BodyError::Negative { .. }
+            | BodyError::Scratch { .. }
+            | BodyError::NotFinite { .. } => {}
             BodyError::BelowGround { .. } | BodyError::ThroughGround { .. } => {}
             BodyError::PressureTooHigh { .. } | BodyError::Collapsed { .. } => {}
             BodyError::NotConverged { .. } => {}

@@ -2,6 +2,7 @@
 //!
 //! In: a point's position and velocity. Out: gap = n.x - offset (m, > 0 apart), gap rate = n.v (m/s, < 0 closing).
 
+use crate::flexible::{BodyError, Quantity};
 use crate::real::Scalar;
 use crate::vec3::{self, Vec3};
 
@@ -85,6 +86,34 @@ impl ContactState {
 }
 
 impl<S: Scalar> Ground<S> {
+    /// Checks its numbers, as the start of a run does on a host.
+    ///
+    /// # Errors
+    /// The first that is out of range.
+    pub fn check(&self) -> Result<(), BodyError<S>> {
+        let size = |x: S| x >= S::ZERO && x.is_finite();
+        let share = |x: S| S::ZERO <= x && x <= S::ONE;
+        // Half of the digits, for a normal that was written out.
+        let is_unit = (vec3::norm(self.normal) - S::ONE).abs() <= S::ROOT_EPSILON;
+        let is_law = match self.law {
+            ContactLaw::Compensation { eta, .. } => share(eta),
+            ContactLaw::Newton { restitution } | ContactLaw::Moreau { restitution } => share(restitution),
+            ContactLaw::MasslessPoint => true,
+            ContactLaw::Penalty { stiffness } => size(stiffness),
+            ContactLaw::HuntCrossley { stiffness, dissipation } => size(stiffness) && size(dissipation),
+        };
+        let checks = [
+            (is_unit, Quantity::Normal),
+            (self.offset.is_finite() && size(self.tolerance), Quantity::Place),
+            (size(self.friction), Quantity::Friction),
+            (is_law, Quantity::Law),
+        ];
+        match checks.iter().find(|(is_sound, _)| !is_sound) {
+            Some((_, quantity)) => Err(BodyError::OutOfRange(*quantity)),
+            None => Ok(()),
+        }
+    }
+
     /// gap (m).
     #[must_use]
     pub fn gap(&self, x: Vec3<S>) -> S {

@@ -1,15 +1,18 @@
 //! A flexible body: everything that is constant in a run, as a view over the caller's slices.
 
-use super::fault::BodyError;
+use super::fault::{BodyError, Quantity};
 use super::grid::Grid;
 use super::patch::Patches;
-use super::pressure::Inflation;
+use super::pressure::{Gas, Inflation};
 use super::spring::Spring;
 use crate::real::Scalar;
 use crate::vec3::Vec3;
 
 /// A list of fewer springs is short.
 const SHORT: usize = if cfg!(target_os = "none") { 0 } else { 64 };
+
+/// A microcontroller's constants are printed by a host, which has checked them; its flash is small.
+pub(crate) const ON_HOST: bool = !cfg!(target_os = "none");
 
 /// What never changes in a run.
 #[derive(Clone, Copy, Debug)]
@@ -62,7 +65,8 @@ impl<'a> Massless<'a> {
 }
 
 impl<'a, S: Scalar> Body<'a, S> {
-    /// Checks lengths, point indices and signs.
+    /// Checks lengths, point indices and signs; on a microcontroller, whose tables a host has printed from a checked body,
+    /// those of masses, springs and facets only.
     ///
     /// # Errors
     /// The first defect.
@@ -102,7 +106,43 @@ impl<'a, S: Scalar> Body<'a, S> {
         if candidate.massless.iter().count() < expected {
             return Err(BodyError::Length { expected, found: listed.len() });
         }
+        if ON_HOST && let Some(quantity) = candidate.out_of_range() {
+            return Err(BodyError::OutOfRange(quantity));
+        }
         Ok(candidate)
+    }
+
+    /// The first of the other constants that is out of range.
+    fn out_of_range(&self) -> Option<Quantity> {
+        let positive = |x: S| x > S::ZERO && x.is_finite();
+        let is_gas = self.inflation.is_none_or(|inflation| match inflation.gas {
+            Gas::Constant(pressure) => pressure.is_finite(),
+            Gas::Polytropic { pressure, ambient, volume, exponent, dead_volume } => {
+                let finite = [pressure, ambient, dead_volume].iter().all(|x| x.is_finite());
+                finite && positive(volume) && positive(exponent)
+            }
+        });
+        let massless = |i: &usize| self.mass.get(*i) == Some(&S::ZERO) && self.fixed.get(*i) == Some(&false);
+        let holds =
+            |i: usize, spring: usize| self.springs.get(spring).is_some_and(|s| s.head == i || s.tail == i);
+        let held = self.massless.iter().all(|(i, springs)| springs.iter().all(|spring| holds(i, *spring)));
+        let within =
+            |list: &[usize]| list.is_sorted() && list.iter().all(|n| *n <= self.massless.springs.len());
+        // A division more or less.
+        let near = |x: S, own: S| (x - own).abs() <= S::from_f64(4.0) * S::EPSILON * own;
+        let mut inverse = self.inverse_mass.iter().enumerate();
+        let checks = [
+            (self.gravity.iter().all(|g| g.is_finite()), Quantity::Gravity),
+            (self.air_drag >= S::ZERO && self.air_drag.is_finite(), Quantity::AirDrag),
+            (is_gas, Quantity::Gas),
+            (
+                inverse.all(|(i, row)| row.iter().all(|x| near(*x, self.inverse_mass(i)))),
+                Quantity::InverseMass,
+            ),
+            (self.massless.points.iter().all(massless), Quantity::MasslessPoints),
+            (held && within(self.massless.first), Quantity::MasslessSprings),
+        ];
+        checks.iter().find(|(is_sound, _)| !is_sound).map(|(_, quantity)| *quantity)
     }
 
     /// A body without points, for a world without flexible parts.

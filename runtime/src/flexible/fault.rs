@@ -21,6 +21,8 @@ pub enum BodyError<S> {
         /// Number of points.
         points: usize,
     },
+    /// A constant of the body, of its ground or of a step is out of range.
+    OutOfRange(Quantity),
     /// A mass, stiffness, damping or rest length is negative or not a number.
     Negative {
         /// Index of the point or spring.
@@ -67,6 +69,59 @@ pub enum BodyError<S> {
         /// Length of the step (s).
         step: S,
     },
+}
+
+/// What is out of range.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Quantity {
+    /// The length of a step.
+    Step,
+    /// The body's gravity.
+    Gravity,
+    /// The body's air drag.
+    AirDrag,
+    /// Pressure, volume or exponent of the gas.
+    Gas,
+    /// The list of inverse masses.
+    InverseMass,
+    /// The list of massless points.
+    MasslessPoints,
+    /// The list of their springs.
+    MasslessSprings,
+    /// The ground's normal.
+    Normal,
+    /// The ground's offset or tolerance.
+    Place,
+    /// The ground's friction.
+    Friction,
+    /// A number of the ground's law.
+    Law,
+}
+
+impl Quantity {
+    /// What is expected of it, in words.
+    #[must_use]
+    pub fn expected(self) -> &'static str {
+        match self {
+            Quantity::Step => "a step of a finite time above 0 s",
+            Quantity::Gravity => "a finite gravity",
+            Quantity::AirDrag => "an air drag of 0 or more, finite",
+            Quantity::Gas => "a gas of finite pressures, with a volume and an exponent above 0",
+            Quantity::InverseMass => {
+                "1/mass of each point in `inverse_mass`, 0 where it is fixed or has no mass"
+            }
+            Quantity::MasslessPoints => "points of mass 0 that are not fixed in `massless.points`",
+            Quantity::MasslessSprings => {
+                "the springs of each massless point in `massless.springs`, from `first` on"
+            }
+            Quantity::Normal => "a ground whose normal has length 1",
+            Quantity::Place => "a ground of finite offset and tolerance, the tolerance 0 or more",
+            Quantity::Friction => "a ground whose friction is 0 or more, finite",
+            Quantity::Law => {
+                "a law of restitution or share from 0 to 1, stiffness and dissipation 0 or more, finite"
+            }
+        }
+    }
 }
 
 impl<S> From<NodeFault<S>> for BodyError<S> {

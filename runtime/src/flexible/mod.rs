@@ -17,7 +17,8 @@ pub mod rest;
 pub mod spring;
 pub mod walk;
 
+pub(crate) use body::ON_HOST;
 pub use body::{Body, Massless};
-pub use fault::BodyError;
+pub use fault::{BodyError, Quantity};
 pub use pressure::{Gas, Inflation, PressureForm};
 pub use spring::Spring;

@@ -7,8 +7,8 @@ use super::touch::{apply_law, hold_or_rebound, mark_touching, place_on_surface, 
 use super::watch::{Event, Flow, Observer, StepReport};
 use super::{slide, stepping};
 use crate::contact::{ContactLaw, ContactState, Frozen, Ground, Repertoire, System};
-use crate::flexible::BodyError;
 use crate::flexible::energy::eval_energies;
+use crate::flexible::{BodyError, ON_HOST, Quantity};
 use crate::guard::Shortened;
 use crate::ode::nodes::{Step, Workspace};
 use crate::real::Scalar;
@@ -19,10 +19,10 @@ pub const MAX_EVENTS: usize = 64;
 /// Most substeps of an adaptive method within one step.
 pub const MAX_SUBSTEPS: usize = 4096;
 
-/// Advances the state by h.
+/// Advances the state by h (s), > 0.
 ///
 /// # Errors
-/// The state is then the last good one.
+/// The state is then the last good one. A host refuses a step that is not a finite time above 0.
 pub fn step<'a, S: Scalar, R: Repertoire<S>, O: Observer<S, R>>(
     system: &System<S, R>,
     state: &mut State<'a, S>,
@@ -31,6 +31,9 @@ pub fn step<'a, S: Scalar, R: Repertoire<S>, O: Observer<S, R>>(
     work: &mut Workspace<'a, S>,
     observer: &mut O,
 ) -> Result<StepReport, BodyError<S>> {
+    if ON_HOST && !(h > S::ZERO && h.is_finite()) {
+        return Err(BodyError::OutOfRange(Quantity::Step));
+    }
     if let Some(ContactLaw::Moreau { restitution }) = system.ground.map(|g| g.law)
         && R::MOREAU
     {
@@ -154,7 +157,8 @@ impl<S: Scalar> State<'_, S> {
     /// Prepares a start: forces, energy, points that lie on the ground or touch it now.
     ///
     /// # Errors
-    /// A point below a rigid ground, an energy that is not finite, or a fault of the gas law.
+    /// A ground whose numbers are out of range, a point below a rigid ground, an energy that is not finite, or a fault of
+    /// the gas law.
     pub fn begin<R: Repertoire<S>, O: Observer<S, R>>(
         &mut self,
         system: &System<S, R>,
@@ -163,6 +167,9 @@ impl<S: Scalar> State<'_, S> {
         work: &mut Workspace<S>,
         observer: &mut O,
     ) -> Result<(), BodyError<S>> {
+        if ON_HOST && let Some(ground) = &system.ground {
+            ground.check()?;
+        }
         self.refuse_below_ground(system)?;
         self.motion.check_finite()?;
         self.motion.refresh(&Frozen { system, modes: self.modes })?;

@@ -35,6 +35,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         state: &mut State<'_, S>,
         memory: &mut StepMemory<'_, S>,
     ) -> Result<(StepReport<S>, S), Fault> {
+        self.check(h)?;
         let report = self.step_at((&Course { times: [t; 3], rebounds: false }, h), state, memory, &mut ())?;
         let scratch = core::mem::take(&mut memory.scratch);
         // The contacts of the step are kept in the second list during the separation.

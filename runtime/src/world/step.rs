@@ -56,8 +56,10 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
     /// Advances the state from t by h (s), > 0.
     ///
     /// # Errors
-    /// [`Fault::Shape`] for lists of wrong length, [`Fault::TooManyContacts`] where they have no room;
-    /// [`Fault::Singular`] or [`Fault::NonFinite`] if the middle or the end is so. The state is then unchanged.
+    /// [`Fault::Shape`] for lists of wrong length, and for things and pairs that name what does not exist;
+    /// [`Fault::StepSize`] if h is not > 0 and finite; [`Fault::TooManyContacts`] where the lists have no room;
+    /// [`Fault::Singular`] or [`Fault::NonFinite`] if the middle or the end is so, or a pair's law is no number. The state
+    /// is then unchanged.
     pub fn step(
         &mut self,
         t: S,
@@ -79,6 +81,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         memory: &mut StepMemory<'_, S>,
         watch: &mut impl Observer<S>,
     ) -> Result<StepReport<S>, Fault> {
+        self.check(h)?;
         let course = Course { times: [t, t + S::from_f64(0.5) * h, t + h], rebounds: true };
         self.step_at((&course, h), state, memory, watch)
     }

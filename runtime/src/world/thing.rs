@@ -71,6 +71,17 @@ pub struct Pair<S> {
     pub restitution: S,
 }
 
+impl<S: Scalar> Thing<S> {
+    /// Whether its port, or its nodes and facets, are among so many.
+    pub(super) fn exists(&self, ports: usize, nodes: usize, facets: usize) -> bool {
+        let within = |[first, end]: [usize; 2], all: usize| first <= end && end <= all;
+        match self {
+            Thing::Rigid { port, .. } => port.is_none_or(|port| port < ports),
+            Thing::Mesh { nodes: own, facets: of_it, .. } => within(*own, nodes) && within(*of_it, facets),
+        }
+    }
+}
+
 impl<S: Scalar> Pair<S> {
     /// Whether the boxes around its things are within `margin` (m) of each other; true where there are no boxes.
     pub(super) fn may_meet(&self, extents: &[Extent<S>], margin: S) -> bool {

@@ -5,6 +5,7 @@ use super::extent::Extent;
 use super::inertia::Inertias;
 use super::island::Island;
 use super::thing::{Pair, Thing};
+use crate::mechanism::Fault;
 use crate::real::Scalar;
 use crate::rigid::contact::Twist;
 use crate::surface::Frame;
@@ -19,6 +20,23 @@ pub struct World<'a, S, C> {
     pub things: &'a [Thing<S>],
     /// The pairs of them that may touch, each with its law.
     pub pairs: &'a [Pair<S>],
+}
+
+impl<S: Scalar, C> World<'_, S, C> {
+    /// Refuses a step of h (s) that does not lead forward in time, and things and pairs that are not there to touch.
+    pub(super) fn check(&self, h: S) -> Result<(), Fault> {
+        if !(h > S::ZERO && h.is_finite()) {
+            return Err(Fault::StepSize);
+        }
+        let (body, ports) = (&self.island.body, self.island.memory.frames.len());
+        let exists = |thing: &Thing<S>| thing.exists(ports, body.points(), body.facets.len());
+        let known = |pair: &Pair<S>| pair.things.iter().all(|thing| *thing < self.things.len());
+        if !(self.things.iter().all(exists) && self.pairs.iter().all(known)) {
+            return Err(Fault::Shape);
+        }
+        let is_number = |pair: &Pair<S>| pair.friction.is_finite() && pair.restitution.is_finite();
+        if self.pairs.iter().all(is_number) { Ok(()) } else { Err(Fault::NonFinite) }
+    }
 }
 
 /// Working memory of a step.

@@ -22,6 +22,7 @@ mod massless;
 mod narrow;
 mod on_facets;
 mod random;
+mod refused;
 mod rigid_scene;
 mod scenery;
 mod sensor;

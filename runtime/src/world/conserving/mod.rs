@@ -105,6 +105,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         means: &mut MeanMemory<'_, S>,
         watch: &mut impl Observer<S>,
     ) -> Result<StepReport<S>, Fault> {
+        self.check(time.1)?;
         let own = core::mem::take(&mut memory.scratch);
         let more = core::mem::take(&mut means.scratch);
         let report = self.conserve(time, state, [&mut *own, &mut *more], (memory, means), watch);

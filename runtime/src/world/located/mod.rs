@@ -183,8 +183,8 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
     /// compensation e is the square root of its share).
     ///
     /// # Errors
-    /// [`Fault::TooManyContacts`]; [`Fault::Shape`] for lists of wrong length; the method's faults. The state is then
-    /// unchanged.
+    /// Those of [`World::step`]; [`Fault::Shape`] if `kinds` has not one entry per pair; the method's faults. The state is
+    /// then unchanged.
     pub fn step_located(
         &mut self,
         kinds: &[Kind],
@@ -194,6 +194,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         memory: &mut LocatedMemory<'_, S>,
         watch: &mut impl Observer<S>,
     ) -> Result<LocatedReport<S>, Fault> {
+        self.check(h)?;
         if state.x().len() != self.island.n_x() || kinds.len() != self.pairs.len() {
             return Err(Fault::Shape);
         }
