@@ -108,6 +108,13 @@ fn what_is_wrong_in_a_world_is_said_with_its_place() {
         ),
         (format!("{TILE}{SHEET}attach = [{{ nodes = \"rim\", to = \"tile.top\" }}]"), "has no port `top`", 9),
         (
+            format!(
+                "{TILE}grid = {{ count = [2, 1], pitch = [\"0.4_m\", \"0.4_m\"] }}\n{SHEET}attach = [{{ nodes = \"rim\", to = \"tile.platform\" }}]"
+            ),
+            "`tile` is repeated: give this part the same `grid`, or name one of the copies, such as `tile[0,0]`",
+            10,
+        ),
+        (
             format!("{TILE}{SHEET}attach = [{{ nodes = \"rim\", to = \"tile\" }}]"),
             "expected one of its ports",
             9,

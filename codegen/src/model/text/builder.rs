@@ -74,7 +74,9 @@ impl<'a> Builder<'a> {
             Some(other) => self.found.push(
                 Diagnostic::error("this format of models is not known")
                     .label(other.span(), "expected 1")
-                    .help("this program reads format = 1"),
+                    .help(
+                        "models are of format = 1; scenes, which have a `shape` or `parts`, of format 1 or 2",
+                    ),
             ),
         }
         let model = &mut self.draft.model;

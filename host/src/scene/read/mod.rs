@@ -133,7 +133,7 @@ fn parse_varied(path: &str, text: &str, layers: [&[String]; 2]) -> Result<Scene,
     if fields.is_json() {
         leave_out_results(&mut fields);
     } else if fields.get("format").and_then(serde_json::Value::as_u64) != Some(1) {
-        return Err(fields.error("format", "expected format = 1"));
+        return Err(fields.error("format", "expected format = 1; 2 is that of scenes with `parts`"));
     }
     let keys: Vec<String> = fields.keys().cloned().collect();
     refuse_unread(&fields, &keys)?;

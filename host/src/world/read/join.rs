@@ -20,7 +20,14 @@ pub(super) fn parts_named(name: &str, parts: &[Part]) -> Vec<usize> {
 
 /// Reports the name of a part that does not exist.
 fn unknown_part(name: &str, span: Span, parts: &[Part], found: &mut Diagnostics) {
-    let help = crate::suggest::help(name, parts.iter().map(|p| p.name.as_str()));
+    let copy = parts.iter().find(|part| part.name.starts_with(&format!("{name}[")));
+    let help = match copy {
+        Some(copy) => format!(
+            "`{name}` is repeated: give this part the same `grid`, or name one of the copies, such as `{}`",
+            copy.name
+        ),
+        None => crate::suggest::help(name, parts.iter().map(|p| p.name.as_str())),
+    };
     let error = Diagnostic::error(format!("there is no part `{name}`"));
     found.push(error.label(span, "unknown part").help(help.trim_start_matches("; ").to_owned()));
 }
