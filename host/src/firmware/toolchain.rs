@@ -108,6 +108,24 @@ pub fn toolchain(target: &str) -> Result<Toolchain, Failure> {
     find(target).ok_or_else(|| lacking(&why, &help))
 }
 
+/// A toolchain for programs of this machine; installs one if none is found.
+///
+/// # Errors
+/// [`Failure::Lacking`] with the command that helps.
+pub fn native() -> Result<Toolchain, Failure> {
+    let own = || compilers().iter().find_map(|rustc| probe(rustc, None));
+    let (major, minor) = OLDEST;
+    let why = format!(
+        "no Rust toolchain here, rustc and cargo {major}.{minor} or later, builds programs of this machine"
+    );
+    let help = "rustup toolchain install stable";
+    if let Some(found) = own() {
+        return Ok(found);
+    }
+    install(&why, &TOOLCHAIN_PACKAGES[..2], help)?;
+    own().ok_or_else(|| lacking(&why, help))
+}
+
 /// The emulator's program, with plug-ins; if none is found, installs it or unpacks it into `target/emulator`.
 ///
 /// # Errors
@@ -136,14 +154,16 @@ fn found_emulator() -> Option<PathBuf> {
 
 /// Looks for toolchains with the target first, then for those that can build core.
 fn find(target: &str) -> Option<Toolchain> {
-    let mut compilers: Vec<PathBuf> = which("rustc").into_iter().collect();
-    compilers.push(PathBuf::from("/usr/bin/rustc"));
-    let found: Vec<Toolchain> = compilers.iter().filter_map(|rustc| probe(rustc, target)).collect();
+    let found: Vec<Toolchain> = compilers().iter().filter_map(|rustc| probe(rustc, Some(target))).collect();
     found.iter().find(|t| !t.core_from_source).or(found.first()).cloned()
 }
 
-/// Can this rustc, with the cargo next to it, build for `target`, and how?
-fn probe(rustc: &Path, target: &str) -> Option<Toolchain> {
+fn compilers() -> Vec<PathBuf> {
+    which("rustc").into_iter().chain([PathBuf::from("/usr/bin/rustc")]).collect()
+}
+
+/// Can this rustc, with the cargo next to it, build for `target`, without one for its own machine, and how?
+fn probe(rustc: &Path, target: Option<&str>) -> Option<Toolchain> {
     let cargo = Some(rustc.with_file_name("cargo")).filter(|p| p.is_file()).or_else(|| which("cargo"))?;
     let verbose = output(process::clean(rustc).arg("-vV"))?;
     let field = |name: &str| verbose.lines().find_map(|l| l.strip_prefix(name)).map(str::to_owned);
@@ -151,6 +171,16 @@ fn probe(rustc: &Path, target: &str) -> Option<Toolchain> {
     if !is_recent(&release) {
         return None;
     }
+    let version = format!("rustc {release}");
+    let Some(target) = target else {
+        return Some(Toolchain {
+            cargo,
+            rustc: rustc.to_owned(),
+            version,
+            core_from_source: false,
+            linker: None,
+        });
+    };
     let sysroot = output(process::clean(rustc).args(["--print", "sysroot"]))?;
     let library = Path::new(&sysroot).join("lib/rustlib");
     let installed = has_core(&library.join(target).join("lib"));
@@ -162,7 +192,6 @@ fn probe(rustc: &Path, target: &str) -> Option<Toolchain> {
     } else {
         Some(which("rust-lld").or_else(|| which("ld.lld"))?)
     };
-    let version = format!("rustc {release}");
     Some(Toolchain { cargo, rustc: rustc.to_owned(), version, core_from_source: !installed, linker })
 }
 

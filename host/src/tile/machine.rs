@@ -1,7 +1,7 @@
 //! A running tile: an emulated chip connected by a socket, or the same program on this machine connected by pipes.
 
 use crate::failure::Failure;
-use crate::firmware::chip::{Chip, STM32F405};
+use crate::firmware::chip::Chip;
 use crate::firmware::compile;
 use crate::firmware::process::clean;
 use crate::firmware::settings::{Settings, Subject};
@@ -55,8 +55,10 @@ pub fn build(kind: Kind) -> Result<Program, Failure> {
 
 fn build_anew(kind: Kind) -> Result<Program, Failure> {
     let workspace = workspace()?;
-    let chip = if let Kind::Emulated(chip) = kind { chip } else { STM32F405 };
-    let toolchain = toolchain::toolchain(chip.target)?;
+    let toolchain = match kind {
+        Kind::Emulated(chip) => toolchain::toolchain(chip.target)?,
+        Kind::Native => toolchain::native()?,
+    };
     let folder = workspace.join("target/image");
     let _lock = lock(&folder)?;
     let settings = Settings::controller(Subject::Loop);
