@@ -67,6 +67,26 @@ pub(crate) fn kink(e: &Expr) -> Option<Expr> {
     }
 }
 
+/// What is 0 where an expression may switch in time: the argument of a `sign`, `abs`, `min` or `max`, of the root of an even
+/// power, `y` of an `atan2(y, x)`, whose angle jumps where x < 0, the cosine of the argument of a `tan`, a divisor.
+pub(crate) fn of_time(e: &Expr) -> Option<Expr> {
+    let switching = match &e.kind {
+        ExprKind::Call(Function::Atan2, arguments) => arguments.first().cloned(),
+        ExprKind::Call(Function::Tan, arguments) => {
+            let kind = ExprKind::Call(Function::Cos, arguments.clone());
+            Some(Expr { kind, ..e.clone() })
+        }
+        ExprKind::Call(Function::Sqrt, arguments) => match arguments.first().map(|root| &root.kind) {
+            Some(ExprKind::Power(base, n)) if n % 2 == 0 => Some((**base).clone()),
+            _ => None,
+        },
+        ExprKind::Divide(_, divisor) => Some((**divisor).clone()),
+        ExprKind::Power(base, n) if *n < 0 => Some((**base).clone()),
+        _ => None,
+    };
+    sign(e).or_else(|| kink(e)).or(switching)
+}
+
 /// Those of loads and laws whose arguments depend on speeds.
 #[must_use]
 pub fn of_speeds(model: &Model) -> Vec<Jump> {

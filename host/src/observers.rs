@@ -32,10 +32,40 @@ pub struct Observers {
     pub outputs: Vec<Option<String>>,
     /// See `outputs`.
     pub inputs: Vec<String>,
-    /// Number of arguments by which functions of time alone switch: in closed forms, and in laws and loads.
+    /// Number of arguments by which functions of time alone switch: in commands, and in laws and loads.
     pub switches: [usize; 2],
+    /// The commands that may switch, in the order of their arguments.
+    pub commands: Vec<Command>,
+    /// Springs between points whose force has no direction where these coincide: name, and the points by number, the origin
+    /// being 0.
+    pub springs: Vec<(String, [usize; 2])>,
     /// The loads and laws that jump where a speed changes sign, one for each `sign` of a speed.
     pub jumps: Vec<String>,
+}
+
+/// Where time moves the mechanism through functions that switch: a coordinate in closed form, a position, an orientation or
+/// a constraint that reads the time.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Command {
+    /// What it is, in words before its name.
+    pub what: &'static str,
+    /// The name in the model.
+    pub name: String,
+    /// The coordinate in closed form, by its number among these.
+    pub closed: Option<usize>,
+    /// Number of arguments by which it switches.
+    pub switches: usize,
+    /// Number of its values, which may not jump; those of motions may, and are left out.
+    pub values: usize,
+}
+
+impl Command {
+    /// In words with its name, as one of a part of that name if there is one.
+    #[must_use]
+    pub fn words(&self, part: Option<&str>) -> String {
+        let Self { what, name, .. } = self;
+        part.map_or_else(|| format!("{what} `{name}`"), |part| format!("{what} `{part}.{name}`"))
+    }
 }
 
 impl Observers {
@@ -47,12 +77,16 @@ impl Observers {
         let mut watched = model.clone();
         let law_inputs = model.laws.iter().map(|(input, _)| input.index()).collect();
         let laws = model.laws.iter().map(|(_, law)| law.clone());
-        let switches = switches(model);
+        let (commands, others) = switches(model);
+        let switched: Vec<Expr> =
+            commands.iter().flat_map(|(_, own, _)| own).chain(&others).cloned().collect();
+        let values: Vec<Expr> = commands.iter().flat_map(|(_, _, values)| values).cloned().collect();
         let (jumps, signed): (Vec<_>, Vec<_>) =
             jumps::of_speeds(model).into_iter().map(|jump| (jump.owner, jump.argument)).unzip();
         let seen = laws.chain(ledger(model)).chain(closed_forms(model));
         watched.outputs = seen
-            .chain(switches.iter().flatten().cloned())
+            .chain(switched.iter().cloned())
+            .chain(values)
             .chain(signed)
             .chain(places(model))
             .map(output)
@@ -67,7 +101,9 @@ impl Observers {
             closed,
             outputs,
             inputs,
-            switches: switches.map(|own| own.len()),
+            switches: [switched.len() - others.len(), others.len()],
+            springs: springs(model),
+            commands: commands.into_iter().map(|(command, ..)| command).collect(),
             jumps,
         })
     }
@@ -90,11 +126,17 @@ impl Observers {
         self.part(self.law_inputs.len() + LEDGER.len(), 2 * self.closed.len())
     }
 
-    /// A program whose outputs change sign where a coordinate in closed form may have a kink or a jump in time: the
-    /// arguments of `abs` and `sign`, the differences of those of `min` and `max`.
+    /// A program whose outputs change sign where a function of time alone may have a kink or a jump
+    /// ([`jumps::of_time`]).
     #[must_use]
     pub fn switches(&self) -> Program {
         self.part(self.before_switches(), self.switches.iter().sum())
+    }
+
+    /// A program whose outputs are the values of all [`Observers::commands`].
+    #[must_use]
+    pub fn commanded(&self) -> Program {
+        self.part(self.before_values(), self.commands.iter().map(|command| command.values).sum())
     }
 
     /// A program whose outputs are the arguments of each `sign` of a speed.
@@ -107,8 +149,12 @@ impl Observers {
         self.law_inputs.len() + LEDGER.len() + 2 * self.closed.len()
     }
 
-    fn before_jumps(&self) -> usize {
+    fn before_values(&self) -> usize {
         self.before_switches() + self.switches.iter().sum::<usize>()
+    }
+
+    fn before_jumps(&self) -> usize {
+        self.before_values() + self.commands.iter().map(|command| command.values).sum::<usize>()
     }
 
     /// A program whose outputs are the data of a picture of the mechanism: x, y, z of every point; for every body with
@@ -125,6 +171,18 @@ impl Observers {
         part.outputs = self.program.outputs[first..first + n].to_vec();
         part
     }
+}
+
+/// The springs whose force does not vanish where their ends coincide.
+fn springs(model: &Model) -> Vec<(String, [usize; 2])> {
+    let is_zero = |e: &Expr| matches!(e.kind, ExprKind::Number(0.0));
+    let found = model.loads.iter().filter_map(|load| match &load.kind {
+        LoadKind::Spring { ends, rest_length, damping, .. } if !is_zero(rest_length) || damping.is_some() => {
+            Some((load.name.clone(), ends.map(Id::index)))
+        }
+        _ => None,
+    });
+    found.collect()
 }
 
 fn output(value: Expr) -> Output {
@@ -181,32 +239,80 @@ fn closed_forms(model: &Model) -> impl Iterator<Item = Expr> + '_ {
     closed.flat_map(|(id, _)| [node(ExprKind::Coordinate(id)), node(ExprKind::Rate(id))])
 }
 
-/// Whether the speed of a commanded coordinate may change at once: its command has abs, sign, min or max of the time.
+/// Whether a commanded speed may change at once: what commands it has abs, sign, min or max of the time, or the like.
 #[must_use]
 pub fn may_leap(model: &Model) -> bool {
-    !switches(model)[0].is_empty()
+    !switches(model).0.is_empty()
 }
 
-/// Functions of time alone at whose zeros the closed form of a coordinate may have a kink or a jump; those at whose zeros a
-/// law or a load may that reads the time itself.
-fn switches(model: &Model) -> [Vec<Expr>; 2] {
-    let of = |expressions: &mut dyn Iterator<Item = &Expr>| {
-        let mut found = Vec::new();
-        expressions.for_each(|expr| switches_of(model, expr, &mut found));
-        found.retain(|argument| !mentions(model, argument, &|e| is_state(model, e)));
-        found
-    };
+/// A command, the functions of time at whose zeros it may switch, and its values.
+type Switching = (Command, Vec<Expr>, Vec<Expr>);
+
+/// The commands that may have a kink or a jump in time, and the functions at whose zeros a law or a load may.
+fn switches(model: &Model) -> (Vec<Switching>, Vec<Expr>) {
+    let commands = commands(model).into_iter().filter_map(|(mut command, read, values)| {
+        let own = switches_of(model, read);
+        (command.switches, command.values) = (own.len(), values.len());
+        (!own.is_empty()).then_some((command, own, values))
+    });
     let laws = model.laws.iter().map(|(_, law)| law);
     let loads = model.loads.iter().flat_map(|load| load.kind.expressions()).map(|(_, e)| e);
-    let forms = &mut model.coordinates.iter().filter_map(|c| c.closed_form.as_ref());
-    let [commands, mut others] = [of(forms), of(&mut laws.chain(loads))];
-    others.retain(|argument| mentions(model, argument, &|e| matches!(e.kind, ExprKind::Time)));
-    [commands, others]
+    (commands.collect(), laws.chain(loads).flat_map(|e| switches_of(model, e)).collect())
 }
 
-/// Those of an expression and of the definitions that it reads.
-fn switches_of(model: &Model, expr: &Expr, found: &mut Vec<Expr>) {
-    visit(model, expr, &mut |e| found.extend(jumps::sign(e).or_else(|| jumps::kink(e))));
+/// Everything by which time may move the mechanism: what it is, its expression, its values (none of what gives speeds).
+fn commands(model: &Model) -> Vec<(Command, &Expr, Vec<Expr>)> {
+    let named =
+        |what, name: &str| Command { what, name: name.to_owned(), closed: None, switches: 0, values: 0 };
+    let all = |e: &Expr| match is_vector(model, e) {
+        true => components(e.clone()).to_vec(),
+        false => vec![e.clone()],
+    };
+    let mut found = Vec::new();
+    let closed = model.coordinates.enumerate().filter_map(|(id, c)| Some((id, c, c.closed_form.as_ref()?)));
+    for (number, (id, coordinate, form)) in closed.enumerate() {
+        let command = Command { closed: Some(number), ..named("the command of", &coordinate.name) };
+        found.push((command, form, vec![node(ExprKind::Coordinate(id))]));
+    }
+    for frame in model.frames.iter() {
+        let parts = frame.orientation.expressions().into_iter();
+        found.extend(parts.map(|(_, e)| (named("the orientation of", &frame.name), e, all(e))));
+    }
+    for point in model.points.iter() {
+        let places = std::iter::once(&point.position).chain(&point.closures);
+        found.extend(places.map(|e| (named("the position of", &point.name), e, all(e))));
+        found.extend(point.velocity.iter().map(|e| (named("the velocity of", &point.name), e, Vec::new())));
+    }
+    for constraint in &model.configuration_constraints {
+        let e = &constraint.expression;
+        found.push((named("the constraint", &constraint.name), e, all(e)));
+    }
+    for constraint in &model.motion_constraints {
+        found.push((named("the constraint", &constraint.name), &constraint.expression, Vec::new()));
+    }
+    found
+}
+
+fn is_vector(model: &Model, e: &Expr) -> bool {
+    use ExprKind::{
+        Add, AngularVelocity, Axis, Cross, Definition, Divide, Multiply, Negate, Point, Subtract, Velocity,
+    };
+    match &e.kind {
+        Point(_) | Velocity(_) | AngularVelocity(_) | Axis(..) | Cross(..) => true,
+        Negate(a) | Divide(a, _) => is_vector(model, a),
+        Add(a, b) | Subtract(a, b) | Multiply(a, b) => is_vector(model, a) || is_vector(model, b),
+        Definition(id) => is_vector(model, &model.definitions[*id].value),
+        _ => false,
+    }
+}
+
+/// The functions of time alone at whose zeros an expression, or a definition that it reads, may switch.
+fn switches_of(model: &Model, expr: &Expr) -> Vec<Expr> {
+    let mut found = Vec::new();
+    visit(model, expr, &mut |e| found.extend(jumps::of_time(e)));
+    let is_time = |e: &Expr| matches!(e.kind, ExprKind::Time | ExprKind::Coordinate(_));
+    found.retain(|e| !mentions(model, e, &|e| is_state(model, e)) && mentions(model, e, &is_time));
+    found
 }
 
 /// Does it depend on more than time?

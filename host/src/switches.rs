@@ -1,15 +1,16 @@
-//! Times at which a mechanism's functions of time switch: a command of a coordinate may have a kink there, a law or a
-//! load may jump.
+//! Times at which a mechanism's functions of time switch: what commands a motion may have a kink there, a law or a load may
+//! jump.
 //!
 //! In: a model's observers. Out: these times, and the speeds behind a kink. A function of time may have a kink where an
-//! argument of `abs` or `sign`, or the difference of those of `min` or `max`, changes sign; that time is found by
-//! bisection, up to the rounding of times. A drive that changes its speed at once gives an impulse, which leaves the
-//! momenta of all speeds that are not commanded:
+//! argument of `abs` or `sign`, or the difference of those of `min` or `max`, changes sign (`jumps.rs` lists all); that
+//! time is found by bisection, up to the rounding of times. What gives a place, be it a coordinate in closed form, a
+//! position or a constraint, may not jump: its values on both sides are compared. A drive that changes its speed at once
+//! gives an impulse, which leaves the momenta of all speeds that are not commanded:
 //! ```text
 //! dT/du (q, u+, t+) = dT/du (q, u, t-)     T quadratic in u: differences of T over 2 are exact
 //! ```
 
-use crate::observers::Observers;
+use crate::observers::{Command, Observers};
 use smartbed_codegen::Interpreted;
 use smartbed_codegen::kinematics::linear;
 use smartbed_runtime::mechanism::{Fault, Mechanism as _};
@@ -19,6 +20,14 @@ use std::cmp::Ordering;
 /// How far behind a kink it is evaluated: at least this time (s), and this many rounding units of the time.
 const BEHIND: f64 = 1e-30;
 const ROUNDING: f64 = 16.0;
+
+/// A value jumps if it changes by more across a switch than beside it, within this time (s; relative to times beyond 1 s)
+/// and at least so many times that across the switch.
+const BESIDE: f64 = 1e-7;
+const WIDER: f64 = 10.0;
+
+/// Rounding units by which a value may change.
+const UNITS: f64 = 64.0;
 
 /// Most switches at which a step is cut.
 pub const MOST: usize = 64;
@@ -30,7 +39,9 @@ pub struct Switches<S> {
     inputs: Vec<S>,
     state: [Vec<S>; 2],
     number: usize,
-    /// Whether one that commands a coordinate is among them: its speed may change at once.
+    commands: Vec<Command>,
+    values: Interpreted<f64>,
+    /// Whether one that commands a motion is among them: its speed may change at once.
     pub may_leap: bool,
 }
 
@@ -43,7 +54,8 @@ impl<S: Scalar> Switches<S> {
         let state = [functions.n_q(), functions.n_u()].map(|n| vec![S::ZERO; n]);
         let inputs = vec![S::ZERO; functions.n_inputs()];
         let (number, may_leap) = (observers.switches.iter().sum(), observers.switches[0] > 0);
-        Self { functions, inputs, state, number, may_leap }
+        let (commands, values) = (observers.commands.clone(), Interpreted::new(&observers.commanded()));
+        Self { functions, inputs, state, number, commands, values, may_leap }
     }
 
     /// Whether there are any.
@@ -106,6 +118,73 @@ impl<S: Scalar> Switches<S> {
         let [low, high] = [from.min(to), from.max(to)];
         Ok(Some([(before - way).clamp(low, high), (after + way).clamp(low, high)]))
     }
+
+    /// The same over a long time ahead, in parts, in each of which no function switches there and back.
+    ///
+    /// # Errors
+    /// The engine's.
+    pub fn next(&mut self, from: f64, to: f64, part: f64) -> Result<Option<[f64; 2]>, Fault> {
+        let mut start = from;
+        while self.any() && start < to {
+            let end = (start + part).min(to);
+            let found = self.first(start, end)?;
+            if found.is_some() {
+                return Ok(found);
+            }
+            start = end;
+        }
+        Ok(None)
+    }
+
+    /// The commands that switch between two times.
+    ///
+    /// # Errors
+    /// The engine's.
+    pub fn changed(&mut self, times: [f64; 2]) -> Result<Vec<Command>, Fault> {
+        let [before, after] = times.map(|t| self.sides(S::from_f64(t)));
+        let (before, after) = (before?, after?);
+        let mut end = 0;
+        let changed = self.commands.iter().filter(|command| {
+            let own = end..end + command.switches;
+            end = own.end;
+            before[own.clone()] != after[own]
+        });
+        Ok(changed.cloned().collect())
+    }
+
+    /// A command whose value jumps between two times, at a state.
+    ///
+    /// # Errors
+    /// The engine's.
+    pub fn jumped(&mut self, [before, after]: [f64; 2], q: &[S], u: &[S]) -> Result<Option<Command>, Fault> {
+        let changed = self.changed([before, after])?;
+        if changed.is_empty() {
+            return Ok(None);
+        }
+        let [q, u] = [q, u].map(|x| x.iter().map(|x| x.to_f64()).collect::<Vec<_>>());
+        let inputs = vec![0.0; self.inputs.len()];
+        let wide = (BESIDE * after.max(1.0)).max(WIDER * (after - before));
+        let mut at = |t: f64| {
+            let t = self.moment(S::from_f64(t))?.to_f64();
+            self.values.outputs(t, &q, &u, &inputs)
+        };
+        let [a, b, c, d] = [at(before - wide)?, at(before)?, at(after)?, at(after + wide)?];
+        let size = q.iter().map(|q| q.abs()).sum::<f64>();
+        let jumps = |i: usize| {
+            // Before time 0 a value need not exist: then it says nothing.
+            let moves = (b[i] - a[i]).abs().max(0.0) + (d[i] - c[i]).abs().max(0.0);
+            let rounding = UNITS * f64::EPSILON * (size + b[i].abs() + c[i].abs());
+            let change = (c[i] - b[i]).abs();
+            change.is_nan() || change > moves + rounding
+        };
+        let mut end = 0;
+        let found = self.commands.iter().find(|command| {
+            let own = end..end + command.values;
+            end = own.end;
+            changed.contains(command) && own.into_iter().any(jumps)
+        });
+        Ok(found.cloned())
+    }
 }
 
 /// Rounding of a time: no shorter part of a step is stepped.
@@ -113,19 +192,10 @@ pub fn rounding<S: Scalar>(t: f64) -> f64 {
     ROUNDING * S::EPSILON.to_f64() * t.abs()
 }
 
-/// The coordinate in closed form, by number, whose value jumps, given values and rates before and after a time.
-pub fn jumps<S: Scalar>([before, after]: [&[[S; 2]]; 2], time: S) -> Option<usize> {
-    before.iter().zip(after).position(|([a, fast], [b, faster])| {
-        let moves = S::from_f64(4.0) * fast.abs().max(faster.abs()) * time;
-        (*b - *a).abs() > moves + S::from_f64(64.0) * S::EPSILON * a.abs().max(b.abs())
-    })
-}
-
-/// The coordinate in closed form, by number, whose rate changes at once, given values and rates before and after a time.
-pub fn leaps<S: Scalar>([before, after]: [&[[S; 2]]; 2]) -> Option<usize> {
-    before.iter().zip(after).position(|([_, fast], [_, faster])| {
-        (*faster - *fast).abs() > S::EPSILON.sqrt() * fast.abs().max(faster.abs())
-    })
+/// Does one of these numbers change at once, given all of them before and after a time?
+pub fn leaps<S: Scalar>([before, after]: [&[S]; 2]) -> bool {
+    let changes = |(a, b): (&S, &S)| (*b - *a).abs() > S::EPSILON.sqrt() * a.abs().max(b.abs());
+    before.iter().zip(after).any(changes)
 }
 
 /// The message for a step with more than [`MOST`] switches.
@@ -135,12 +205,75 @@ pub fn too_many() -> String {
     )
 }
 
-/// The message for a coordinate whose value jumps.
-pub fn jumped(name: &str, t: f64) -> String {
+/// The message for a command, in words with its name, whose value jumps.
+pub fn jumped(command: &str, t: f64) -> String {
     format!(
-        "the command of `{name}` jumps at t = {t:.6} s, which no motion can follow; let its value pass \
-         over some steps, for example by smooth_step"
+        "{command} jumps at t = {t:.6} s, which no motion can follow; let its value pass over some steps, for example by \
+         smooth_step"
     )
+}
+
+/// The message for a command, in words with its name, which ties other speeds from a time on.
+pub fn tied(command: &str, t: f64) -> String {
+    format!(
+        "{command} ties other speeds to one another from t = {t:.6} s on, which no impulse of a drive does; let its factors \
+         pass over some steps, for example by smooth_step"
+    )
+}
+
+/// Whether speeds of the mechanism depend on its independent ones, `u`, in another way behind a time than before it;
+/// `speeds`: all of them at a time with some independent ones.
+///
+/// # Errors
+/// Those of `speeds`.
+pub fn ties_change<S: Scalar>(
+    mut speeds: impl FnMut(S, &[S]) -> Result<Vec<S>, Fault>,
+    times: [S; 2],
+    u: &[S],
+) -> Result<bool, Fault> {
+    let mut slopes = |t: S, k: usize| -> Result<Vec<S>, Fault> {
+        let mut moved = vec![S::ZERO; u.len()];
+        let still = speeds(t, &moved)?;
+        moved[k] = S::ONE;
+        Ok(speeds(t, &moved)?.iter().zip(&still).map(|(with, without)| *with - *without).collect())
+    };
+    // Relative to the largest slope: small ones are rounded as it is.
+    for k in 0..u.len() {
+        let (before, after) = (slopes(times[0], k)?, slopes(times[1], k)?);
+        let largest = before.iter().chain(&after).fold(S::ONE, |largest, slope| largest.max(slope.abs()));
+        let changes = |(a, b): (&S, &S)| (*b - *a).abs() > S::EPSILON.sqrt() * largest;
+        if before.iter().zip(&after).any(changes) {
+            return Ok(true);
+        }
+    }
+    Ok(false)
+}
+
+/// Kinetic energy and the momenta of all speeds at a time.
+///
+/// # Errors
+/// Those of `kinetic`.
+pub fn felt<S: Scalar>(
+    mut kinetic: impl FnMut(S, &[S]) -> Result<S, Fault>,
+    t: S,
+    u: &[S],
+) -> Result<Vec<f64>, Fault> {
+    let mut felt = momenta(&mut kinetic, t, u)?;
+    felt.push(kinetic(t, u)?.to_f64());
+    Ok(felt)
+}
+
+fn momenta<S: Scalar>(
+    kinetic: &mut impl FnMut(S, &[S]) -> Result<S, Fault>,
+    t: S,
+    u: &[S],
+) -> Result<Vec<f64>, Fault> {
+    let mut with = |k: usize, by: S| {
+        let mut moved = u.to_vec();
+        moved[k] = moved[k] + by;
+        kinetic(t, &moved).map(S::to_f64)
+    };
+    (0..u.len()).map(|k| Ok(0.5 * (with(k, S::ONE)? - with(k, -S::ONE)?))).collect()
 }
 
 /// The speeds after a kink, whose momenta are those of the speeds `u` before it, and the work (J) of the drive's impulse;
@@ -154,21 +287,15 @@ pub fn pass<S: Scalar>(
     u: &[S],
 ) -> Result<(Vec<S>, f64), Fault> {
     let n = u.len();
-    let mut momenta = |t: S, u: &[S]| -> Result<Vec<f64>, Fault> {
-        let mut with = |k: usize, by: S| {
-            let mut moved = u.to_vec();
-            moved[k] = moved[k] + by;
-            kinetic(t, &moved).map(S::to_f64)
-        };
-        (0..n).map(|k| Ok(0.5 * (with(k, S::ONE)? - with(k, -S::ONE)?))).collect()
-    };
-    let (before, after) = (momenta(early, u)?, momenta(late, u)?);
+    let (before, after) = (momenta(&mut kinetic, early, u)?, momenta(&mut kinetic, late, u)?);
     let mut missing: Vec<f64> = before.iter().zip(&after).map(|(before, after)| before - after).collect();
     let mut mass = Vec::new();
     for k in 0..n {
         let mut moved = u.to_vec();
         moved[k] = moved[k] + S::ONE;
-        mass.extend(momenta(late, &moved)?.iter().zip(&after).map(|(with, without)| with - without));
+        mass.extend(
+            momenta(&mut kinetic, late, &moved)?.iter().zip(&after).map(|(with, without)| with - without),
+        );
     }
     let (change, _) = linear::solve_to(&mass, &mut missing, n, 0.0);
     let new: Vec<S> = u.iter().zip(change).map(|(u, change)| *u + S::from_f64(change)).collect();

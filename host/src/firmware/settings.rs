@@ -289,8 +289,8 @@ fn check_commands(model: &Path) -> Result<(), Failure> {
         return Ok(());
     }
     Err(Failure::Wrong(
-        "a command (closed_form) with abs, sign, min or max of the time may change its speed at once, where the chip cuts \
-         no step; write a smooth one, for example with smooth_step"
+        "a command (a closed_form, a position, a constraint) with abs, sign, min or max of the time may change its speed at \
+         once, where the chip cuts no step; write a smooth one, for example with smooth_step"
             .to_owned(),
     ))
 }

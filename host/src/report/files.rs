@@ -9,6 +9,25 @@ use crate::output;
 use crate::plot::svg;
 use std::path::Path;
 
+/// Refuses a folder that cannot be made, before anything is measured for it.
+///
+/// # Errors
+/// [`Failure::Wrong`] names what is in the way.
+pub fn check(folder: &Path) -> Result<(), Failure> {
+    let folder = Path::new(".").join(folder);
+    let Some(there) = folder.ancestors().find(|part| part.exists()) else { return Ok(()) };
+    let why = match there.metadata() {
+        Ok(there) if !there.is_dir() => "is not a folder",
+        Ok(there) if there.permissions().readonly() => "may not be written to",
+        _ => return Ok(()),
+    };
+    Err(Failure::Wrong(format!(
+        "cannot write the report to {}: {} {why}; name another folder",
+        folder.display(),
+        there.display()
+    )))
+}
+
 /// Writes all files into a folder.
 ///
 /// # Errors

@@ -69,12 +69,14 @@ impl Mechanism {
         let observers = Observers::derive(&model, &settings.choice).map_err(wrong)?;
         let start = start(&model, &program, &settings)?;
         let mut plant: Plant64 = Plant::new(Box::new(Interpreted::new(&program)), &program, &observers);
-        let leap = plant.leap(&start, settings.seconds).map_err(|f| Failure::Wrong(explain(f).to_owned()))?;
-        if let Some((form, t)) = leap {
+        let leap = plant
+            .leap(&start, settings.seconds, settings.row_interval())
+            .map_err(|f| Failure::Wrong(explain(f).to_owned()))?;
+        if let Some((command, t)) = leap {
             return Err(Failure::Wrong(format!(
-                "the command of `{}` changes its speed at once at t = {t:.6} s, an impact at which the methods compared \
+                "{} changes its speed at once at t = {t:.6} s, an impact at which the methods compared \
                  cut no step; write a smooth command, for example with smooth_step, or `run` it",
-                observers.closed[form].0
+                command.words(None)
             )));
         }
         Ok(Self { name: name.to_owned(), model, settings, program, observers, start, engine })

@@ -50,6 +50,8 @@ use std::path::Path;
 /// # Errors
 /// Status 1 for a wrong scene, model or setting; status 2 without a compiler for `--engine compiled`.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
+    files::check(Path::new(&arguments.out))?;
+    arguments.results.as_ref().map_or(Ok(()), |folder| files::check(Path::new(folder)))?;
     let report = gather::make(arguments)?;
     files::write(&report, Path::new(&arguments.out))?;
     if let Some(folder) = &arguments.results {

@@ -10,7 +10,7 @@ const IMBALANCE: f64 = 1e-3;
 /// An imbalance below this many epsilons of the energies is rounding.
 const ROUNDING: f64 = 1e3;
 /// Pivots below this fraction of nominal are close to a singular configuration.
-const NEARLY_SINGULAR: f64 = 1e-3;
+pub(super) const NEARLY_SINGULAR: f64 = 1e-3;
 /// A coordinate may exceed its range by this fraction of it, because of rounding or a start at its end.
 const SLACK: f64 = 1e-6;
 /// An angle whose range exceeds this fraction of a turn may rotate without limit.

@@ -2,13 +2,12 @@
 //!
 //! In: the times just before and behind it, the state before. Out: the state behind it, whose speeds have the momenta of
 //! those before ([`switches::pass`]); the work of the impulse is booked. A command whose value jumps is refused: no motion
-//! follows it.
+//! follows it. So is a constraint whose factors of speeds jump: which impulse it gives is not known.
 
 use super::ledger::Ledger;
 use super::plant::Plant;
 use crate::engine::{Engine, EngineScalar, explain};
 use crate::failure::Failure;
-use crate::observers::Observers;
 use crate::switches;
 use smartbed_codegen::Program;
 use smartbed_runtime::mechanism::Fault;
@@ -19,7 +18,7 @@ use smartbed_runtime::ode::{Ode, State};
 /// # Errors
 /// [`Failure::Wrong`] with the time, if a value jumps.
 pub(super) fn pass<E, S>(
-    (program, observers): (&Program, &Observers),
+    program: &Program,
     plant: &mut Plant<E, S>,
     [before, after]: [f64; 2],
     state: &mut State<'_, S>,
@@ -33,19 +32,27 @@ where
     if plant.switches.may_leap {
         let [early, late] = [before, after].map(S::from_f64);
         let (q, u) = state.x().split_at(program.q.len());
-        let ends = [early, late].map(|t| plant.closed_forms(t, state.x()));
-        let [old, new] = ends.map(|end| end.map_err(failed));
-        let (old, new) = (old?, new?);
-        let name = |form: usize| &observers.closed[form].0;
-        if let Some(form) = switches::jumps([&old, &new], late - early) {
-            return Err(Failure::Wrong(switches::jumped(name(form), after)));
+        let wrong = |why: String| Err(Failure::Wrong(why));
+        if let Some(command) = plant.switches.jumped([before, after], q, u).map_err(failed)? {
+            return wrong(switches::jumped(&command.words(None), after));
         }
-        if let Some(form) = switches::leaps([&old, &new]).filter(|_| program.is_redundant()) {
-            return Err(Failure::Wrong(format!(
-                "t = {after:.6} s: the command of `{}` changes its speed at once, which a mechanism that passes dead \
-                 points of its independent speeds does not follow; write a smooth command, for example with smooth_step",
-                name(form)
-            )));
+        if program.is_redundant()
+            && let Some(command) = plant.leaps([before, after], state.x()).map_err(failed)?
+        {
+            return wrong(format!(
+                "t = {after:.6} s: {} changes its speed at once, which a mechanism that passes dead points of its \
+                 independent speeds does not follow; write a smooth command, for example with smooth_step",
+                command.words(None)
+            ));
+        }
+        let speeds = |t, u: &[S]| {
+            plant.set_time(t);
+            plant.engine.speeds(q, u)
+        };
+        if switches::ties_change(speeds, [early, late], u).map_err(failed)? {
+            let changed = plant.switches.changed([before, after]).map_err(failed)?;
+            let command = changed.iter().find(|command| command.values == 0).or(changed.first());
+            return wrong(switches::tied(&command.map_or_else(String::new, |own| own.words(None)), after));
         }
         let kinetic = |t, u: &[S]| {
             plant.set_time(t);

@@ -162,7 +162,8 @@ impl Ledger {
         let mut sums: [f64; 4] = std::array::from_fn(|i| self.last.entries[2 + i] + new.entries[2 + i]);
         for (n, x) in between.iter().enumerate() {
             let weight = if n % 2 == 0 { 4.0 } else { 2.0 };
-            let entries = self.entries(self.last.t + (n + 1) as f64 * h, x)?;
+            let t = self.switches.moment(self.last.t + (n + 1) as f64 * h)?;
+            let entries = self.entries(t, x)?;
             sums.iter_mut().zip(&entries[2..]).for_each(|(sum, power)| *sum += weight * power);
         }
         self.accounts.actuator += sums[0] * h / 3.0;

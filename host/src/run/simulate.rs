@@ -3,7 +3,7 @@
 //! In: a program, its observers, settings, the start. Out: rows at equal intervals, each a list of numbers named by
 //! [`columns`], and a [`Summary`]. Observers only read states; without them the motion is the same bit for bit.
 
-use super::health::{Energies, Health, Range};
+use super::health::{Energies, Health, NEARLY_SINGULAR, Range};
 use super::kink::pass;
 use super::ledger::{self, Ledger};
 pub use super::plant::Plant;
@@ -115,12 +115,20 @@ impl<F: FnMut(&Row) -> Result<(), Failure>> Recorder<'_, F> {
         plant.engine.set_time(now);
         let speeds = plant.engine.speeds(q, u).map_err(failure)?;
         let outputs = plant.engine.outputs(now, q, u, &plant.inputs).map_err(failure)?;
-        let beyond = |why| Failure::Wrong(format!("t = {t:.6} s: {why}"));
+        // What a singular configuration throws beyond all bounds is no fault of the numbers.
+        let is_singular = self.summary.pivot.is_nan() || self.summary.pivot < NEARLY_SINGULAR;
+        let beyond = |why| match is_singular {
+            true => refused(t, Fault::Singular),
+            false => Failure::Wrong(format!("t = {t:.6} s: {why}")),
+        };
         let inputs = widened(&plant.inputs);
         for angles in &mut self.angles {
             angles.check(t, &widened(q), &widened(u), &inputs).map_err(beyond)?;
         }
         let accounts = ledger.accounts();
+        if !accounts.imbalance().is_finite() {
+            return Err(refused(t, if is_singular { Fault::Singular } else { Fault::NonFinite }));
+        }
         let closed = plant.closed_forms(S::from_f64(t), x).map_err(failure)?;
         let mut values = vec![t];
         values
@@ -151,6 +159,38 @@ impl<F: FnMut(&Row) -> Result<(), Failure>> Recorder<'_, F> {
         }
         self.summary.last.clone_from(&values);
         (self.sink)(&Row { values, places })
+    }
+
+    /// The message for a step refused at a state: what is not finite is told with its cause where that is known.
+    fn refused<E, S>(&mut self, plant: &mut Plant<E, S>, t: f64, x: &[S], fault: Fault) -> Failure
+    where
+        E: std::ops::DerefMut<Target = dyn Engine<S>>,
+        S: EngineScalar,
+    {
+        if fault != Fault::NonFinite {
+            return refused(t, fault);
+        }
+        let mut x_dot = vec![S::ZERO; x.len()];
+        // A pivot of 0 may leave those after it without a number.
+        let is_singular = |pivot: S| pivot.to_f64().is_nan() || pivot.to_f64().abs() < NEARLY_SINGULAR;
+        let was_singular = self.summary.pivot < NEARLY_SINGULAR;
+        if was_singular || plant.rates(S::from_f64(t), x, &mut x_dot).is_ok_and(is_singular) {
+            return refused(t, Fault::Singular);
+        }
+        let (wide, inputs) = (widened(x), widened(&plant.inputs));
+        let (q, u) = wide.split_at(self.program.q.len());
+        let places = self.places.outputs(t, q, u, &inputs).unwrap_or_default();
+        let place = |point: usize| match point {
+            0 => Some(&[0.0; 3][..]),
+            _ => places.get(3 * (point - 1)..3 * point),
+        };
+        match self.observers.springs.iter().find(|(_, [a, b])| place(*a) == place(*b)) {
+            Some((name, _)) => Failure::Wrong(format!(
+                "t = {t:.6} s: the spring `{name}` has no length, hence its force no direction; start with its ends apart, \
+                 and let nothing bring them together"
+            )),
+            None => refused(t, fault),
+        }
     }
 
     fn took<S: Scalar>(&mut self, report: Report<S>, t: f64, x: &[S]) {
@@ -276,7 +316,7 @@ where
                     true => Report { pivot: S::ONE, residual: S::ZERO },
                     false => method
                         .step(plant, S::from_f64(from), S::from_f64(part), state, &mut scratch)
-                        .map_err(|fault| refused(from, fault))?,
+                        .map_err(|fault| recorder.refused(plant, from, state.x(), fault))?,
                 };
                 recorder.took(report, to, state.x());
                 ledger.step(to, &widened(state.x())).map_err(|fault| refused(to, fault))?;
@@ -286,7 +326,7 @@ where
             if cut == MOST {
                 return Err(Failure::Wrong(format!("t = {from:.6} s: {}", too_many())));
             }
-            pass((setup.program, setup.observers), plant, kink, state, &mut ledger)?;
+            pass(setup.program, plant, kink, state, &mut ledger)?;
             from = kink[1];
         }
         if n % every as u64 == 0 || n == steps {
@@ -328,24 +368,26 @@ where
         plant.project(&mut inside)?;
         Ok::<Vec<S>, Fault>(inside.clone())
     };
+    let mut next_kink = plant.switches.next(t, seconds, interval).map_err(|f| refused(t, f))?;
     for _ in 0..MOST_STEPS {
         if next_row > rows {
             return Ok(());
         }
-        let kink = plant.switches.first(t, seconds).map_err(|f| refused(t, f))?;
+        let kink = next_kink;
         let to = kink.map_or(seconds, |[before, _]| before);
         let left = to - t;
         if let Some(kink) = kink.filter(|_| left <= rounding::<S>(to)) {
-            pass((setup.program, setup.observers), plant, kink, state, &mut ledger)?;
+            pass(setup.program, plant, kink, state, &mut ledger)?;
             method.restart();
             t = kink[1];
+            next_kink = plant.switches.next(t, seconds, interval).map_err(|f| refused(t, f))?;
             if seconds - t <= rounding::<S>(seconds) {
                 return recorder.row(plant, seconds, state.x(), &ledger);
             }
             continue;
         }
-        let taken =
-            method.step(plant, S::from_f64(t), S::from_f64(left), state).map_err(|f| refused(t, f))?;
+        let taken = method.step(plant, S::from_f64(t), S::from_f64(left), state);
+        let taken = taken.map_err(|fault| recorder.refused(plant, t, state.x(), fault))?;
         let h = taken.h.to_f64();
         let end = if h >= left * (1.0 - f64::from(f32::EPSILON)) { to } else { t + h };
         recorder.took(taken.report, end, state.x());

@@ -337,6 +337,16 @@ impl<S: Scalar> Ported<S> {
         self.engine.energy(q, u)
     }
 
+    /// All speeds, dependent ones included.
+    ///
+    /// # Errors
+    /// The engine's.
+    pub fn speeds(&mut self, t: S, q: &[S], u: &[S]) -> Result<Vec<S>, Fault> {
+        let t = self.switches.moment(t)?;
+        self.engine.set_time(t);
+        self.engine.speeds(q, u)
+    }
+
     /// Values and rates of the coordinates in closed form.
     ///
     /// # Errors

@@ -247,3 +247,131 @@ bob = { centre = "P", mass = "m" }
         assert!(imbalance < 1e-9, "{method}: {imbalance:.1e} J");
     }
 }
+
+/// A bob on a rod whose upper end A moves along x: by a coordinate x, a constraint or the position itself.
+fn hung(name: &str, x: &str, a: &str, more: &str) -> String {
+    let text = format!(
+        r#"
+format = 1
+name = "hung"
+gravity = "-g*N.y"
+[parameters]
+l = {{ value = 0.5, unit = "m" }}
+m = {{ value = 1, unit = "kg" }}
+v = {{ value = 0.7, unit = "m/s" }}
+g = {{ value = 9.81, unit = "m/s^2" }}
+[coordinates]
+q = {{ unit = "rad", independent = true }}
+{x}
+[frames]
+rod = {{ rotations = [["z", "q"]] }}
+[points]
+A = "{a}"
+P = "A - l*rod.y"
+[bodies]
+bob = {{ centre = "P", mass = "m" }}
+{more}
+[start]
+q = 0.3
+[run]
+seconds = 2
+"#
+    );
+    written(&format!("hung_{name}.toml"), &text)
+}
+
+const FOLLOWS: &str = "x = { unit = \"m\", nominal = 0.7, speed = { independent = false } }";
+
+#[test]
+fn a_kink_of_the_motion_acts_alike_however_it_is_written() {
+    let closed = hung("closed", "x = { unit = \"m\", closed_form = \"v*abs(t - 1_s)\" }", "x*N.x", "");
+    let configuration = "[constraints.configuration]\nd = \"x - v*abs(t - 1_s)\"";
+    let others = [
+        hung("position", "", "v*abs(t - 1_s)*N.x", ""),
+        hung("larger", "", "v*max(t - 1_s, 1_s - t)*N.x", ""),
+        hung("configuration", "x = { unit = \"m\", nominal = 0.7 }", "x*N.x", configuration),
+        hung("motion", FOLLOWS, "x*N.x", "[constraints.motion]\nd = \"u_x - v*sign(t - 1_s)\""),
+    ];
+    for method in [["--method=rk4", "--step=1e-3"], ["--method=dormand-prince", "--tolerance=1e-13"]] {
+        let run = |path: &str| last(&["run", path, "--json", method[0], method[1]]);
+        let (expected, _) = run(&closed);
+        let number = |row: &Value, name: &str| row[name].as_f64().expect("a number");
+        assert!((number(&expected, "q") - 0.357872).abs() < 1e-6, "{expected}");
+        for path in &others {
+            let (row, imbalance) = run(path);
+            for name in ["q", "u_q", "drive"] {
+                let off = number(&row, name) - number(&expected, name);
+                assert!(off.abs() < 1e-10, "{path} {method:?}: {name} is off by {off:e}");
+            }
+            assert!(imbalance < 1e-8, "{path} {method:?}: {imbalance:e} J");
+        }
+    }
+    // Where the time itself divides by 0 the accelerations next to it are rounded, but all is finite.
+    for (name, x, a, more) in [
+        ("quotient", FOLLOWS, "x*N.x", "[constraints.motion]\nd = \"u_x - v*(t - 1_s)/abs(t - 1_s)\""),
+        ("root", "", "v*sqrt((t - 1_s).powi(2))*N.x", ""),
+    ] {
+        let path = hung(name, x, a, more);
+        for method in ["rk4", "dormand-prince"] {
+            let (row, imbalance) = last(&["run", &path, "--json", "--method", method]);
+            let off = row["q"].as_f64().expect("a number") - 0.357872;
+            assert!(off.abs() < 1e-5, "{name} {method}: {row}");
+            assert!(imbalance < 1e-5, "{name} {method}: {imbalance:e} J");
+        }
+    }
+    let refused = smartbed(&["report", &others[0], "--quick", "--out", &format!("{}.report", others[0])]);
+    assert!(
+        refused.message().contains("the position of `A` changes its speed at once at t = 1.0"),
+        "{refused:?}"
+    );
+    let refused = smartbed(&["firmware", &others[0]]);
+    assert!(
+        refused.message().contains("may change its speed at once, where the chip cuts no step"),
+        "{refused:?}"
+    );
+}
+
+#[test]
+fn a_jump_of_what_time_moves_is_refused_wherever_it_is_written() {
+    let follows = "x = { unit = \"m\", nominal = -0.1 }";
+    let form = |form: &str| format!("x = {{ unit = \"m\", closed_form = \"{form}\" }}");
+    let saw = "0.1_m/pi*atan2(sin(2_Hz*t), cos(2_Hz*t))";
+    let configuration = "[constraints.configuration]\nd = \"x - 0.1_m*sign(t - 1_s)\"";
+    for (name, path, what) in [
+        ("position", hung("j1", "", "0.1_m*sign(t - 1_s)*N.x", ""), "the position of `A` jumps at t = 1.0"),
+        (
+            "quotient",
+            hung("j2", "", "0.1_m*(t - 1_s)/abs(t - 1_s)*N.x", ""),
+            "the position of `A` jumps at t = 1.0",
+        ),
+        ("configuration", hung("j3", follows, "x*N.x", configuration), "the constraint `d` jumps at t = 1.0"),
+        ("saw", hung("j4", &form(saw), "x*N.x", ""), "the command of `x` jumps at t = 1.570796 s"),
+        (
+            "pole",
+            hung("j5", &form("0.1_m*tan(2_Hz*t)"), "x*N.x", ""),
+            "the command of `x` jumps at t = 0.785398 s",
+        ),
+        (
+            "tangent",
+            hung("j6", &form("0.1_m*atan2(tan(2_Hz*t), 1)"), "x*N.x", ""),
+            "the command of `x` jumps at t = 0.785398 s",
+        ),
+    ] {
+        let done = smartbed(&["run", &path]);
+        assert!(done.message().contains(what), "{name}: {done:?}");
+    }
+    // An angle that passes half a turn nowhere jumps nowhere.
+    let path = hung("j7", &form("0.1_m*atan2(sin(2_Hz*t), 2)"), "x*N.x", "");
+    assert_eq!(smartbed(&["run", &path]).status, 0);
+    let path = hung(
+        "j8",
+        &FOLLOWS.replace("0.7", "0"),
+        "x*N.x",
+        "[constraints.motion]\nd = \"u_x - 0.2_m*sign(t - 1_s)*u_q\"",
+    );
+    let done = smartbed(&["run", &path]);
+    assert!(
+        done.message().contains("the constraint `d` ties other speeds to one another from t = 1.0"),
+        "{done:?}"
+    );
+}

@@ -9,7 +9,7 @@ use crate::support::{Done, command, file, finish, smartbed, written};
 use smartbed::engine::explain;
 use smartbed::scene::describe::describe;
 use smartbed::scene::run::no_number;
-use smartbed::switches::jumped;
+use smartbed::switches::{jumped, tied};
 use smartbed_runtime::flexible::{BodyError, Quantity};
 use smartbed_runtime::mechanism::Fault;
 use std::path::{Path, PathBuf};
@@ -200,6 +200,25 @@ fn every_error_of_a_model_has_its_cause_and_cure() {
     same(&found, &messages("## Notation", Some("## While it runs")));
 }
 
+/// A spring whose ends coincide at the start.
+const LOOSE: &str = r#"
+format = 1
+name = "loose"
+[parameters]
+m = { value = 1, unit = "kg" }
+l = { value = 0.5, unit = "m" }
+k = { value = 100, unit = "N/m" }
+[coordinates]
+x = { unit = "m", independent = true }
+y = { unit = "m", independent = true }
+[points]
+P = "x*N.x + y*N.y"
+[bodies]
+b = { centre = "P", mass = "m" }
+[springs]
+s = { between = ["O", "P"], stiffness = "k", rest_length = "l" }
+"#;
+
 #[test]
 fn every_error_of_a_run_has_its_cause_and_cure() {
     let faults = [
@@ -241,7 +260,10 @@ fn every_error_of_a_run_has_its_cause_and_cure() {
     let bodies = bodies.iter().map(describe);
     let cart = written("guide_cart.toml", CART);
     let leaps = error_of(&["report", &cart, "--quick", "--out", &format!("{cart}.report")]);
-    let others = [no_number("spring"), jumped("cart", 0.5), leaps];
+    let loose = error_of(&["run", &written("guide_loose.toml", LOOSE)]);
+    let out = error_of(&["report", "cam", "--quick", "--out", &format!("{cart}/report")]);
+    let commands = [jumped("the command of `cart`", 0.5), tied("the constraint `gear`", 0.5)];
+    let others = [no_number("spring"), leaps, loose, out].into_iter().chain(commands);
     let found: Vec<String> = faults.into_iter().chain(bodies).chain(others).collect();
     same(&found, &messages("## While it runs", Some("## Scenes of format 2")));
 }

@@ -292,3 +292,16 @@ fn a_budget_picks_the_most_exact_that_fits() {
     let too_exact = smartbed(&["run", "sleigh", "--error", "1e-30"]);
     assert!(too_exact.message().contains("nearest is --method "), "{}", too_exact.err);
 }
+
+#[test]
+fn a_folder_that_cannot_be_made_is_refused_before_anything_is_measured() {
+    let file = written("report_in_the_way.txt", "a file");
+    let start = std::time::Instant::now();
+    let done = smartbed(&["report", "cam", "--out", &format!("{file}/report")]);
+    assert_eq!(done.status, 1, "{done:?}");
+    assert!(
+        done.message().contains("report_in_the_way.txt is not a folder; name another folder"),
+        "{done:?}"
+    );
+    assert!(start.elapsed().as_secs() < 20, "{:?}", start.elapsed());
+}

@@ -392,3 +392,33 @@ fn outputs_and_inputs_with_the_name_of_a_column_have_columns_of_their_own() {
     let done = smartbed(&["run", &written("names.toml", text), "--seconds", "0", "--set", "u_x=0.25"]);
     assert!(done.out.contains("0.250000 m/s"), "{}", done.out);
 }
+
+/// Folded into its line of centres a parallelogram is singular; what its pivots of 0 make of the numbers behind them is not
+/// the cause.
+#[test]
+fn a_run_that_starts_at_a_change_point_is_told_so() {
+    for start in ["q1=0", "q1=pi"] {
+        let start = start.replace("pi", &std::f64::consts::PI.to_string());
+        let done = smartbed(&["run", "parallelogram", "--set", &start, "--set", "u_q1=1"]);
+        assert_eq!(done.status, 1, "{done:?}");
+        assert!(done.err.contains("the configuration is singular"), "{start}: {done:?}");
+    }
+}
+
+#[test]
+fn a_run_that_starts_with_a_spring_of_no_length_names_the_spring() {
+    let text = "format = 1\nname = \"loose\"\n[parameters]\nm = { value = 1, unit = \"kg\" }\n\
+                l = { value = 0.5, unit = \"m\" }\nk = { value = 100, unit = \"N/m\" }\n\
+                [coordinates]\nx = { unit = \"m\" }\ny = { unit = \"m\" }\n[points]\nP = \"x*N.x + y*N.y\"\n\
+                [bodies]\nb = { centre = \"P\", mass = \"m\" }\n\
+                [springs]\nstay = { between = [\"O\", \"P\"], stiffness = \"k\", rest_length = \"l\" }\n";
+    let path = written("loose.toml", text);
+    for method in ["rk4", "dormand-prince"] {
+        let done = smartbed(&["run", &path, "--method", method]);
+        assert!(
+            done.message().contains("the spring `stay` has no length, hence its force no direction"),
+            "{done:?}"
+        );
+    }
+    assert_eq!(smartbed(&["run", &path, "--set", "x=0.1"]).status, 0);
+}

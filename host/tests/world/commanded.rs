@@ -298,6 +298,49 @@ fn a_command_whose_value_jumps_is_refused_by_name_and_time() {
     let text = text.replace("0.2_m + 1_m*(t/1_s - 0 + abs(t/1_s - 0))", "0.2_m + 0.1_m*sign(t/1_s - 0.0503)");
     let said = fails(&["run", &scene("leaps", &text), "--csv", "-"]);
     assert!(said.contains("the command of `piston.s` jumps at t = 0.0503"), "{said}");
+    // Angles between half a turn back and ahead: a saw.
+    let saw = "0.02_m*atan2(sin(20_Hz*t), cos(20_Hz*t))";
+    let said = fails(&["run", &pole("saw", saw, "seconds = 0.2\nstep = \"1_ms\"")]);
+    assert!(said.contains("the command of `m.x` jumps at t = 0.157080 s"), "{said}");
+    let said = fails(&["run", &hung("place", "", "0.1_m*sign(t - 0.1_s)*N.x", "")]);
+    assert!(said.contains("the position of `hung.A` jumps at t = 0.1000"), "{said}");
+}
+
+/// A scene of one mechanism, a bob on a rod whose upper end A moves along x.
+fn hung(name: &str, x: &str, a: &str, more: &str) -> String {
+    let model = format!(
+        "format = 1\nname = \"hung\"\ngravity = \"-g*N.y\"\n[parameters]\ng = {{ value = 9.81, unit = \"m/s^2\" }}\n\
+         [coordinates]\nq = {{ unit = \"rad\", independent = true }}\n{x}\n[frames]\nrod = {{ rotations = [[\"z\", \"q\"]] }}\n\
+         [points]\nA = \"{a}\"\nP = \"A - 0.5_m*rod.y\"\n[bodies]\nbob = {{ centre = \"P\", mass = \"1_kg\" }}\n{more}\n\
+         [start]\nq = 0.3\n"
+    );
+    scene(&format!("hung_{name}_model"), &model);
+    let run = "seconds = 0.3\nstep = \"1_ms\"";
+    scene(
+        &format!("hung_{name}"),
+        &format!("format = 2\n[parts.hung]\nmechanism = \"hung_{name}_model\"\n[run]\n{run}\n"),
+    )
+}
+
+/// Whether a coordinate in closed form, the position or a constraint has the kink, the drive's impulse is the same.
+#[test]
+fn a_kink_of_the_motion_acts_alike_in_a_world() {
+    let form = "x = { unit = \"m\", closed_form = \"0.7_m/1_s*abs(t - 0.1003_s)\" }";
+    let follows = "x = { unit = \"m\", nominal = 0.07, speed = { independent = false } }";
+    let motion = "[constraints.motion]\nd = \"u_x - 0.7_m/1_s*sign(t - 0.1003_s)\"";
+    let last = |file: String| {
+        let last = json(&[&file])["last"].clone();
+        ["hung.q", "hung.u_q", "drive", "imbalance"].map(|name| number(&last[name]))
+    };
+    let expected = last(hung("closed", form, "x*N.x", ""));
+    for file in [
+        hung("position", "", "0.7_m/1_s*abs(t - 0.1003_s)*N.x", ""),
+        hung("motion", follows, "x*N.x", motion),
+    ] {
+        let found = last(file);
+        let off = found.iter().zip(expected).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+        assert!(off < 1e-10, "{found:?} {expected:?}");
+    }
 }
 
 /// A pole on a cart that moves as commanded, without gravity; the cart weighs 1 kg, the pole hangs on it.

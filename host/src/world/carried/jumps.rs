@@ -6,6 +6,7 @@
 //! no motion follows it.
 
 use super::{CarriedWorld, words};
+use crate::observers::Command;
 use crate::switches::{self, MOST, rounding};
 use crate::world::carriers::HostCarrier;
 use crate::world::engine::Event;
@@ -96,23 +97,29 @@ impl<S: Scalar> CarriedWorld<S> {
     /// Changes the speeds of mechanisms whose commands have a kink between two times.
     fn pass(&mut self, [before, after]: [f64; 2]) -> Result<(), String> {
         let [early, late] = [before, after].map(S::from_f64);
-        let (mut changes, mut jumped, old) = (Vec::new(), None, self.x.clone());
+        let (mut changes, mut refused, old) = (Vec::new(), None, self.x.clone());
         self.each_mechanism(self.of_carriers(&old), |number, ported, q, u, _| {
             if ported.switches.sides(early)? == ported.switches.sides(late)? {
                 return Ok(());
             }
-            let ends = [ported.closed_forms(early, q, u)?, ported.closed_forms(late, q, u)?];
-            let form = switches::jumps(ends.each_ref().map(Vec::as_slice), late - early);
-            jumped =
-                jumped.take().or(form.map(|form| format!("{}.{}", ported.name, ported.closed()[form].0)));
+            let part = ported.name.clone();
+            let named = |command: &Command| command.words(Some(&part));
+            let jumped = ported.switches.jumped([before, after], q, u)?;
+            let mut why = jumped.map(|command| switches::jumped(&named(&command), after));
+            if switches::ties_change(|t, u: &[S]| ported.speeds(t, q, u), [early, late], u)? {
+                let changed = ported.switches.changed([before, after])?;
+                let command = changed.iter().find(|command| command.values == 0).or(changed.first());
+                why = why.or(command.map(|command| switches::tied(&named(command), after)));
+            }
+            refused = refused.take().or(why);
             let kinetic = |t, u: &[S]| Ok(ported.energy(t, q, u)?.0);
             let (new, work) = switches::pass(kinetic, [early, late], u)?;
             changes.push((number, new, work));
             Ok(())
         })
         .map_err(words)?;
-        if let Some(name) = jumped {
-            return Err(switches::jumped(&name, after));
+        if let Some(why) = refused {
+            return Err(why);
         }
         for (number, new, work) in changes {
             let first = self.split() + self.carriers[..number].iter().map(Carrier::n_u).sum::<usize>();
