@@ -75,10 +75,6 @@ impl Linearised {
     fn jacobian(&self) -> &[f64] {
         &self.values[self.equations..]
     }
-
-    fn largest(&self) -> f64 {
-        largest(self.residual()).0
-    }
 }
 
 /// The largest absolute value and its index; NaN if any entry is NaN.
@@ -160,10 +156,10 @@ impl Assembly {
         }
     }
 
-    /// The largest scale of an equation: the size of its terms, to a factor of a thousand.
+    /// The largest scale of an equation: the size of its terms, to a factor of a thousand; 1 without equations.
     #[must_use]
     pub fn size(&self) -> f64 {
-        self.scales.iter().fold(0.0_f64, |size, &scale| size.max(scale))
+        self.scales.iter().copied().reduce(f64::max).unwrap_or(1.0)
     }
 
     /// Sets the values of the tunable parameters, in the order of their declaration.
@@ -214,12 +210,34 @@ impl Assembly {
     /// # Errors
     /// If it does not converge.
     pub fn correct(&mut self, q: &mut [f64]) -> Result<(), Unreachable> {
+        self.correct_by(q, self.scales.len())
+    }
+
+    /// The implied constraint that is violated where Newton's method from `q` meets the others; `None` if it does not,
+    /// or if all are met.
+    pub fn no_longer_implied(&mut self, q: &[f64]) -> Option<Unreachable> {
+        let kept = self.scales.len() - self.implied;
+        let mut q = q.to_vec();
+        if self.implied == 0 || self.correct_by(&mut q, kept).is_err() {
+            return None;
+        }
+        self.linearise(&q);
+        let left = &self.equations.residual()[kept..];
+        let (scaled, place) = largest(left);
+        let constraint = self.names.get(kept + place).cloned();
+        let residual = scaled * self.scales[kept + place];
+        let found = Unreachable { residual, constraint, locked: true, ..Unreachable::default() };
+        (scaled > SATISFIED.sqrt()).then_some(found)
+    }
+
+    /// [`Self::correct`] by the first `count` equations alone.
+    fn correct_by(&mut self, q: &mut [f64], count: usize) -> Result<(), Unreachable> {
         let mut best = (f64::INFINITY, 0);
         for _ in 0..MAX_CORRECTIONS {
             self.linearise(q);
             best = if self.equations.absolute.0 < best.0 { self.equations.absolute } else { best };
-            let scaled = self.equations.largest();
-            let size = self.take_step(q);
+            let scaled = largest(&self.equations.residual()[..count]).0;
+            let size = self.take_step(q, count);
             if scaled < SATISFIED && size < SATISFIED.sqrt() {
                 return Ok(());
             }
@@ -231,11 +249,12 @@ impl Assembly {
         Err(Unreachable { residual: best.0, constraint, ..Unreachable::default() })
     }
 
-    /// Corrects `q` by the solution of the linearised equations; returns the size of the correction, NaN if it is not
+    /// Corrects `q` by the solution of the first `count` linearised equations; returns the size of the correction, NaN if it is not
     /// finite. Applied even in the last iteration: convergence is quadratic, so it brings the error far below the
     /// tolerance.
-    fn take_step(&mut self, q: &mut [f64]) -> f64 {
+    fn take_step(&mut self, q: &mut [f64], count: usize) -> f64 {
         let (residual, jacobian) = self.equations.values.split_at_mut(self.equations.equations);
+        let (residual, jacobian) = (&mut residual[..count], &jacobian[..count * self.dependent.len()]);
         residual.iter_mut().for_each(|r| *r = -*r);
         let correction = self.solver.basic(jacobian, residual, self.dependent.len());
         let mut size = 0.0_f64;
@@ -291,6 +310,26 @@ impl Assembly {
         let name = self.names.get(m - self.implied).cloned();
         let locked = Unreachable { residual: 0.0, constraint: name, locked: true, ..Unreachable::default() };
         (rank > n).then_some(locked)
+    }
+
+    /// The constraint that a configuration violates most, for what its terms are: its name, its residual, and the share
+    /// of its terms that this is. Terms are how far the residual moves with each dependent coordinate, angles by one
+    /// radian, others by their own value.
+    pub fn violation(&mut self, q: &[f64]) -> Option<(String, f64, f64)> {
+        /// Terms of scaled equations that are smaller than this at `q` happen to vanish there.
+        const LEAST: f64 = 1e-3;
+        self.linearise(q);
+        let n = self.dependent.len();
+        let moves: Vec<f64> =
+            self.dependent.iter().map(|&i| if self.kinds[i].0 { 1.0 } else { q[i].abs() }).collect();
+        let share = |(i, residual): (usize, &f64)| {
+            let slopes = &self.equations.jacobian()[i * n..(i + 1) * n];
+            let terms: f64 = slopes.iter().zip(&moves).map(|(slope, by)| (slope * by).abs()).sum();
+            (residual.abs() / terms.max(LEAST), i)
+        };
+        let shares = self.equations.residual().iter().enumerate().filter(|(_, r)| **r != 0.0).map(share);
+        let (worst, i) = shares.max_by(|a, b| a.0.total_cmp(&b.0))?;
+        Some((self.names.get(i)?.clone(), self.equations.residual()[i].abs() * self.scales[i], worst))
     }
 
     /// The held coordinates that a constraint ties to unit length, such as Euler parameters: the places of each vector.

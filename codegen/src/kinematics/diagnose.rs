@@ -6,11 +6,13 @@
 //! model is refused.
 
 use super::linear;
-use super::quantities::Kinematics;
+use super::quantities::{Kinematics, Place};
+use super::rank;
 use crate::diagnostic::{Diagnostic, Diagnostics};
-use crate::expr::SymbolId;
 use crate::expr::rounding::Rounded;
 use crate::expr::tape::{SampleTable, Tape};
+use crate::expr::{ExprId, SymbolId};
+use crate::id::Id;
 use crate::model::Model;
 use crate::source::Span;
 use crate::vector::{Algebra, Turn};
@@ -51,6 +53,12 @@ pub(crate) fn check(
         Some(kept) => only(k, &kept),
         None => k,
     };
+    let implied_motions = rank::implied_motions(alg, model, &k, table);
+    let k = Kinematics { implied_motions, ..k };
+    for place in k.needless_motions(model) {
+        let holds = "at every sampled configuration it holds where the others do".to_owned();
+        warnings.push(dropped(place, true, holds));
+    }
     Ok((k, warnings))
 }
 
@@ -93,6 +101,32 @@ fn axes(alg: &mut Algebra, model: &Model, k: &Kinematics, table: &mut SampleTabl
             );
         }
     }
+}
+
+/// The components of axes that are orthonormal at the model's numbers only, not at any others.
+pub(crate) fn axes_by_numbers(alg: &Algebra, model: &Model, k: &Kinematics) -> Vec<ExprId> {
+    /// Products that differ by less than this from those of unit vectors are those of unit vectors.
+    const IDENTICAL: f64 = 1e-9;
+    let mut found = Vec::new();
+    for frame in model.frames.ids() {
+        let Turn::Directions { rows, .. } = alg.triads.turn(k.frame_triad[frame]).clone() else { continue };
+        let all: Vec<ExprId> = rows.iter().flatten().copied().collect();
+        let values: Vec<f64> = alg.dag.evaluate(&all, &elsewhere);
+        let dot = |i: usize, j: usize| -> f64 { (0..3).map(|c| values[3 * i + c] * values[3 * j + c]).sum() };
+        let off = |(i, j): (usize, usize)| (dot(i, j) - f64::from(u8::from(i == j))).abs();
+        let orthonormal = (0..9).all(|ij| off((ij / 3, ij % 3)) < IDENTICAL);
+        if !orthonormal {
+            found.extend(all);
+        }
+    }
+    found
+}
+
+/// A number between 1/2 and 3/2 for every symbol, unlike those of the others.
+fn elsewhere(symbol: SymbolId) -> f64 {
+    /// Fractional parts of its multiples cover the unit interval evenly (golden section).
+    const GOLDEN: f64 = 0.618_033_988_749_894_9;
+    0.5 + (GOLDEN * (1.0 + symbol.index() as f64)).fract()
 }
 
 /// Residuals and their derivatives with respect to all coordinates, as numbers. Both are divided by the size of the
@@ -291,22 +325,25 @@ fn independent(
 fn redundant(k: &Kinematics, kept: &[usize], suspect: usize, residual: f64) -> Diagnostic {
     let place = &k.residual_names[suspect];
     let whole = kept.iter().all(|&i| k.residual_names[i].name != place.name);
+    let stays = format!(
+        "still satisfied (to {residual:.0e} of its terms) after a displacement of {MOVE} that the other constraints \
+         allow"
+    );
+    dropped(place, whole, stays)
+}
+
+/// The warning for a constraint, or a component of one, that follows from the others; `why` says how that was found.
+fn dropped(place: &Place, whole: bool, why: String) -> Diagnostic {
     let (what, help) = match whole {
         true => ("", "remove it: the others imply it"),
         false => (
             "a component of ",
-            "the result is the same; to state only the independent components, write dot(vector, axis) = 0 for each \
+            "the result is the same at these parameters; to state only the independent components, write dot(vector, axis) = 0 for each \
              of them",
         ),
     };
     Diagnostic::warning(format!("{what}`{}` follows from the other constraints and is dropped", place.name))
-        .label(
-            place.span,
-            format!(
-                "still satisfied (to {residual:.0e} of its terms) after a displacement of {MOVE} that the other \
-                 constraints allow"
-            ),
-        )
+        .label(place.span, why)
         .help(help)
 }
 

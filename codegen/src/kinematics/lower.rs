@@ -59,6 +59,7 @@ pub(super) fn symbols(alg: &mut Algebra, model: &Model, choice: &ParameterChoice
         residual_names: Vec::new(),
         implied: Vec::new(),
         implied_names: Vec::new(),
+        implied_motions: Vec::new(),
         fixed_vectors: Vec::new(),
         combinations: Vec::new(),
         rate_pivots: Vec::new(),

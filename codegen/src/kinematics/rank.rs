@@ -3,7 +3,7 @@
 //! Degrees of freedom = number of speeds and lifted unknowns - rank of the rows over all of them, at each sample.
 
 use super::basis::{Bases, NumericRow, longest_entry};
-use super::quantities::{Kinematics, Row};
+use super::quantities::{Kinematics, Place, Row};
 use super::sampling;
 use super::unknowns::UnknownId;
 use crate::diagnostic::{Diagnostic, Diagnostics};
@@ -30,6 +30,44 @@ pub(super) fn ranks(
         bases.extend_where_independent(&alg.dag, &row, DEPENDENT);
     }
     bases.ranks().to_vec()
+}
+
+/// The motion constraints that follow from the configuration constraints and the motion constraints before them, at
+/// every sample: their names, and whether they follow as a whole or in a component only.
+pub(super) fn implied_motions(
+    alg: &Algebra,
+    model: &Model,
+    k: &Kinematics,
+    table: &mut SampleTable,
+) -> Vec<(Place, bool)> {
+    if model.motion_constraints.is_empty() {
+        return Vec::new();
+    }
+    let unknowns: Vec<UnknownId> = k.unknowns.moving().into_iter().chain(k.unknowns.clock()).collect();
+    let column: HashMap<UnknownId, usize> = unknowns.iter().enumerate().map(|(i, &u)| (u, i)).collect();
+    let longest = longest_entry(&alg.dag, &k.rows, table);
+    let empty = Bases::new(unknowns.len(), longest, table.points());
+    let mut add = |bases: &mut Bases, row: &Row| {
+        let row = NumericRow::new(&alg.dag, table, row, &column);
+        bases.extend_where_independent(&alg.dag, &row, DEPENDENT);
+    };
+    let is_motion = |row: &&Row| model.motion_constraints.iter().any(|c| c.name == row.name);
+    let mut bases = empty.clone();
+    k.rows.iter().filter(|row| !is_motion(row)).for_each(|row| add(&mut bases, row));
+    let mut implied = Vec::new();
+    for constraint in &model.motion_constraints {
+        let (before, mut alone) = (bases.ranks().to_vec(), empty.clone());
+        for row in k.rows.iter().filter(|row| row.name == constraint.name) {
+            add(&mut bases, row);
+            add(&mut alone, row);
+        }
+        let added: Vec<usize> = bases.ranks().iter().zip(&before).map(|(now, before)| now - before).collect();
+        if added.iter().zip(alone.ranks()).all(|(added, own)| added < own) {
+            let place = Place { name: constraint.name.clone(), span: constraint.span };
+            implied.push((place, added.iter().all(|&added| added == 0)));
+        }
+    }
+    implied
 }
 
 /// Do the rows determine every dependent unknown, at every sample?

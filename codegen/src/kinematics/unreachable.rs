@@ -12,7 +12,8 @@ pub struct Unreachable {
     /// A configuration exists there, but the way to it from the nominal one could not be followed; the residual is that
     /// of a place on the way.
     pub on_the_way: bool,
-    /// A constraint that followed from the others at the default parameters no longer does: the mechanism is locked.
+    /// A constraint that followed from the others at the default parameters no longer does: the mechanism is locked. The
+    /// residual is what is left in that constraint where the others are met.
     pub locked: bool,
 }
 
@@ -26,10 +27,11 @@ impl fmt::Display for Unreachable {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let name = self.constraint.as_deref().unwrap_or("a constraint");
         if self.locked {
-            return write!(
-                f,
-                "`{name}` no longer follows from the other constraints, and the mechanism is locked"
-            );
+            write!(f, "`{name}` no longer follows from the other constraints, and the mechanism is locked")?;
+            return match self.residual {
+                0.0 => Ok(()),
+                left => write!(f, ": a residual of {left:.1e} is left in it where the others are met"),
+            };
         }
         let on_the_way =
             if self.on_the_way { " on the way there from the nominal configuration" } else { "" };

@@ -9,7 +9,7 @@ use crate::expr::tape::SampleTable;
 use crate::expr::{Binary, Dag, ExprId, Node, Unary};
 use crate::id::Id;
 use crate::kinematics::eliminate::{self, Pivot, Solution};
-use crate::kinematics::{self, Algebra, Assembly, Kinematics, projection, redundant};
+use crate::kinematics::{self, Algebra, Assembly, Kinematics, Row, projection, redundant};
 use crate::model::{CoordinateId, Model, Speed, SpeedMeaning};
 
 /// The solution of the constraints, with the algebra, kinematics and samples to which it refers.
@@ -62,7 +62,8 @@ pub(super) fn assemble(
     let speed_values = alg.dag.substitute(&speed_values, &dynamics.values);
     let pivots: Vec<Pivot> = solution.pivots.iter().chain(&dynamics.pivots).copied().collect();
     let worst_pivot = worst_pivot(&mut alg.dag, &pivots);
-    let watched = [&k.residuals[..], &k.implied].concat();
+    let needless = needless_motions(&mut alg, model, &k, (solution, table), assembly.size());
+    let watched = [&k.residuals[..], &k.implied, &needless].concat();
     let residual = largest(&mut alg.dag, &watched);
     let correction = correction(&mut alg, &k, table, &state, solution);
     let [q, u, inputs, parameters] = quantities(&alg, model, &k, &state);
@@ -87,7 +88,7 @@ pub(super) fn assemble(
         correction,
         speed_correction: dynamics.speed_correction,
         residual,
-        has_implied: !k.implied.is_empty(),
+        has_implied: !k.implied.is_empty() || !needless.is_empty(),
         augmented: dynamics.augmented,
         u_dot,
         answers: answered.answers,
@@ -130,6 +131,39 @@ fn worst_pivot(dag: &mut Dag, pivots: &[Pivot]) -> ExprId {
         worst = if dag.is_one(worst) { relative } else { dag.binary(Binary::Min, worst, relative) };
     }
     worst
+}
+
+/// What is left of the rows that were not solved, for each independent speed, where a motion constraint follows from
+/// the others: 0 as long as it does. Relative to the row's terms, times `size`, so that it can stand among residuals.
+fn needless_motions(
+    alg: &mut Algebra,
+    model: &Model,
+    k: &Kinematics,
+    (solution, table): (&Solution, &mut SampleTable),
+    size: f64,
+) -> Vec<ExprId> {
+    if k.needless_motions(model).next().is_none() || !solution.ties.is_empty() {
+        return Vec::new();
+    }
+    let is_solved = |row: &&Row| solution.rows.iter().any(|solved| solved.name == row.name);
+    let n = solution.partials.values().next().map_or(0, Vec::len);
+    let mut left = Vec::new();
+    for row in k.rows.iter().filter(|row| row.along.is_none() && !is_solved(row)) {
+        let column = |alg: &mut Algebra, j: usize| -> Vec<ExprId> {
+            let terms = row.coefficients.iter().map(|(unknown, &c)| (c, solution.partials[unknown][j]));
+            terms.map(|(c, partial)| alg.dag.mul(c, partial)).collect()
+        };
+        let columns: Vec<Vec<ExprId>> = (0..n).map(|j| column(alg, j)).collect();
+        let nominal = |&e: &ExprId| table.values(&alg.dag, e)[0].abs();
+        let terms = columns.iter().flatten().map(nominal).fold(0.0, f64::max);
+        let scale = alg.dag.constant(if terms > 0.0 { size / terms } else { size });
+        for terms in columns {
+            let sum = alg.dag.sum(&terms);
+            left.push(alg.dag.mul(scale, sum));
+        }
+    }
+    left.retain(|&e| !alg.dag.is_zero(e));
+    left
 }
 
 fn largest(dag: &mut Dag, residuals: &[ExprId]) -> ExprId {

@@ -7,6 +7,7 @@
 pub mod answer;
 pub mod arguments;
 mod assemble;
+mod conditions;
 mod derived;
 pub mod interpreter;
 pub mod limits;
@@ -30,6 +31,7 @@ pub use crate::value::Effort;
 use answer::Stages;
 pub use answer::{Answer, Asked, Function, Request};
 use assemble::{assemble, constraints, mark_angles};
+pub use conditions::{check, conditions};
 pub use derived::{Origin, Program, Quantity, Rates, Settings};
 use stage::Stage;
 pub use start::Start;

@@ -4,7 +4,7 @@
 use crate::draw::Draw;
 use crate::models::{derive, derived_from, shipped, text_of};
 use smartbed_codegen::kinematics::Unreachable;
-use smartbed_codegen::{Interpreted, ParameterChoice, program};
+use smartbed_codegen::{EmitOptions, Interpreted, ParameterChoice, ScalarType, model, program, rust};
 
 /// The four-bar linkage of the README with another nominal angle of its crank.
 fn press(crank: f64) -> String {
@@ -239,4 +239,88 @@ fn implausible_numbers_are_named() {
     assert!(far.warnings.to_string().contains("the nominal value of `q1` lies outside its range"));
     let reversed = derive(&press(60.0).replace("nominal = 60", "range = [90, 30], nominal = 60"));
     assert!(reversed.expect_err("a range").contains("the range of `q1` ends before it begins"));
+}
+
+/// An axle whose two wheels roll: the second says what the first does, as long as it is not turned.
+const AXLE: &str = r#"
+format = 1
+name = "axle"
+[parameters]
+a = { value = 0.5, unit = "m" }
+toe = { value = 0, unit = "rad" }
+m = { value = 10, unit = "kg" }
+[coordinates]
+x = { unit = "m", independent = true }
+y = { unit = "m", speed = { independent = false } }
+q = { unit = "rad", independent = true, range = [-1, 1] }
+[frames]
+car = { rotations = [["z", "q"]] }
+wheel = { parent = "car", rotations = [["z", "toe"]] }
+[points]
+G = "x*N.x + y*N.y"
+A = "G - a*car.y"
+B = "G + a*car.y"
+[constraints.motion]
+left = "dot(velocity(A), car.y)"
+right = "dot(velocity(B), wheel.y)"
+[bodies]
+car = { centre = "G", frame = "car", mass = "m", inertia = { Izz = 1 } }
+"#;
+
+#[test]
+fn a_motion_constraint_that_follows_from_the_others_is_dropped_with_a_warning() {
+    let program = derived_from(AXLE);
+    let warnings = program.warnings.to_string();
+    assert!(warnings.starts_with("warning: `right` follows from the other constraints"), "{warnings}");
+    let turned = AXLE.replace("value = 0, unit = \"rad\"", "value = 0.1, unit = \"rad\"");
+    let refused = derive(&turned).expect_err("one degree of freedom");
+    assert!(refused.contains("`right` makes them dependent"), "{refused}");
+    // Also of what a coordinate says, and of a drive.
+    let drives = AXLE
+        .replace("right = \"dot(velocity(B), wheel.y)\"", "one = \"u_q - 3/1_s\"\ntwo = \"2*u_q - 6/1_s\"")
+        .replace("independent = true, range = [-1, 1]", "speed = { independent = false }, range = [-1, 1]");
+    let warnings = derived_from(&drives).warnings.to_string();
+    assert!(warnings.starts_with("warning: `two` follows"), "{warnings}");
+}
+
+/// Rolling along x, the second wheel slips by the sine of the angle that it is turned by.
+#[test]
+fn a_motion_constraint_that_no_longer_follows_shows_in_the_residual() {
+    let program = derived_from(AXLE);
+    let mut axle = Interpreted::<f64>::new(&program);
+    let mut values: Vec<f64> = program.parameters.iter().map(|p| p.value).collect();
+    let place = program.parameters.iter().position(|p| p.name == "toe").expect("tunable");
+    for (toe, holds) in [(0.0, true), (0.1, false), (-1e-3, false)] {
+        values[place] = toe;
+        axle.set_parameters(&values);
+        for q in [0.0, 0.3, -0.9] {
+            let residual = axle.residual(&[0.2, 0.1, q]).expect("lengths fit");
+            assert_eq!(residual < 1e-15, holds, "{toe}, {q}: {residual}");
+            assert!(holds || residual > 0.5 * toe.abs(), "{toe}, {q}: {residual}");
+        }
+    }
+    // So that derived code refuses the parameter.
+    for scalar in [ScalarType::F32, ScalarType::F64] {
+        let text = rust::emit(&program, &EmitOptions { scalar, ..EmitOptions::default() });
+        assert!(text.contains("if !self.can_be_assembled()"), "{text}");
+    }
+    let plain = derived_from(&AXLE.replace("right = \"dot(velocity(B), wheel.y)\"\n", ""));
+    assert!(plain.warnings.items.is_empty() && !plain.has_implied, "{}", plain.warnings);
+}
+
+#[test]
+fn a_derivation_says_on_which_parameters_its_checks_rest() {
+    let of = |model: &model::Model| {
+        let keep = model.parameters.iter().map(|p| p.name.clone()).collect();
+        let choice = ParameterChoice { keep, ..ParameterChoice::default() };
+        program::conditions(model, &choice).unwrap_or_else(|e| panic!("{e}"))
+    };
+    let axle = model::parse("axle.toml", AXLE).unwrap_or_else(|e| panic!("{e}"));
+    assert_eq!(of(&axle), ["a", "toe"]);
+    assert_eq!(of(&shipped("parallelogram")), ["a", "a3", "d", "e"]);
+    // Vectors of the tile are fixed in its platform because of where its legs stand.
+    assert_eq!(of(&shipped("tile")), ["alphaA", "alphaB", "alphaC"]);
+    for name in ["fourbar", "pendulum3"] {
+        assert_eq!(of(&shipped(name)), [""; 0], "{name}");
+    }
 }
