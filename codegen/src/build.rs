@@ -169,7 +169,7 @@ mod tests {
     #[test]
     fn another_text_for_a_written_file_is_refused() {
         let file = std::env::temp_dir().join(format!("smartbed-written-{}.rs", std::process::id()));
-        let mut write = |model: &str, text: &str| {
+        let write = |model: &str, text: &str| {
             let checked = check_unwritten(Path::new(model), &file, text).map_err(|why| why.to_string());
             checked.map(|()| std::fs::write(&file, text).expect("a temporary folder"))
         };

@@ -89,7 +89,15 @@ impl Configurations {
             }
             steps *= 4;
         }
-        Err(last)
+        self.assembly.set_parameters(parameters);
+        Err(self.assembly.no_longer_implied(&self.nominal).unwrap_or(last))
+    }
+
+    /// The constraint that a configuration violates most: its name, its residual, and the share of its terms that this is.
+    pub fn violation(&mut self, t: f64, parameters: &[f64], q: &[f64]) -> Option<(String, f64, f64)> {
+        self.assembly.set_parameters(parameters);
+        self.assembly.set_time(t);
+        self.assembly.violation(q)
     }
 
     fn walk(&mut self, parameters: &[f64], steps: usize) -> Result<Vec<f64>, Unreachable> {
@@ -148,6 +156,7 @@ impl Configurations {
     pub fn solve(&mut self, parameters: &[f64], given: &[Option<f64>]) -> Result<Vec<f64>, Unreachable> {
         match self.assembled(parameters, given) {
             Ok(q) => self.unlocked(parameters, q),
+            Err(locked) if locked.locked => Err(locked),
             Err(on_the_way) => {
                 Err(self.least(parameters, given).unwrap_or(Unreachable { on_the_way: true, ..on_the_way }))
             }

@@ -127,7 +127,7 @@ impl Observers {
     }
 
     /// A program whose outputs change sign where a function of time alone may have a kink or a jump
-    /// ([`jumps::of_time`]).
+    /// (`jumps::of_time`).
     #[must_use]
     pub fn switches(&self) -> Program {
         self.part(self.before_switches(), self.switches.iter().sum())

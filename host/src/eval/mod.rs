@@ -3,6 +3,7 @@
 //! In: a model and a JSON file of states ([`states`]). Out: JSON in the same order ([`write`]).
 //! The model is derived once, with every parameter that any state names kept tunable.
 
+mod conditions;
 pub mod states;
 mod write;
 
@@ -14,15 +15,20 @@ use crate::number::fewest_digits;
 use crate::observers::Observers;
 use crate::progress::{Progress, Waiting};
 use crate::{answers, model_argument, output, speeds};
+use conditions::{Conditions, FOLLOWS};
 use smartbed_codegen::diagnostic::{Diagnostics, Severity};
 use smartbed_codegen::model::Model;
 use smartbed_codegen::program::answer;
 use smartbed_codegen::{Asked, Function, Interpreted, ParameterChoice, Program, Request, Settings, program};
 use states::State;
+use std::collections::BTreeSet;
 use write::Evaluated;
 
-/// A residual above this fraction of the size of the constraints' terms is more than rounding in any scalar.
+/// A residual above this share of a constraint's terms, or another quantity off by this share, is more than rounding in
+/// any scalar.
 const VIOLATED: f64 = 1e-4;
+/// A residual above this share is more than the rounding of numbers given to six decimals.
+const ROUGH: f64 = 1e-6;
 
 /// Evaluate a model's equations of motion at given states.
 #[derive(clap::Args, Clone, Debug)]
@@ -96,12 +102,20 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         false => None,
     };
     let text = match arguments.scalar {
-        ScalarKind::F32 => {
-            evaluate::<f32>(arguments, &model, &program, closed.as_ref(), (&states, &asked.requests))?
-        }
-        ScalarKind::F64 => {
-            evaluate::<f64>(arguments, &model, &program, closed.as_ref(), (&states, &asked.requests))?
-        }
+        ScalarKind::F32 => evaluate::<f32>(
+            arguments,
+            (&model, &choice),
+            &program,
+            closed.as_ref(),
+            (&states, &asked.requests),
+        )?,
+        ScalarKind::F64 => evaluate::<f64>(
+            arguments,
+            (&model, &choice),
+            &program,
+            closed.as_ref(),
+            (&states, &asked.requests),
+        )?,
     };
     output::write(&arguments.output, text.as_bytes())?;
     if arguments.json && arguments.output != "-" {
@@ -115,7 +129,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
 
 fn evaluate<S: EngineScalar>(
     arguments: &Arguments,
-    model: &Model,
+    (model, choice): (&Model, &ParameterChoice),
     program: &Program,
     observers: Option<&Observers>,
     (states, requests): (&[State], &[Request]),
@@ -127,16 +141,22 @@ fn evaluate<S: EngineScalar>(
     let mut engine = engine::new::<S>(arguments.engine, program)?;
     let mut angles = Angles::new::<S>(program);
     let mut configurations = Configurations::new(model, program);
+    let mut conditions = Conditions::new(model, choice, program)?;
+    let mut masses = Masses::new(model, program);
     let names = observers.map_or(&[][..], |o| o.closed.as_slice());
     let mut closed_forms = observers.map(|o| Interpreted::<S>::new(&o.closed_forms()));
     let mut progress = Progress::new("evaluating");
     let mut text = String::from("{\"states\": [");
     for (number, state) in states.iter().enumerate() {
         progress.at(number as f64 / states.len() as f64);
-        let at =
-            |message: String| Failure::Wrong(format!("{}: states[{number}]: {message}", arguments.states));
+        let place = format!("{}: states[{number}]", arguments.states);
+        let at = |message: String| Failure::Wrong(format!("{place}: {message}"));
         let given = state.resolve(model, program, (names, &configurations)).map_err(at)?;
+        conditions.check(&place, (state, &given.parameters), program, &mut configurations)?;
         let q = configurations.complete_at(state.t, &given.parameters, &given.q).map_err(|unreachable| {
+            if unreachable.locked {
+                return at(format!("parameters: {unreachable}; {FOLLOWS}"));
+            }
             at(format!(
                 "the dependent coordinates cannot be found: {unreachable}; expected independent coordinates \
                  within reach of the nominal configuration (its branch is followed), or start values of the \
@@ -146,7 +166,7 @@ fn evaluate<S: EngineScalar>(
         solved_for(number, &given.q, &q, program);
         let u = complete_speeds(model, program, (state.t, &q, &given.parameters), &given.u)
             .map_err(|fault| at(explain(fault).to_owned()))?;
-        check_masses(model, program, &given.parameters).map_err(at)?;
+        masses.check(number, &given.parameters).map_err(at)?;
         let parameters = rounded::<S>(&given.parameters);
         engine.set_parameters(&parameters);
         // Shown as given, but computed with whole turns subtracted.
@@ -182,12 +202,12 @@ fn evaluate<S: EngineScalar>(
             evaluated.closed = values.into_iter().map(S::to_f64).collect();
             agree(names, &given.closed, &evaluated.closed).map_err(at)?;
         }
-        if let Some(what) = evaluated.not_finite() {
-            return Err(at(format!(
-                "{what} is not finite: the configuration is singular, or a number too large"
-            )));
+        if let Some(what) = evaluated.not_finite(program) {
+            return Err(at(what));
         }
-        warn::<S>(number, &evaluated, (program, &configurations));
+        let violation = configurations.violation(state.t, &given.parameters, &q);
+        let is_solved = given.q.iter().any(Option::is_none);
+        warn::<S>(number, &evaluated, (program, &configurations), (violation, is_solved));
         text.push_str(if number == 0 { "\n" } else { ",\n" });
         evaluated.write(program, names, &answers, &mut text);
     }
@@ -209,20 +229,37 @@ fn solved_for(number: usize, given: &[Option<f64>], q: &[f64], program: &Program
     }
 }
 
-/// Refuses parameters at which a mass or a moment of inertia is negative.
-fn check_masses(model: &Model, program: &Program, parameters: &[f64]) -> Result<(), String> {
-    let values = program.parameters.iter().zip(parameters).map(|(own, value)| (own.name.clone(), *value));
-    let found = model.implausible(&model.parameter_values(&values.collect()));
-    let wrong = found.into_iter().find(|item| item.severity == Severity::Error);
-    wrong.map_or(Ok(()), |item| {
-        let values: Vec<&str> = item.labels.iter().map(|label| label.text.as_str()).collect();
-        Err(format!(
-            "parameters: {} ({}); {}",
-            item.message,
-            values.join(", "),
-            item.help.unwrap_or_default()
-        ))
-    })
+/// Masses and moments of inertia at the parameters of states.
+struct Masses<'m> {
+    model: &'m Model,
+    program: &'m Program,
+    /// What was warned of before.
+    told: BTreeSet<String>,
+}
+
+impl<'m> Masses<'m> {
+    fn new(model: &'m Model, program: &'m Program) -> Self {
+        let told = program.warnings.items.iter().map(|item| item.message.clone()).collect();
+        Self { model, program, told }
+    }
+
+    /// Refuses parameters at which a mass or a length is negative; warns once of moments of inertia that no body has.
+    fn check(&mut self, number: usize, parameters: &[f64]) -> Result<(), String> {
+        let values = self.program.parameters.iter().zip(parameters);
+        let values = values.map(|(own, value)| (own.name.clone(), *value)).collect();
+        for item in self.model.implausible(&self.model.parameter_values(&values)) {
+            let labels: Vec<&str> = item.labels.iter().map(|label| label.text.as_str()).collect();
+            let help = item.help.unwrap_or_default();
+            let text = format!("parameters: {} ({}); {help}", item.message, labels.join(", "));
+            if item.severity == Severity::Error {
+                return Err(text);
+            }
+            if self.told.insert(item.message) {
+                output::say(&format!("warning: states[{number}]: {text}"));
+            }
+        }
+        Ok(())
+    }
 }
 
 /// Warns of states whose answers are finite but doubtful.
@@ -230,7 +267,9 @@ fn warn<S: EngineScalar>(
     number: usize,
     evaluated: &Evaluated,
     (program, configurations): (&Program, &Configurations),
+    (violation, is_solved): (Option<(String, f64, f64)>, bool),
 ) {
+    let share = violation.as_ref().map_or(0.0, |(.., share)| *share);
     let long = configurations.unit_vectors().iter().find_map(|places| {
         let length = places.iter().map(|&i| evaluated.q[i]).fold(0.0, f64::hypot);
         let names: Vec<&str> = places.iter().map(|&i| program.q[i].name.as_str()).collect();
@@ -241,11 +280,15 @@ fn warn<S: EngineScalar>(
             "warning: states[{number}]: {names} are the components of a unit vector, but its length is {length:.6}; \
              expected 1. Its accelerations have no meaning: give the components with length 1"
         ));
-    } else if evaluated.residual > VIOLATED * program.assembly.size() {
+    } else if let Some((name, residual, share)) = violation.filter(|(.., share)| *share > ROUGH) {
+        let accelerations = match share > VIOLATED {
+            true => "its accelerations have no meaning",
+            false => "its accelerations are those of the violated configuration",
+        };
         output::say(&format!(
-            "warning: states[{number}]: the configuration does not satisfy the constraints: a residual of {:.1e} is \
-             left, and its accelerations have no meaning",
-            evaluated.residual
+            "warning: states[{number}]: the configuration does not satisfy the constraints: a residual of {residual:.1e} \
+             is left in `{name}`, {share:.0e} of its terms, and {accelerations}; dependent coordinates that are left \
+             out are solved for"
         ));
     }
     let fastest = evaluated.u.iter().fold(0.0_f64, |most, u| most.max(u.abs()));
@@ -258,11 +301,18 @@ fn warn<S: EngineScalar>(
             speed.name
         ));
     }
-    if evaluated.pivot.abs() < S::ROOT_EPSILON.to_f64() {
+    let pivot = evaluated.pivot.abs();
+    let nearly = "the configuration is singular or nearly so";
+    if pivot < S::ROOT_EPSILON.to_f64() {
         output::say(&format!(
-            "warning: states[{number}]: the configuration is singular or nearly so: the smallest pivot is {:.1e} of \
-             its nominal size, and half of the digits or more are lost; `run` refuses to step from it",
-            evaluated.pivot
+            "warning: states[{number}]: {nearly}: the smallest pivot is {pivot:.1e} of its nominal size, and half of the \
+             digits or more are lost; `run` refuses to step from it"
+        ));
+    } else if is_solved && pivot * pivot * f64::EPSILON.sqrt() < share.max(f64::EPSILON) {
+        // What is left of the constraints is divided by the pivot twice: in the coordinates, then in the accelerations.
+        output::say(&format!(
+            "warning: states[{number}]: {nearly}: the smallest pivot is {pivot:.1e} of its nominal size, so that the \
+             coordinates solved for are inexact, and half of the digits of the accelerations or more are lost"
         ));
     }
 }

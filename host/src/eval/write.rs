@@ -5,6 +5,9 @@ use smartbed_codegen::Program;
 use smartbed_codegen::program::Quantity;
 use smartbed_codegen::program::answer::{Part, Shape};
 
+/// Most outputs that are named; more are counted.
+const NAMED: usize = 4;
+
 /// All results of one state.
 pub(super) struct Evaluated {
     pub t: f64,
@@ -28,20 +31,36 @@ pub(super) struct Evaluated {
 }
 
 impl Evaluated {
-    /// The first group that contains a NaN or an infinity.
-    pub fn not_finite(&self) -> Option<&'static str> {
-        let lists: [(&str, &[f64]); 9] = [
+    /// What is said of the first group that contains a NaN or an infinity; outputs are named.
+    pub fn not_finite(&self, program: &Program) -> Option<String> {
+        let outputs = program.outputs.iter().map(|(name, _)| name.as_str()).zip(&self.outputs);
+        let outputs: Vec<(&str, &f64)> = outputs.filter(|(_, value)| !value.is_finite()).collect();
+        let lists: [(&str, &[f64]); 8] = [
             ("a coordinate in closed form", &self.closed),
             ("q_dot", &self.q_dot),
             ("u_dot", &self.u_dot),
             ("energy", &self.energy),
             ("a speed", &self.speeds),
-            ("an output", &self.outputs),
             ("the constraint residual", std::slice::from_ref(&self.residual)),
             ("an answer", &self.asked),
             ("the power of the drive", std::slice::from_ref(&self.drive)),
         ];
-        lists.into_iter().find(|(_, list)| list.iter().any(|x| !x.is_finite())).map(|(name, _)| name)
+        if let Some((what, _)) = lists.into_iter().find(|(_, list)| list.iter().any(|x| !x.is_finite())) {
+            return Some(format!(
+                "{what} is not finite: the configuration is singular, or a number too large"
+            ));
+        }
+        let more = outputs.len().saturating_sub(NAMED);
+        let named: Vec<String> =
+            outputs.iter().take(NAMED).map(|(name, value)| format!("`{name}` = {value}")).collect();
+        let more = if more > 0 { format!(" and {more} more") } else { String::new() };
+        (!named.is_empty()).then(|| {
+            format!(
+                "outputs are not finite: {}{more}; something they are divided by is 0, a function has no value there, \
+                 or a number is too large",
+                named.join(", ")
+            )
+        })
     }
 
     /// Appends `{"q": ..., "u": ..., ...}`.

@@ -359,3 +359,174 @@ fn speeds_that_violate_the_constraints_are_told_of() {
     );
     assert!(!at("{\"u_x\": 0.2}").err.contains("the speeds do not satisfy"));
 }
+
+/// What `run --set` says of a parameter, `eval` says of a state with it, and both say nothing of its default.
+#[test]
+fn what_a_run_refuses_at_other_parameters_a_state_refuses() {
+    let head = "format = 1\nname = \"p\"\n[parameters]\nk = 2\nl = { value = 0.5, unit = \"m\" }\n";
+    let tail = "[bodies]\nb = { centre = \"P\", mass = 1 }\n";
+    let q = "[coordinates]\nq = { unit = \"rad\", independent = true }\n";
+    let x = "x = { unit = \"rad\", speed = { independent = false } }\n";
+    let turned = "[frames]\nf = { rotations = [[\"z\", \"x\"]] }\n[points]\nP = \"l*f.x\"\n";
+    let driven = turned.replace("l*f.x", "l*f.x + 1_m*q*N.z");
+    let cases = [
+        // A motion constraint that follows from another, or from the configuration.
+        (
+            format!("{q}{x}{turned}[constraints.motion]\na = \"u_x - 2*u_q\"\nb = \"u_x - k*u_q\"\n"),
+            "`b` makes them",
+        ),
+        (
+            format!(
+                "{q}x = {{ unit = \"rad\" }}\n{turned}[constraints.configuration]\na = \"x - 2*q\"\n[constraints.motion]\n\
+                 b = \"u_x - k*u_q\"\n"
+            ),
+            "`b` makes them dependent",
+        ),
+        // Two drives.
+        (
+            format!(
+                "{q}x = {{ unit = \"rad\" }}\n{driven}[constraints.configuration]\na = \"x - 2/1_s*t\"\n\
+                 b = \"x - k/1_s*t\"\n"
+            ),
+            "`b` prescribes a motion that the other constraints do not allow",
+        ),
+        // Axes.
+        (
+            format!(
+                "{q}[frames.f]\nx = \"cos(q)*N.x + k/2*sin(q)*N.y\"\ny = \"-k/2*sin(q)*N.x + cos(q)*N.y\"\n[points]\n\
+                 P = \"l*f.x\"\n"
+            ),
+            "the axes of frame `f` are not orthonormal",
+        ),
+        // A closed form.
+        (
+            format!(
+                "{q}x = {{ unit = \"rad\", closed_form = \"2*q\" }}\n{turned}[constraints.configuration]\na = \"x - k*q\"\n"
+            ),
+            "the closed forms contradict `a`",
+        ),
+    ];
+    for (n, (body, refusal)) in cases.iter().enumerate() {
+        let model = written(&format!("at_other_{n}.toml"), &format!("{head}{body}{tail}"));
+        let given = if n == 0 { "\"q\": 0.3, \"x\": 0.6" } else { "\"q\": 0.3" };
+        let at = |k: f64| {
+            let states = format!(
+                "{{\"states\": [{{\"q\": {{{given}}}, \"parameters\": {{\"k\": {k}, \"l\": 0.4}}}}]}}"
+            );
+            eval(&format!("at_other_{n}.json"), &model, &states, &[])
+        };
+        let run = smartbed(&["run", &model, "--set", "k=3", "--seconds", "0"]);
+        let words =
+            run.message().lines().next().and_then(|line| line.strip_prefix("error: ")).expect("a line");
+        assert!(words.contains(refusal), "{n}: {run:?}");
+        let done = at(3.0);
+        assert_eq!(done.status, 1, "{n}: {done:?}");
+        assert!(done.err.contains(&format!("states[0]: parameters: {words}")), "{n}: {done:?}");
+        let done = at(2.0);
+        assert_eq!(done.status, 0, "{n}: {done:?}");
+    }
+}
+
+#[test]
+fn a_constraint_that_no_longer_follows_is_named() {
+    for given in ["\"q1\": 1", "\"q1\": 1, \"q2\": 0, \"q3\": 1, \"q4\": 1"] {
+        let at = |a: f64| {
+            let states = format!(
+                "{{\"states\": [{{\"q\": {{{given}}}, \"parameters\": {{\"a\": {a}, \"a3\": 0.31}}}}]}}"
+            );
+            eval("third_crank.json", "parallelogram", &states, &[])
+        };
+        let done = at(0.3);
+        assert_eq!(done.status, 1, "{done:?}");
+        assert!(
+            done.err.contains("states[0]: parameters: `two` no longer follows from the other constraints"),
+            "{done:?}"
+        );
+        assert_eq!(at(0.31).status, 0);
+    }
+}
+
+#[test]
+fn each_constraint_is_judged_by_its_own_terms() {
+    for (length, off, said) in [
+        ("1", 1.0, ""),
+        // Six decimals.
+        ("1", 1.000_000_4, ""),
+        (
+            "1",
+            1.000_01,
+            "is left in `rod`, 2e-5 of its terms, and its accelerations are those of the violated",
+        ),
+        (
+            "1",
+            1.01,
+            "a residual of 1.0e-2 is left in `rod`, 2e-2 of its terms, and its accelerations have no meaning",
+        ),
+        ("0.01", 1.01, "a residual of 1.0e-4 is left in `rod`, 2e-2 of its terms"),
+        ("1e-5", 1.01, "a residual of 1.0e-7 is left in `rod`, 2e-2 of its terms"),
+    ] {
+        let text = format!(
+            "format = 1\nname = \"rod\"\n[parameters]\nl = {{ value = {length}, unit = \"m\" }}\n[coordinates]\n\
+             x = {{ unit = \"m\", independent = true, nominal = \"0.6*l\", range = [\"-0.9*l\", \"0.9*l\"] }}\n\
+             y = {{ unit = \"m\", nominal = \"-0.8*l\", range = [\"-1.2*l\", 0] }}\n[points]\nP = \"x*N.x + y*N.y\"\n\
+             [bodies]\nb = {{ centre = \"P\", mass = 1 }}\n[constraints.configuration]\nrod = \"norm(P) - l\"\n"
+        );
+        let model = written("own_terms.toml", &text);
+        let size: f64 = length.parse().expect("a number");
+        let states = format!(
+            "{{\"states\": [{{\"q\": {{\"x\": {:e}, \"y\": {:e}}}}}]}}",
+            0.6 * size * off,
+            -0.8 * size * off
+        );
+        let done = eval("own_terms.json", &model, &states, &[]);
+        assert_eq!(done.status, 0, "{done:?}");
+        assert!(
+            done.err.contains(said) && done.err.is_empty() == said.is_empty(),
+            "{length}, {off}: {done:?}"
+        );
+    }
+}
+
+/// Where all cranks lie along the bar, another branch crosses: u' = -g cos(q1)/a as everywhere, but the coordinates that
+/// are solved for are good to half of their digits there.
+#[test]
+fn coordinates_solved_for_at_a_change_point_are_told_of() {
+    let text = crate::support::model("parallelogram").replace("[0.3, 2.5]", "[-0.5, 4]");
+    let model = written("change_point.toml", &text);
+    for (q1, singular) in
+        [("0", true), ("1e-8", true), ("1e-6", true), ("3.141592653589793", true), ("0.01", false)]
+    {
+        let done =
+            eval("change.json", &model, &format!("{{\"states\": [{{\"q\": {{\"q1\": {q1}}}}}]}}"), &[]);
+        assert_eq!(
+            done.err.contains("states[0]: the configuration is singular or nearly so"),
+            singular,
+            "{q1}: {done:?}"
+        );
+        if !singular {
+            let rate = state(&done)["u_dot"]["u_q1"].as_f64().expect("a number");
+            let right = -9.81 * 0.01_f64.cos() / 0.3;
+            assert!((rate / right - 1.0).abs() < 1e-9, "{rate} instead of {right}");
+        }
+    }
+}
+
+#[test]
+fn outputs_that_are_not_finite_are_named() {
+    let text = "format = 1\nname = \"p\"\n[coordinates]\nx = { unit = \"m\" }\n[points]\nP = \"x*N.x\"\n\
+        [bodies]\nb = { centre = \"P\", mass = 1 }\n[outputs]\nangle = \"asin(x/1_m)\"\nplace = \"x\"\n";
+    let model = written("arc.toml", text);
+    let done = eval("arc.json", &model, r#"{"states": [{"q": {"x": 0.5}}, {"q": {"x": 2}}]}"#, &[]);
+    assert!(done.message().contains("states[1]: outputs are not finite: `angle` = NaN; "), "{done:?}");
+}
+
+#[test]
+fn moments_that_no_body_has_are_told_of_once() {
+    let state =
+        |z: f64| format!("{{\"q\": {{\"hA\": 0, \"hB\": 0, \"hC\": 0}}, \"parameters\": {{\"Iz\": {z}}}}}");
+    let states = format!("{{\"states\": [{}, {}, {}]}}", state(0.17), state(10.0), state(11.0));
+    let done = eval("moments.json", "tile", &states, &[]);
+    assert_eq!(done.status, 0, "{done:?}");
+    let told = "warning: states[1]: parameters: the moments of inertia of `platform` cannot be those of a body (Izz = 10 kg m^2";
+    assert!(done.err.starts_with(told) && done.err.matches("warning").count() == 1, "{done:?}");
+}
