@@ -1,11 +1,12 @@
 //! `smartbed bed map`: reads maps exported by a sensor maker's program, computes all metrics, compares them, and writes
 //! them in the other format.
 //!
-//! In: a file of Tekscan's or XSENSOR's. Out: metrics as a table or as CSV, differences to another file of the same
+//! In: a file of Tekscan's or XSENSOR's. Out: metrics as a table, as CSV or as one JSON object, differences to another file of the same
 //! sensels, a file in the format given by its ending.
 
-use super::rows::{csv, table, write};
+use super::rows::{self, csv, table, write};
 use crate::failure::Failure;
+use crate::number::{json_number, json_string};
 use crate::{input, output};
 use smartbed_bed::files::{self, Mapped, tekscan, xsensor};
 use smartbed_bed::map::{Frame, MMHG};
@@ -33,6 +34,9 @@ pub struct Map {
     /// Write the maps to this file: .csv in XSENSOR's format, .asf in Tekscan's.
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<String>,
+    /// Print the result as one JSON object.
+    #[arg(long)]
+    pub json: bool,
 }
 
 /// Runs the command.
@@ -40,11 +44,16 @@ pub(super) fn run(asked: &Map) -> Result<(), Failure> {
     if !(asked.cycle > 0.0 && asked.cycle.is_finite()) {
         return Err(Failure::Wrong(format!("--cycle {}: expected seconds > 0", asked.cycle)));
     }
+    if asked.json && asked.csv.as_deref() == Some("-") {
+        let what =
+            "--csv - and --json: only one of them can go to standard output; name a file for the other";
+        return Err(Failure::Wrong(what.to_owned()));
+    }
     let mapped = read(&asked.file)?;
     let rows = [("sensels", rows(&mapped, asked.cycle))];
     let compared = match &asked.against {
-        Some(other) => compared(&asked.file, &mapped, other, &read(other)?)?,
-        None => String::new(),
+        Some(other) => Some(compared(&asked.file, &mapped, other, &read(other)?)?),
+        None => None,
     };
     if let Some(file) = &asked.output {
         write(file, &encoded(file, &mapped)?)?;
@@ -55,6 +64,10 @@ pub(super) fn run(asked: &Map) -> Result<(), Failure> {
     if asked.csv.as_deref() == Some("-") {
         return Ok(());
     }
+    if asked.json {
+        return output::print(&json(asked, &mapped, compared.as_ref(), &rows));
+    }
+    let compared = compared.map_or_else(String::new, |difference| difference.text());
     let (grid, recording) = (&mapped.grid, &mapped.recording);
     let head = format!(
         "{}: {} x {} sensels of {:.2} by {:.2} mm, {} frames over {} s\n{compared}",
@@ -81,8 +94,55 @@ fn rows(mapped: &Mapped, cycle: f64) -> Vec<Row> {
     Report { recording: &mapped.recording, grid: Some(&mapped.grid), thresholds, friction }.rows()
 }
 
-/// Differences of two recordings: root mean square over all pressures, peak pressure index of the last maps.
-fn compared(name: &str, one: &Mapped, other_name: &str, other: &Mapped) -> Result<String, Failure> {
+/// Metrics and differences as one JSON object.
+fn json(
+    asked: &Map,
+    mapped: &Mapped,
+    compared: Option<&Difference>,
+    metrics: &[(&'static str, Vec<Row>)],
+) -> String {
+    let (grid, recording) = (&mapped.grid, &mapped.recording);
+    format!(
+        "{{\"file\": {}, \"rows\": {}, \"columns\": {}, \"pitch\": [{}, {}], \"frames\": {}, \"seconds\": {}, \
+         \"difference\": {}, {}, \"note\": {}}}\n",
+        json_string(&asked.file),
+        grid.rows,
+        grid.columns,
+        json_number(grid.column_pitch),
+        json_number(grid.row_pitch),
+        recording.frames().len(),
+        json_number(recording.seconds()),
+        compared.map_or_else(|| "null".to_owned(), Difference::json),
+        rows::json(metrics).join(", "),
+        json_string(DISCLAIMER)
+    )
+}
+
+/// What tells two recordings of the same sensels apart.
+struct Difference {
+    against: String,
+    /// Root mean square over all pressures (mmHg).
+    rms: f64,
+    /// Peak pressure index of the last map over that of the other one, less 1.
+    index: Option<f64>,
+}
+
+impl Difference {
+    fn text(&self) -> String {
+        let index = self.index.map_or_else(|| "-".to_owned(), |share| format!("{:.2} %", 100.0 * share));
+        let Self { against, rms, .. } = self;
+        format!("against {against}: {rms:.3} mmHg root mean square, peak pressure index {index} of it\n")
+    }
+
+    fn json(&self) -> String {
+        let index = self.index.map_or_else(|| "null".to_owned(), json_number);
+        let (against, rms) = (json_string(&self.against), json_number(self.rms));
+        format!("{{\"against\": {against}, \"rms\": {rms}, \"peak_pressure_index\": {index}}}")
+    }
+}
+
+/// Compares two recordings.
+fn compared(name: &str, one: &Mapped, other_name: &str, other: &Mapped) -> Result<Difference, Failure> {
     let (a, b) = (&one.grid, &other.grid);
     let is_alike = |x: f64, y: f64| (x / y - 1.0).abs() < ALIKE;
     let same = (a.rows, a.columns) == (b.rows, b.columns)
@@ -104,12 +164,11 @@ fn compared(name: &str, one: &Mapped, other_name: &str, other: &Mapped) -> Resul
         let last = mapped.recording.frames().last()?;
         spatial::peak_pressure_index(&mapped.grid, &last.pressure, WINDOW)
     };
-    let ppi = match (index(one), index(other)) {
-        (Some(own), Some(theirs)) if theirs > 0.0 => format!("{:.2} %", 100.0 * (own / theirs - 1.0)),
-        _ => "-".to_owned(),
+    let index = match (index(one), index(other)) {
+        (Some(own), Some(theirs)) if theirs > 0.0 => Some(own / theirs - 1.0),
+        _ => None,
     };
-    let rms = mean.sqrt() / MMHG;
-    Ok(format!("against {other_name}: {rms:.3} mmHg root mean square, peak pressure index {ppi} of it\n"))
+    Ok(Difference { against: other_name.to_owned(), rms: mean.sqrt() / MMHG, index })
 }
 
 /// A format of maps.

@@ -42,13 +42,15 @@ enum Command {
   cargo smartbed bed run ball_on_four --set load.mass=8_kg --csv metrics.csv --map map.csv")]
     Run(Run),
     /// Run a plan and write a page for the browser: pressure map, tiles, time slider, metrics.
-    #[command(after_help = "Example:
-  cargo smartbed bed report alternating -o alternating.html")]
+    #[command(after_help = "Examples:
+  cargo smartbed bed report alternating -o alternating.html
+  cargo smartbed bed report alternating --json")]
     Report(Page),
     /// Compute all metrics of pressure maps that were recorded elsewhere: Tekscan's ASCII or XSENSOR's CSV.
     #[command(after_help = "Examples:
   cargo smartbed bed map session.asf
-  cargo smartbed bed map session.asf --against simulated.csv -o session.csv")]
+  cargo smartbed bed map session.asf --against simulated.csv -o session.csv
+  cargo smartbed bed map session.asf --json")]
     Map(map::Map),
 }
 
@@ -85,6 +87,9 @@ pub struct Page {
     /// File for the page.
     #[arg(short, long, value_name = "FILE", default_value = "bed.html")]
     pub output: String,
+    /// Print the name of the page and the metrics, as `bed run` does, as one JSON object.
+    #[arg(long)]
+    pub json: bool,
 }
 
 /// Runs the command.
@@ -112,15 +117,24 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
                 return Ok(());
             }
             output::print(&match asked.json {
-                true => said::json(&origin, &read, &history, &report),
+                true => said::json(&origin, None, &read, &history, &report),
                 false => said::text(&read, &history, &report),
             })
         }
         Command::Report(asked) => {
             let (origin, read) = opened("report", &asked.plan, &asked.set)?;
             let history = history(&read)?;
-            write(&asked.output, &page::text(&origin, &read, &history, &RunReport::new(&read, &history)))?;
-            output::print(&format!("{}: {}\n", asked.output, read.plan.title))
+            let report = RunReport::new(&read, &history);
+            if asked.json && asked.output == "-" {
+                return Err(Failure::Wrong(
+                    "--output - and --json: only one can go to standard output".to_owned(),
+                ));
+            }
+            write(&asked.output, &page::text(&origin, &read, &history, &report))?;
+            output::print(&match asked.json {
+                true => said::json(&origin, Some(&asked.output), &read, &history, &report),
+                false => format!("{}: {}\n", asked.output, read.plan.title),
+            })
         }
         Command::Map(asked) => map::run(asked),
     }

@@ -1,6 +1,7 @@
 //! Rows of metrics as CSV and as text, and how they are written.
 
 use crate::failure::Failure;
+use crate::number::{json_number, json_string};
 use crate::output;
 use smartbed_bed::metrics::report::Row;
 use std::fmt::Write as _;
@@ -24,6 +25,26 @@ pub(super) fn csv(metrics: &[(&'static str, Vec<Row>)]) -> String {
         }
     }
     text
+}
+
+/// Metrics as keys of a JSON object, each with the list of its rows.
+pub(super) fn json(metrics: &[(&'static str, Vec<Row>)]) -> Vec<String> {
+    let null = |x: Option<f64>| x.map_or_else(|| "null".to_owned(), json_number);
+    let row = |row: &Row| {
+        format!(
+            "{{\"place\": {}, \"metric\": {}, \"value\": {}, \"unit\": {}, \"threshold\": {}}}",
+            json_string(row.place),
+            json_string(row.metric),
+            null(row.value),
+            json_string(row.unit),
+            null(row.threshold)
+        )
+    };
+    let list = |(sites, rows): &(&'static str, Vec<Row>)| {
+        let rows: Vec<String> = rows.iter().map(row).collect();
+        format!("\"{sites}\": [{}]", rows.join(", "))
+    };
+    metrics.iter().map(list).collect()
 }
 
 /// Metrics as a table of text.

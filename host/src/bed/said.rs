@@ -4,7 +4,7 @@
 
 use super::readings;
 use super::report::RunReport;
-use super::rows::table;
+use super::rows::{self, table};
 use super::words;
 use crate::number::{json_number, json_string, six_digits};
 use crate::origin::{Origin, seeds_json};
@@ -16,24 +16,18 @@ use smartbed_bed::plan::history::{History, Watched};
 use smartbed_bed::plan::states;
 use std::fmt::Write as _;
 
-/// One JSON object.
-pub(super) fn json(origin: &Origin, read: &Read, history: &History, report: &RunReport) -> String {
+/// One JSON object; with the file of the page, if there is one.
+pub(super) fn json(
+    origin: &Origin,
+    page: Option<&str>,
+    read: &Read,
+    history: &History,
+    report: &RunReport,
+) -> String {
+    let page = page.map_or_else(String::new, |file| format!("\"page\": {}, ", json_string(file)));
     let null = |x: Option<f64>| x.map_or_else(|| "null".to_owned(), json_number);
-    let row = |row: &Row| {
-        format!(
-            "{{\"place\": {}, \"metric\": {}, \"value\": {}, \"unit\": {}, \"threshold\": {}}}",
-            json_string(row.place),
-            json_string(row.metric),
-            null(row.value),
-            json_string(row.unit),
-            null(row.threshold)
-        )
-    };
     let RunReport { sensed, gate, lists } = report;
-    let lists = lists.each_ref().map(|(sites, rows)| {
-        let rows: Vec<String> = rows.iter().map(row).collect();
-        format!("\"{sites}\": [{}]", rows.join(", "))
-    });
+    let lists = rows::json(lists);
     let [imbalance, felt] = worst(gate);
     let sensors = sensed.as_ref().map_or_else(|| "null".to_owned(), |sensed| {
         format!(
@@ -51,7 +45,7 @@ pub(super) fn json(origin: &Origin, read: &Read, history: &History, report: &Run
     let policy = read.policy.map_or_else(|| "null".to_owned(), |policy| json_string(policy.name));
     let asked = history.lay.filter(|_| read.policy.is_some());
     format!(
-        "{{{}\"seeds\": {}, \"bed\": {}, \"moments\": {}, \"imbalance\": {}, \"sensed_error\": {}, \"valid\": {}, \
+        "{{{page}{}\"seeds\": {}, \"bed\": {}, \"moments\": {}, \"imbalance\": {}, \"sensed_error\": {}, \"valid\": {}, \
          \"sensors\": {sensors}, \"instruments\": {instruments}, \"policy\": {policy}, \"policy_from\": {}, \
          \"supervised\": {}, \"parts\": {}, \"over_pressure\": {}, \"moves\": {}, \"motion\": {}, \"braden\": {}, {}, \"note\": {}}}\n",
         origin.json(),

@@ -20,6 +20,7 @@ use crate::{input, output};
 #[command(after_help = "Examples:
   cargo smartbed import robot.urdf -o robot.toml
   cargo smartbed import robot.urdf --base floating | less
+  cargo smartbed import robot.urdf -o robot.toml --json
 
 Links become bodies and joints entries of [joints]; a joint with one coordinate has an input
 `tau_JOINT` as its drive. Links connected by fixed joints become one body; a mimic joint follows
@@ -34,6 +35,9 @@ pub struct Arguments {
     /// How the root link may move.
     #[arg(long, value_enum, default_value_t)]
     pub base: Base,
+    /// Print what was not converted, and the notes, as one JSON object; without --output the model stands in it.
+    #[arg(long)]
+    pub json: bool,
 }
 
 /// Converts a robot to a model.
@@ -56,9 +60,20 @@ pub fn import(path: &str, text: &str, base: Base) -> Result<Imported, Failure> {
 /// # Errors
 /// Status 1 for a robot that cannot be read or is invalid, and for a file that cannot be written.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let Arguments { robot, output, base } = arguments;
+    let Arguments { robot, output, base, json } = arguments;
     let text = input::text(robot).map_err(|e| Failure::Wrong(format!("cannot read {robot}: {e}")))?;
     let imported = import(robot, &text, *base)?;
+    let file = output.as_deref().filter(|file| *file != "-");
+    if *json {
+        if let Some(file) = file {
+            output::write(file, imported.model.as_bytes())?;
+        }
+        let model = file.is_none().then_some(&imported.model);
+        let object = serde_json::json!({
+            "file": file, "model": model, "not_converted": imported.left_out, "notes": imported.notes,
+        });
+        return output::print(&format!("{object}\n"));
+    }
     for line in &imported.left_out {
         output::say(&format!("note: not converted: {line}"));
     }

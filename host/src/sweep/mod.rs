@@ -24,7 +24,8 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 #[command(after_help = "Examples:
   cargo smartbed sweep ball_on_four -o sweep
   cargo smartbed sweep ball_on_four -o sweep --shard 2/4
-  cargo smartbed sweep ball_on_four -o sweep --merge --page sweep.html")]
+  cargo smartbed sweep ball_on_four -o sweep --merge --page sweep.html
+  cargo smartbed sweep ball_on_four -o sweep --json")]
 pub struct Arguments {
     /// The plan: a path, or a name under models/plans.
     pub plan: String,
@@ -51,6 +52,9 @@ pub struct Arguments {
     /// Change a key of the plan; may be repeated. Keys that `[sweep]` varies are refused.
     #[arg(long, value_name = "KEY=VALUE")]
     pub set: Vec<String>,
+    /// Print the file of the table and the numbers of cases as one JSON object.
+    #[arg(long)]
+    pub json: bool,
 }
 
 /// Runs the command.
@@ -87,6 +91,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         let words = smartbed_codegen::words::count(missing, "case");
         return match arguments.merge {
             true => Err(Failure::Wrong(format!("{}: {words} of {} missing", arguments.output, all.len()))),
+            false if arguments.json => output::print(&summary(None, [all.len(), missing, 0])),
             false => output::print(&format!(
                 "{}: {words} of {} left to other shards\n",
                 arguments.output,
@@ -111,12 +116,22 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
             case::REFUSED
         )));
     }
+    if arguments.json {
+        return output::print(&summary(Some(&table), [all.len(), 0, found.refused]));
+    }
     let refused = match found.refused {
         0 => String::new(),
         count => format!(", {count} of them refused: the column `{}` says why", case::REFUSED),
     };
     let words = smartbed_codegen::words::count(all.len(), "case");
     output::print(&format!("{}: {words}{refused}\n", table.display()))
+}
+
+/// One JSON object: the table, once it is written, and the numbers of cases, of those left to other shards, and of those
+/// refused.
+fn summary(table: Option<&Path>, [cases, left, refused]: [usize; 3]) -> String {
+    let table = table.map(|file| file.display().to_string());
+    format!("{}\n", serde_json::json!({ "table": table, "cases": cases, "left": left, "refused": refused }))
 }
 
 /// The table as Parquet.

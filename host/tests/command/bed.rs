@@ -64,6 +64,12 @@ fn maps_of_sensor_makers_are_read_compared_and_written() {
     let read = smartbed_bed::files::read(&text).expect("read back");
     assert_eq!((read.grid.rows, read.grid.columns, read.recording.seconds()), (2, 3, 10.0));
     assert!(!done.err.contains("warning"), "{done:?}");
+    let done = smartbed(&["bed", "map", &one, "--against", &other, "--json"]).json();
+    holds("map", &done);
+    assert_eq!((&done["rows"], &done["pitch"][0], &done["seconds"]), (&2.into(), &0.03.into(), &10.0.into()));
+    let apart = &done["difference"];
+    assert!((apart["rms"].as_f64().expect("a number") - 3.0_f64.sqrt()).abs() < 1e-9, "{apart}");
+    assert!((apart["peak_pressure_index"].as_f64().expect("a number") + 6.0 / 156.0).abs() < 1e-9, "{apart}");
     // A last moment of no time lasts as long as the others in a movie, and stays as it is in the other format.
     let ended =
         written("ended.csv", &text.replace("Time (s),5\nDuration (s),5", "Time (s),5\nDuration (s),0"));
@@ -82,6 +88,7 @@ fn maps_of_sensor_makers_are_read_compared_and_written() {
     let raw = written("raw.asf", &movie("10,20,30").replace("UNITS mmHg", "UNITS RAW"));
     assert!(say(&[&raw]).contains("raw.asf: line 7: unit of pressure `RAW`"));
     assert!(say(&[&one, "-o", "map.txt"]).contains("map.txt: expected a name that ends in .csv or .asf"));
+    assert!(say(&[&one, "--json", "--csv", "-"]).contains("--csv - and --json"));
     assert!(say(&[&one, "--cycle", "0"]).contains("--cycle 0: expected seconds > 0"));
 }
 
@@ -141,8 +148,10 @@ fn what_a_nurse_enters_stands_beside_what_is_computed_and_changes_nothing() {
             && with["sensels"] == without["sensels"]
     );
     let page = file("scored.html").display().to_string();
-    let done = smartbed(&["bed", "report", &scored, "-o", &page]);
+    let done = smartbed(&["bed", "report", &scored, "-o", &page, "--json"]);
     assert_eq!(done.status, 0, "{done:?}");
+    holds("bed", &done.json());
+    assert_eq!(done.json()["page"], page.as_str());
     let text = std::fs::read_to_string(&page).expect("a page");
     assert!(text.contains("Braden, as the nurse entered it: 11 of 23, high risk (sensory 2, moisture 3"));
     assert!(text.contains("command smartbed bed report") && text.contains("plan sha256"));
@@ -281,7 +290,10 @@ fn a_sweep_gives_the_same_bytes_in_shards_on_any_cores_and_after_a_break() {
     // A case that was cut off does not count as done.
     std::fs::write(shards.join("case_00002.json"), "{\"version\"").expect("written");
     run(&["-o", &two, "--shard", "1/2"]);
-    run(&["-o", &two]);
+    let summary: serde_json::Value = serde_json::from_str(&run(&["-o", &two, "--json"])).expect("JSON");
+    holds("swept", &summary);
+    let numbers = ["cases", "left", "refused"].map(|key| summary[key].as_u64());
+    assert_eq!(numbers, [Some(4), Some(0), Some(0)], "{summary}");
     assert_eq!(texts(&whole), texts(&shards));
     let table = &texts(&whole)["sweep.csv"];
     assert_eq!(table.lines().count(), 5);

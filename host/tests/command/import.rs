@@ -1,5 +1,6 @@
 //! `smartbed import`: public arms against Pinocchio, small robots against closed forms, and what is refused.
 
+use crate::schema::holds;
 use crate::support::{smartbed, written};
 use serde_json::Value;
 use smartbed::import::{Base, Imported, import};
@@ -378,6 +379,12 @@ fn the_command_writes_a_model_that_runs() {
     let (from, to) = (robot.clone(), robot.replace(".urdf", ".toml"));
     let done = smartbed(&["import", &from, "-o", &to]);
     assert_eq!(done.status, 0, "{done:?}");
+    let written = std::fs::read_to_string(&to).expect("a model");
+    for (arguments, file, model) in [(&["-o", &to][..], Some(&*to), None), (&[], None, Some(&*written))] {
+        let done = smartbed(&[&["import", &from, "--json"], arguments].concat());
+        holds("imported", &done.json());
+        assert_eq!((done.json()["file"].as_str(), done.json()["model"].as_str()), (file, model), "{done:?}");
+    }
     let done = smartbed(&["check", &to]);
     assert_eq!(done.status, 0, "{done:?}");
     let done = smartbed(&["import", "nowhere.urdf"]);

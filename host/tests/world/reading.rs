@@ -1,6 +1,7 @@
 //! Errors in a scene of format 2 are reported with their place.
 
 use super::support::{fails, parse, scene};
+use smartbed::world::assembly::Kind;
 
 const GROUND: &str = "format = 2\n[parts.ground]\nrigid = \"half_space\"\n";
 const TILE: &str = "format = 2\n[parts.tile]\nmechanism = \"tile\"\n";
@@ -109,10 +110,10 @@ fn what_is_wrong_in_a_world_is_said_with_its_place() {
         (format!("{TILE}{SHEET}attach = [{{ nodes = \"rim\", to = \"tile.top\" }}]"), "has no port `top`", 9),
         (
             format!(
-                "{TILE}grid = {{ count = [2, 1], pitch = [\"0.4_m\", \"0.4_m\"] }}\n{SHEET}attach = [{{ nodes = \"rim\", to = \"tile.platform\" }}]"
+                "{TILE}grid = {{ count = [2, 1], pitch = [\"0.4_m\", \"0.4_m\"] }}\n{SHEET}grid = {{ count = [1, 3], pitch = [\"0.4_m\", \"0.4_m\"] }}\nattach = [{{ nodes = \"rim\", to = \"tile.platform\" }}]"
             ),
-            "`tile` is repeated: give this part the same `grid`, or name one of the copies, such as `tile[0,0]`",
-            10,
+            "`tile` is repeated with another `grid`; leave that of this part out, or name one of the copies, such as `tile[0,0]`",
+            11,
         ),
         (
             format!("{TILE}{SHEET}attach = [{{ nodes = \"rim\", to = \"tile\" }}]"),
@@ -361,4 +362,30 @@ fn a_model_is_looked_for_beside_its_scene_first() {
     std::fs::create_dir_all(&elsewhere).expect("a folder");
     let ratio = run("scene.toml", &folder) / run("pendulum.toml", &elsewhere);
     assert!((ratio - 1.5).abs() < 1e-2, "{ratio}");
+}
+
+#[test]
+fn what_is_attached_to_a_repeated_part_is_repeated_with_it() {
+    let grid = "grid = { count = [2, 1], pitch = [\"0.4_m\", \"0.4_m\"] }\n";
+    let with = |own: &str| {
+        let text = format!(
+            "{TILE}{grid}{SHEET}{own}attach = [{{ nodes = \"rim\", to = \"tile.platform\" }}]\n[parts.board]\n\
+             rigid = \"box\"\nsize = [0.1, 0.1, 0.01]\n{own}on = \"tile.platform\"\n\
+             start = {{ position = [0, 0, \"20_mm\"] }}\n"
+        );
+        parse(&text).expect("a scene")
+    };
+    let assembly = with("");
+    let names: Vec<&str> = assembly.parts.iter().map(|part| part.name.as_str()).collect();
+    let expected = ["tile[0,0]", "tile[1,0]", "bladder[0,0]", "bladder[1,0]", "board[0,0]", "board[1,0]"];
+    assert_eq!(names, expected);
+    let carried: Vec<(usize, [f64; 3])> = (assembly.parts.iter())
+        .filter_map(|part| match &part.kind {
+            Kind::Rigid(board) => Some((board.on.as_ref()?.0, board.start.position)),
+            _ => None,
+        })
+        .collect();
+    // Each lies on its own tile, in the middle of it.
+    assert_eq!(carried, [(0, [0.0, 0.0, 0.02]), (1, [0.0, 0.0, 0.02])]);
+    assert_eq!(format!("{assembly:?}"), format!("{:?}", with(grid)), "as with a grid of its own");
 }

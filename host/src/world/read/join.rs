@@ -23,7 +23,7 @@ fn unknown_part(name: &str, span: Span, parts: &[Part], found: &mut Diagnostics)
     let copy = parts.iter().find(|part| part.name.starts_with(&format!("{name}[")));
     let help = match copy {
         Some(copy) => format!(
-            "`{name}` is repeated: give this part the same `grid`, or name one of the copies, such as `{}`",
+            "`{name}` is repeated with another `grid`; leave that of this part out, or name one of the copies, such as `{}`",
             copy.name
         ),
         None => crate::suggest::help(name, parts.iter().map(|p| p.name.as_str())),

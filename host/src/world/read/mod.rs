@@ -176,7 +176,7 @@ fn parts(entries: &[(Key, Value)], find: Find<'_>, found: &mut Diagnostics) -> (
             let error = error.label(key.span, "columns `sensors.NAME` are the readings of sensors");
             found.push(error.help("another name"));
         }
-        let places = copies(key, table, found);
+        let places = copies(key, grid(table, entries, entries.len()), found);
         for (suffix, offset) in places {
             match part(key, table, offset, find, found) {
                 Some(kind) => {
@@ -212,10 +212,33 @@ fn parts(entries: &[(Key, Value)], find: Find<'_>, found: &mut Diagnostics) -> (
     (whole.then_some(parts), attached)
 }
 
+/// The `grid` of a part: its own, or that of a part which it is attached to, or which that one is attached to.
+fn grid<'t>(table: &'t Table, entries: &'t [(Key, Value)], links: usize) -> Option<&'t Value> {
+    if let Some(own) = table.get("grid") {
+        return Some(own);
+    }
+    let links = links.checked_sub(1)?;
+    let targets: Vec<&Value> = match (table.get("attach"), table.get("on")) {
+        (Some(Value::Array(items, _)), _) => {
+            let to = |item: &'t Value| if let Value::Table(item) = item { item.get("to") } else { None };
+            items.iter().filter_map(to).collect()
+        }
+        (None, Some(on)) => vec![on],
+        _ => return None,
+    };
+    targets.into_iter().find_map(|target| {
+        let Value::Text(target) = target else { return None };
+        let name = target.text.split('.').next()?;
+        let (_, carrier) = entries.iter().find(|(key, _)| key.name == name)?;
+        let Value::Table(carrier) = carrier else { return None };
+        grid(carrier, entries, links)
+    })
+}
+
 /// Copies of a part by `grid = { count = [7, 4], pitch = ["0.4_m", "0.4_m"] }`: the name and displacement of each.
-fn copies(key: &Key, table: &Table, found: &mut Diagnostics) -> Vec<(String, [f64; 3])> {
+fn copies(key: &Key, grid: Option<&Value>, found: &mut Diagnostics) -> Vec<(String, [f64; 3])> {
     let single = vec![(String::new(), [0.0; 3])];
-    let grid = match table.get("grid") {
+    let grid = match grid {
         None => return single,
         Some(Value::Table(grid)) => grid,
         Some(other) => {
@@ -251,6 +274,8 @@ fn copies(key: &Key, table: &Table, found: &mut Diagnostics) -> Vec<(String, [f6
 
 /// Reads one part, by the key that states its kind.
 fn part(key: &Key, table: &Table, offset: [f64; 3], find: Find<'_>, found: &mut Diagnostics) -> Option<Kind> {
+    // The position of an attached part follows from its attachment: its copies are not displaced.
+    let offset = if table.get("attach").or(table.get("on")).is_some() { [0.0; 3] } else { offset };
     let fields = Fields::of(&key.name, key.span, table);
     let kinds = ["mechanism", "shape", "points", "rigid"].map(|kind| table.get(kind).is_some());
     match kinds {
@@ -271,8 +296,6 @@ fn part(key: &Key, table: &Table, offset: [f64; 3], find: Find<'_>, found: &mut 
             read.map(Kind::Rigid)
         }
         [false, true, false, false] | [false, false, true, false] => {
-            // The position of an attached part follows from its attachment: its copies are not displaced.
-            let offset = if table.get("attach").is_some() { [0.0; 3] } else { offset };
             flexible::read((&key.name, key.span), table, offset, found).map(|f| Kind::Flexible(Box::new(f)))
         }
         _ => {
