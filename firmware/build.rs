@@ -1,9 +1,9 @@
 //! Derives the model into `OUT_DIR` and, for the chip, gives the linker its memory.
 //!
 //! In, all optional: `SMARTBED_MODEL` (path of a model), `SMARTBED_SET` (`name=value;...`),
-//! `SMARTBED_CHIP` (a file of `chips/`), `SMARTBED_STEPS`, `SMARTBED_SCENE` (path of the tables of a scene or world, for its image),
-//! `SMARTBED_INJECT` (a defect that the image's checks must find; for tests).
-//! They are read here, at build time, so that host and chip change together.
+//! `SMARTBED_CHIP` (a file of `chips/`), `SMARTBED_STEPS`, `SMARTBED_SCENE` (path of the tables of a scene or world,
+//! for its image), `SMARTBED_INJECT` (a defect that the image's checks must find; for tests). They are read here, at
+//! build time, so that host and chip change together.
 
 #[cfg(feature = "derive")]
 mod derive;

@@ -1,4 +1,5 @@
-//! The equations that a build needs: the model's with its demonstration, and those of the tile that the controller is tried on.
+//! The equations that a build needs: the model's with its demonstration, and those of the tile that the controller is
+//! tried on.
 
 use super::option;
 use smartbed_codegen::{Core, Effort, Options, ScalarType};
@@ -91,7 +92,8 @@ const NUMBERS: [(&str, f64); 8] = [
     ("z_payload", 0.13),
 ];
 
-/// What the screws carry along a motion, for the controller. Drives are left out: their inertia needs no force of a screw.
+/// What the screws carry along a motion, for the controller. Drives are left out: their inertia needs no force of a
+/// screw.
 fn derive_feedforward() {
     let mut options = Options {
         file_name: Some("feedforward".to_owned()),
@@ -106,8 +108,8 @@ fn derive_feedforward() {
     smartbed_codegen::build("../models/tile_minimal.toml", &options);
 }
 
-/// The tile that the controller is tried on: `tile` with those numbers and the inertia of its drives, whose friction is the
-/// plant's own code. On the host in double precision too.
+/// The tile that the controller is tried on: `tile` with those numbers and the inertia of its drives, whose friction is
+/// the plant's own code. On the host in double precision too.
 fn derive_plant() {
     let gear = std::f64::consts::TAU * 30.0 / 0.004;
     let more = [("mr", 2e-6 * gear * gear)];

@@ -45,8 +45,8 @@
 //! ```
 //!
 //! The stages are modules, and data flows downwards only: `model` (text to a checked tree) and `expr` (the expression
-//! DAG) know nothing of each other; `vector` -> `kinematics` -> `dynamics` -> `value` -> `program` -> `rust` each use only
-//! the stages before them.
+//! DAG) know nothing of each other; `vector` -> `kinematics` -> `dynamics` -> `value` -> `program` -> `rust` each use
+//! only the stages before them.
 
 pub mod escape;
 pub mod expr;

@@ -1,7 +1,7 @@
 //! A sheet in a frame, stepped row by row in single precision; prints the digest of its trajectory.
 //!
-//! In: constant tables that `smartbed firmware SCENE` prints. Out: the [`Digest`] of every (x, v), node by node, after each step.
-//! [`sheet_step`] is a symbol of the image so that the emulator can count it.
+//! In: constant tables that `smartbed firmware SCENE` prints. Out: the [`Digest`] of every (x, v), node by node, after
+//! each step. [`sheet_step`] is a symbol of the image so that the emulator can count it.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
 use smartbed_firmware::{

@@ -1,8 +1,8 @@
 //! Supervises several tiles: one link to each, and the rules that concern more than one tile.
 //!
 //! In: orders for tiles, their reports. Out: bodies of commands (`peer.rs`), or the reason why an order is refused.
-//! Neighbours may differ by a limited step, a limited number of tiles may move at once, and a tile in trouble freezes the
-//! others: rules 6, 8 and 12 of `docs/safety.md`. What was ordered counts at once, not from when it is reported.
+//! Neighbours may differ by a limited step, a limited number of tiles may move at once, and a tile in trouble freezes
+//! the others: rules 6, 8 and 12 of `docs/safety.md`. What was ordered counts at once, not from when it is reported.
 
 mod peer;
 

@@ -1,7 +1,7 @@
 //! Does a `sign` of a speed change again and again within a few steps?
 //!
-//! In: the state after each step. Out: the loads and laws that chatter: dry friction at rest reverses within a few steps
-//! again and again, and the mean of its reversals lets creep what it should hold.
+//! In: the state after each step. Out: the loads and laws that chatter: dry friction at rest reverses within a few
+//! steps again and again, and the mean of its reversals lets creep what it should hold.
 
 use crate::jumps::SMOOTH;
 use crate::observers::Observers;

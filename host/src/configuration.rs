@@ -93,7 +93,8 @@ impl Configurations {
         Err(self.assembly.no_longer_implied(&self.nominal).unwrap_or(last))
     }
 
-    /// The constraint that a configuration violates most: its name, its residual, and the share of its terms that this is.
+    /// The constraint that a configuration violates most: its name, its residual, and the share of its terms that this
+    /// is.
     pub fn violation(&mut self, t: f64, parameters: &[f64], q: &[f64]) -> Option<(String, f64, f64)> {
         self.assembly.set_parameters(parameters);
         self.assembly.set_time(t);
@@ -148,8 +149,8 @@ impl Configurations {
         locked.map_or(Ok(q), Err)
     }
 
-    /// Coordinates that satisfy the constraints: independent ones as given (left-out ones nominal, Euler parameters among
-    /// them scaled to unit length), dependent ones solved for, with given values as starting guesses.
+    /// Coordinates that satisfy the constraints: independent ones as given (left-out ones nominal, Euler parameters
+    /// among them scaled to unit length), dependent ones solved for, with given values as starting guesses.
     ///
     /// # Errors
     /// If no dependent coordinates were found, or the mechanism is locked there.

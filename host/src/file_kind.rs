@@ -1,4 +1,5 @@
-//! What a file is: a model, a scene of format 1 or 2, or a plan of the bed; refusals that name the commands that take it.
+//! What a file is: a model, a scene of format 1 or 2, or a plan of the bed; refusals that name the commands that take
+//! it.
 //!
 //! In: the path of a file. Out: its kind, by its keys alone. What is wrong in the file is found by the reader of its
 //! kind.
@@ -8,8 +9,8 @@ use crate::input;
 use smartbed_codegen::model::marks;
 use std::path::Path;
 
-/// Values, keys and lines beyond which a text is not parsed only to learn its kind: that would take more memory than its
-/// reader does.
+/// Values, keys and lines beyond which a text is not parsed only to learn its kind: that would take more memory than
+/// its reader does.
 const MANY: usize = 100_000;
 /// Keys that only a model has, at its top.
 const OF_MODELS: [&str; 8] =

@@ -7,7 +7,8 @@ use std::path::Path;
 /// Largest states file, scene, or list of points (bytes); everything made from it stays below 1 GiB.
 pub const LARGEST: u64 = 8 << 20;
 
-/// Most values, keys and lines in the text of a scene: the largest bodies have this many, and each takes some 180 bytes.
+/// Most values, keys and lines in the text of a scene: the largest bodies have this many, and each takes some 180
+/// bytes.
 pub const MOST_MARKS: usize = 900_000;
 
 /// The text of a file of at most [`LARGEST`] bytes; `-` is standard input.

@@ -1,8 +1,8 @@
 //! Signs in loads and laws, where the equations jump; and kinks of loads, where their slopes do.
 //!
-//! In: a model. Out: each `sign` that a load or a law reads, directly or through definitions, with its argument; each `abs`,
-//! `min` and `max` that a load reads, with what is 0 at its kink; for signs of speeds, as dry friction is written, a
-//! warning: in steps of fixed size friction chatters about rest, and what sticks creeps.
+//! In: a model. Out: each `sign` that a load or a law reads, directly or through definitions, with its argument; each
+//! `abs`, `min` and `max` that a load reads, with what is 0 at its kink; for signs of speeds, as dry friction is
+//! written, a warning: in steps of fixed size friction chatters about rest, and what sticks creeps.
 
 use crate::reads::{is_speed, mentions, visit};
 use smartbed_codegen::diagnostic::Diagnostic;
@@ -67,8 +67,9 @@ pub(crate) fn kink(e: &Expr) -> Option<Expr> {
     }
 }
 
-/// What is 0 where an expression may switch in time: the argument of a `sign`, `abs`, `min` or `max`, of the root of an even
-/// power, `y` of an `atan2(y, x)`, whose angle jumps where x < 0, the cosine of the argument of a `tan`, a divisor.
+/// What is 0 where an expression may switch in time: the argument of a `sign`, `abs`, `min` or `max`, of the root of an
+/// even power, `y` of an `atan2(y, x)`, whose angle jumps where x < 0, the cosine of the argument of a `tan`, a
+/// divisor.
 pub(crate) fn of_time(e: &Expr) -> Option<Expr> {
     let switching = match &e.kind {
         ExprKind::Call(Function::Atan2, arguments) => arguments.first().cloned(),

@@ -1,5 +1,5 @@
-//! Quantities observed beside the motion: laws, energies, powers of loads, coordinates in closed form, what functions of
-//! time switch by, positions of points and attitudes of bodies.
+//! Quantities observed beside the motion: laws, energies, powers of loads, coordinates in closed form, what functions
+//! of time switch by, positions of points and attitudes of bodies.
 //!
 //! In: a model. Out: the same model with these as its outputs, written in the model's own language and derived like any
 //! other output. The program that computes the motion is a different one and does not depend on them. Signs: `actuator`
@@ -36,15 +36,15 @@ pub struct Observers {
     pub switches: [usize; 2],
     /// The commands that may switch, in the order of their arguments.
     pub commands: Vec<Command>,
-    /// Springs between points whose force has no direction where these coincide: name, and the points by number, the origin
-    /// being 0.
+    /// Springs between points whose force has no direction where these coincide: name, and the points by number, the
+    /// origin being 0.
     pub springs: Vec<(String, [usize; 2])>,
     /// The loads and laws that jump where a speed changes sign, one for each `sign` of a speed.
     pub jumps: Vec<String>,
 }
 
-/// Where time moves the mechanism through functions that switch: a coordinate in closed form, a position, an orientation or
-/// a constraint that reads the time.
+/// Where time moves the mechanism through functions that switch: a coordinate in closed form, a position, an
+/// orientation or a constraint that reads the time.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Command {
     /// What it is, in words before its name.

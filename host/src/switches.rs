@@ -1,11 +1,11 @@
-//! Times at which a mechanism's functions of time switch: what commands a motion may have a kink there, a law or a load may
-//! jump.
+//! Times at which a mechanism's functions of time switch: what commands a motion may have a kink there, a law or a load
+//! may jump.
 //!
 //! In: a model's observers. Out: these times, and the speeds behind a kink. A function of time may have a kink where an
 //! argument of `abs` or `sign`, or the difference of those of `min` or `max`, changes sign (`jumps.rs` lists all); that
 //! time is found by bisection, up to the rounding of times. What gives a place, be it a coordinate in closed form, a
-//! position or a constraint, may not jump: its values on both sides are compared. A drive that changes its speed at once
-//! gives an impulse, which leaves the momenta of all speeds that are not commanded:
+//! position or a constraint, may not jump: its values on both sides are compared. A drive that changes its speed at
+//! once gives an impulse, which leaves the momenta of all speeds that are not commanded:
 //! ```text
 //! dT/du (q, u+, t+) = dT/du (q, u, t-)     T quadratic in u: differences of T over 2 are exact
 //! ```
@@ -21,8 +21,8 @@ use std::cmp::Ordering;
 const BEHIND: f64 = 1e-30;
 const ROUNDING: f64 = 16.0;
 
-/// A value jumps if it changes by more across a switch than beside it, within this time (s; relative to times beyond 1 s)
-/// and at least so many times that across the switch.
+/// A value jumps if it changes by more across a switch than beside it, within this time (s; relative to times beyond 1
+/// s) and at least so many times that across the switch.
 const BESIDE: f64 = 1e-7;
 const WIDER: f64 = 10.0;
 
@@ -64,8 +64,8 @@ impl<S: Scalar> Switches<S> {
         self.number > 0
     }
 
-    /// The time at which what a time commands is to be evaluated: just behind it where something switches there, so that
-    /// a mechanism moves as from then on, not with the mean of both speeds.
+    /// The time at which what a time commands is to be evaluated: just behind it where something switches there, so
+    /// that a mechanism moves as from then on, not with the mean of both speeds.
     ///
     /// # Errors
     /// The engine's.
@@ -276,8 +276,8 @@ fn momenta<S: Scalar>(
     (0..u.len()).map(|k| Ok(0.5 * (with(k, S::ONE)? - with(k, -S::ONE)?))).collect()
 }
 
-/// The speeds after a kink, whose momenta are those of the speeds `u` before it, and the work (J) of the drive's impulse;
-/// `kinetic`: energy (J) at a time with some speeds.
+/// The speeds after a kink, whose momenta are those of the speeds `u` before it, and the work (J) of the drive's
+/// impulse; `kinetic`: energy (J) at a time with some speeds.
 ///
 /// # Errors
 /// Those of `kinetic`.

@@ -1,7 +1,7 @@
 //! A model's equations of motion where the macro stands, without a build script.
 //!
-//! In: `mechanism!("press.toml")` and choices. Out: the items that a build script would write into `OUT_DIR`. Everything
-//! else is `smartbed-codegen`'s; this crate reads the choices and carries errors to the macro's place.
+//! In: `mechanism!("press.toml")` and choices. Out: the items that a build script would write into `OUT_DIR`.
+//! Everything else is `smartbed-codegen`'s; this crate reads the choices and carries errors to the macro's place.
 //!
 //! ```ignore
 //! mod press {
@@ -10,8 +10,8 @@
 //! ```
 //!
 //! The path counts from the folder of the package's `Cargo.toml`, as it does in a build script. The crate that uses the
-//! macro depends on `smartbed-runtime`, whose numbers and traits the items name. It is compiled again when the model changes
-//! or a file that it extends.
+//! macro depends on `smartbed-runtime`, whose numbers and traits the items name. It is compiled again when the model
+//! changes or a file that it extends.
 
 mod choices;
 mod expand;
@@ -20,13 +20,14 @@ use proc_macro::{Group, Span, TokenStream, TokenTree};
 
 /// The equations of motion of the model at a path: types, constants and functions as `smartbed-codegen` emits them.
 ///
-/// Behind the path may stand, in any order: `scalar = f32` or `f64` (default), or a type's path in quotes; `answers = [..]`,
-/// functions besides those that every mechanism has; `keep = [..]`, fixed parameters that stay fields;
-/// `set = { M = 8.0 }`, other values of parameters; `effort = none`, `default` or `all`;
-/// `core = cortex_m4` or `host`, what runs the code; `shared_work = true`, two functions more for `ode::rk4_shared`.
+/// Behind the path may stand, in any order: `scalar = f32` or `f64` (default), or a type's path in quotes;
+/// `answers = [..]`, functions besides those that every mechanism has; `keep = [..]`, fixed parameters that stay
+/// fields; `set = { M = 8.0 }`, other values of parameters; `effort = none`, `default` or `all`; `core = cortex_m4` or
+/// `host`, what runs the code; `shared_work = true`, two functions more for `ode::rk4_shared`.
 ///
 /// What is wrong with the model is an error at the path, with file, line and column of the model in its text. Warnings
-/// of a model are not shown, because stable Rust lets no macro warn: `cargo smartbed check` and build scripts show them.
+/// of a model are not shown, because stable Rust lets no macro warn: `cargo smartbed check` and build scripts show
+/// them.
 #[proc_macro]
 pub fn mechanism(input: TokenStream) -> TokenStream {
     let place = input.clone().into_iter().next().map_or_else(Span::call_site, |token| token.span());

@@ -13,8 +13,8 @@ pub enum Fault {
     Singular,
     /// A value became infinite or not a number.
     NonFinite,
-    /// An adaptive method shortened its step, or used up its steps, without meeting the tolerance; or it was asked for a
-    /// step that does not lead forward in time, or for the inside of one that it did not take.
+    /// An adaptive method shortened its step, or used up its steps, without meeting the tolerance; or it was asked for
+    /// a step that does not lead forward in time, or for the inside of one that it did not take.
     StepSize,
     /// The iteration of an implicit method did not converge.
     Unsettled,

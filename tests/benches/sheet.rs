@@ -1,9 +1,9 @@
 //! Time of a step of the bladder: 27 x 27 nodes in a frame, Verlet, pressure as the gradient of the volume.
 //!
-//! `cargo bench -p smartbed-tests --bench sheet -- STEPS TURNS` prints for f32 and f64 the least and the median time of a
-//! step (ns) over the turns, and the height of the middle (m): with the grid, then with the same springs as a list; then of
-//! a step of each of 28 such bladders, on one core and on two, and of a step of the energy-momentum method at h w = 1.
-//! `python3 tests/peers/sheet.py` runs it beside C.
+//! `cargo bench -p smartbed-tests --bench sheet -- STEPS TURNS` prints for f32 and f64 the least and the median time of
+//! a step (ns) over the turns, and the height of the middle (m): with the grid, then with the same springs as a list;
+//! then of a step of each of 28 such bladders, on one core and on two, and of a step of the energy-momentum method at h
+//! w = 1. `python3 tests/peers/sheet.py` runs it beside C.
 
 use std::time::Instant;
 

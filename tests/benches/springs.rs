@@ -1,9 +1,10 @@
-//! Time of a step of bodies that are no grids: blocks of cubes, every pair of a cube's corners joined and each to its middle.
+//! Time of a step of bodies that are no grids: blocks of cubes, every pair of a cube's corners joined and each to its
+//! middle.
 //!
-//! `cargo bench -p smartbed-tests --bench springs -- FOLDER` writes each body as text to the folder, for C, and prints, for
-//! one of 1,900 springs, one of a million, and that with points and springs drawn by lot, in f64 and f32: the least time of
-//! a step, of all that comes before the first and of the largest stable step (ns a spring), and the height of a point (m)
-//! after so many steps. `python3 tests/peers/springs.py` runs it beside C.
+//! `cargo bench -p smartbed-tests --bench springs -- FOLDER` writes each body as text to the folder, for C, and prints,
+//! for one of 1,900 springs, one of a million, and that with points and springs drawn by lot, in f64 and f32: the least
+//! time of a step, of all that comes before the first and of the largest stable step (ns a spring), and the height of a
+//! point (m) after so many steps. `python3 tests/peers/springs.py` runs it beside C.
 
 use std::fmt::Write as _;
 use std::time::Instant;

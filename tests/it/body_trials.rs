@@ -109,8 +109,8 @@ fn the_stable_step_knows_the_ground() {
     assert!(named("cube", &["law=penalty", "stiffness=1e7", "method=verlet"]).is_err());
 }
 
-/// In free fall the error estimate of an adaptive method does not see the springs: beyond their stable step it amplified
-/// rounding until the three feet no longer touched together, and the truss ended 0.25 m away.
+/// In free fall the error estimate of an adaptive method does not see the springs: beyond their stable step it
+/// amplified rounding until the three feet no longer touched together, and the truss ended 0.25 m away.
 #[test]
 fn a_long_outer_step_does_not_break_a_flat_impact() {
     for method in ["method=dormand_prince", "method=dop853"] {

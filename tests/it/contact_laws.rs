@@ -108,8 +108,9 @@ fn sliding_down_a_slope_follows_its_parabola() {
     }
 }
 
-/// On a slope with tan = mu gravity along it is as large as friction, so that the speed and its part downwards keep their
-/// sum: thrown sideways with v a point ends straight down with v/2. Its slip turns within few steps or within one.
+/// On a slope with tan = mu gravity along it is as large as friction, so that the speed and its part downwards keep
+/// their sum: thrown sideways with v a point ends straight down with v/2. Its slip turns within few steps or within
+/// one.
 #[test]
 fn a_point_thrown_sideways_on_the_steepest_slope_ends_with_half_its_speed() {
     let (mu, step) = (0.5_f64, 1e-3);
@@ -270,8 +271,8 @@ fn a_point_that_bounces_on_a_springy_floor_slips_by_its_normal_impulses() {
     }
 }
 
-/// The scene that `new scene` writes: a damped cube falls on a rough floor, tumbles and slides. Its loss of energy is the
-/// sum of the accounts of dampers, impacts and friction.
+/// The scene that `new scene` writes: a damped cube falls on a rough floor, tumbles and slides. Its loss of energy is
+/// the sum of the accounts of dampers, impacts and friction.
 #[test]
 fn a_damped_cube_on_a_rough_floor_keeps_its_account_to_order_two() {
     let open = |ground: &str, step: f64| {
@@ -368,8 +369,8 @@ fn massless_point_in_space_is_in_balance() {
     assert!(pressed >= 3 && hung >= 3, "{pressed} pressed, {hung} free");
 }
 
-/// A massless foot under a strut and between two springs, moved to and fro over a rough floor by masses so heavy that its
-/// forces do not affect them: it lags behind by the distance s at which T(s) = mu N(s), the play operator.
+/// A massless foot under a strut and between two springs, moved to and fro over a rough floor by masses so heavy that
+/// its forces do not affect them: it lags behind by the distance s at which T(s) = mu N(s), the play operator.
 #[test]
 fn a_massless_foot_follows_by_the_operator_of_play() {
     const MU: f64 = 0.4;

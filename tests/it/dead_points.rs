@@ -1,5 +1,5 @@
-//! Dead points of the independent speeds against Newton-Euler: a four-bar driven at its rocker, a disc that rolls across the
-//! axis whose speed is independent.
+//! Dead points of the independent speeds against Newton-Euler: a four-bar driven at its rocker, a disc that rolls
+//! across the axis whose speed is independent.
 
 use smartbed_codegen::{Interpreted, ParameterChoice, Program, model, program};
 use smartbed_runtime::mechanism::Mechanism;

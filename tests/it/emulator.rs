@@ -165,7 +165,8 @@ fn a_world_as_fine_as_ram_carries_runs_on_the_chip_bit_for_bit() {
     assert!(off < 2e-6, "single precision is {off:e} m off");
 }
 
-/// Runs a world with contacts on the chip; the largest difference of its places from the host's f64 (m or rad), and its events there.
+/// Runs a world with contacts on the chip; the largest difference of its places from the host's f64 (m or rad), and its
+/// events there.
 fn touched_on_the_chip(model: &str, steps: u32) -> (f64, usize) {
     let arguments = Arguments { model: Some(model.to_owned()), steps: Some(steps), ..Arguments::default() };
     let report = report(&arguments);
@@ -300,8 +301,8 @@ fn the_equations_keep_to_their_instructions_and_bytes() {
     assert!(equations.bytes <= 16 * 1024, "{equations:?}");
 }
 
-/// `derive --costs` counts the instructions in the code of a separate function; here they are executed in a call through
-/// the trait, with lengths that the compiler knows.
+/// `derive --costs` counts the instructions in the code of a separate function; here they are executed in a call
+/// through the trait, with lengths that the compiler knows.
 #[test]
 fn the_cost_sheet_counts_what_the_chip_executes() {
     let _image = one_at_a_time();

@@ -1,4 +1,5 @@
-//! Energy of the drop scenes: constant without damping, never rising with it, accounts that close; a ledger that changes nothing.
+//! Energy of the drop scenes: constant without damping, never rising with it, accounts that close; a ledger that
+//! changes nothing.
 
 use smartbed::scene::run::{Row, run};
 use smartbed::scene::{Scene, Simulation, parse};

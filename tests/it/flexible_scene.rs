@@ -79,7 +79,8 @@ fn shapes_have_the_counts_of_the_thesis() {
     assert_eq!(counts(&shape::cubes(2, 1, 1, 1.0)), (14, 66));
 }
 
-/// A sheet's forces are computed row by row and equal those of its lists; a body that is not a sheet is not taken for one.
+/// A sheet's forces are computed row by row and equal those of its lists; a body that is not a sheet is not taken for
+/// one.
 #[test]
 fn a_sheet_is_a_grid() {
     use smartbed::scene::grid::Woven;

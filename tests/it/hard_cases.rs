@@ -77,7 +77,8 @@ fn mass_ratio_of_a_million() {
     }
 }
 
-/// Outcome: 1000 m/s at 1 ms: the touch is located inside the step, depth at most 1e-9 m, in f32 too: a touching point is put on the surface.
+/// Outcome: 1000 m/s at 1 ms: the touch is located inside the step, depth at most 1e-9 m, in f32 too: a touching point
+/// is put on the surface.
 #[test]
 fn fast_impact() {
     let text = "shape = \"chain\"\ndrop_height = 1.0\ninitial_velocity = -1000.0\nK = 1e6\nT = 0.02\nmethod = \"verlet\"\n";
@@ -153,7 +154,8 @@ fn resting_stack() {
     check::<f32>("verlet", 2e-5);
 }
 
-/// Outcome: a ball with e = 0.5 makes ever shorter bounces (all bounces over after 2 v/g (1 + 1 + ...)): it ends at rest, held.
+/// Outcome: a ball with e = 0.5 makes ever shorter bounces (all bounces over after 2 v/g (1 + 1 + ...)): it ends at
+/// rest, held.
 #[test]
 fn zeno_ends_at_rest() {
     fn check<S: Scalar>() {

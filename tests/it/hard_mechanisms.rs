@@ -165,8 +165,8 @@ fn motion_through_a_change_point() {
 /// Steps of the wheel below, and what it turns in each (rad): a million radians.
 const WHEEL: (u32, f32) = (400_000, 2.5);
 
-/// Outcome: after a million radians the error in f64 is the rounding of such angles; f32 keeps its accuracy if whole turns
-/// are subtracted after each step and the rounding error of the sum is kept beside the angle.
+/// Outcome: after a million radians the error in f64 is the rounding of such angles; f32 keeps its accuracy if whole
+/// turns are subtracted after each step and the rounding error of the sum is kept beside the angle.
 #[test]
 fn wheels_turned_a_million_radians() {
     let angles = [0.7_f32, 1.9, -2.3];

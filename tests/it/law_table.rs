@@ -1,7 +1,7 @@
 //! Every entry of the table law x method: an order is observed, a refusal is met when the scene is read.
 //!
-//! The orders are those that `cargo smartbed report` prints, measured against another method with the same law. The laws
-//! themselves are tested against closed forms (`contact_laws.rs`) and an independent program (`independent.rs`).
+//! The orders are those that `cargo smartbed report` prints, measured against another method with the same law. The
+//! laws themselves are tested against closed forms (`contact_laws.rs`) and an independent program (`independent.rs`).
 
 use smartbed::report::laws::{observe, scene};
 use smartbed::scene::method::{METHODS, TABLE};

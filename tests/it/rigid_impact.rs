@@ -1,4 +1,5 @@
-//! Impact of rigid bodies with friction: works and impulses, closed forms, planar slip reversal, change of slip direction.
+//! Impact of rigid bodies with friction: works and impulses, closed forms, planar slip reversal, change of slip
+//! direction.
 
 use smartbed_runtime::rigid::attitude::Attitude;
 use smartbed_runtime::rigid::impact::{Impact, Stage, Touch, resolve, trace};
@@ -49,8 +50,8 @@ fn net_work_is_the_change_of_kinetic_energy_and_stronges_share_of_the_compressio
     }
 }
 
-/// The normal of a central impact is a unit vector up to rounding: then K_tn and v_t are the same small multiples of K_nn
-/// and v_n, and slip ends where compression does.
+/// The normal of a central impact is a unit vector up to rounding: then K_tn and v_t are the same small multiples of
+/// K_nn and v_n, and slip ends where compression does.
 #[test]
 fn a_central_impact_with_a_rounded_normal_keeps_its_restitution() {
     let mut random = Random::new(5);
@@ -98,7 +99,8 @@ fn a_point_that_leaves_and_a_ball_without_arm() {
     let before = leaving;
     assert_eq!(strike_ground(&mut leaving, [0.0, 0.0, -1.0], 0.5, 1.0).impulse, [0.0; 3]);
     assert_eq!(leaving, before);
-    // A ball with backspin rolls after the impact if mu is large: v_x + w r = 0, with J = 2/5 m r^2 (Stronge 2000, 4.2).
+    // A ball with backspin rolls after the impact if mu is large: v_x + w r = 0, with J = 2/5 m r^2 (Stronge 2000,
+    // 4.2).
     let ball = RigidBody { mass: 0.5, inertia: [0.4 * 0.5 * 0.01; 3] };
     let mut state =
         RigidState { velocity: [1.0, 0.0, -2.0], angular_momentum: [0.0, -0.02, 0.0], ..falling() };

@@ -1,5 +1,5 @@
-//! Free motion of rigid bodies: conservation over a million steps, order 4, a symmetric top's closed form, the flip of the
-//! intermediate axis.
+//! Free motion of rigid bodies: conservation over a million steps, order 4, a symmetric top's closed form, the flip of
+//! the intermediate axis.
 
 use smartbed_runtime::rigid::attitude::Attitude;
 use smartbed_runtime::rigid::motion::{TooFast, advance};

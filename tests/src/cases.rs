@@ -143,8 +143,8 @@ fn tile_case(model: &str, random: &mut Random) -> Case {
     tile_motion(model, random, &values, Load::default(), Vec::new())
 }
 
-/// Cases of a tile with payload, support springs, end stops and external load: every extra parameter of the tile models.
-/// The case's energy is left out, because end stops have no account in it.
+/// Cases of a tile with payload, support springs, end stops and external load: every extra parameter of the tile
+/// models. The case's energy is left out, because end stops have no account in it.
 #[must_use]
 pub fn loaded_tile_cases(model: &str, count: usize, seed: u64) -> Vec<Case> {
     let mut random = Random::new(seed);

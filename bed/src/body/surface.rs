@@ -71,8 +71,8 @@ impl Surface {
         }
     }
 
-    /// Some points well inside: of a round shape those of [`Shape::core`], of a mesh its centre and those halfway to its
-    /// farthest corners along its axes, as far as they lie inside.
+    /// Some points well inside: of a round shape those of [`Shape::core`], of a mesh its centre and those halfway to
+    /// its farthest corners along its axes, as far as they lie inside.
     #[must_use]
     pub fn core(&self) -> Vec<Vec3<f64>> {
         match self {

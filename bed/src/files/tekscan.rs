@@ -129,8 +129,8 @@ fn full(grid: &Grid, frame: Option<&Frame>, line: usize) -> Result<(), FileError
     Err(FileError::at(line, format!("the frame ends after {rows} rows, expected {}", grid.rows)))
 }
 
-/// The duration (s) that [`write()`] gives to the last frame, if that has none of its own: all frames of a movie have the
-/// same.
+/// The duration (s) that [`write()`] gives to the last frame, if that has none of its own: all frames of a movie have
+/// the same.
 #[must_use]
 pub fn added(mapped: &Mapped) -> Option<f64> {
     let frames = mapped.recording.frames();

@@ -62,8 +62,8 @@ fn is_seen(plan: &Plan, change: &Move, back: &Move) -> bool {
     next + SAME < (back.at + back.over) / plan.every
 }
 
-/// Pressures that are ordered anew, on a tile, while an earlier move of them lasts: indices of the earlier and the later
-/// move, and of the tile; each later move once.
+/// Pressures that are ordered anew, on a tile, while an earlier move of them lasts: indices of the earlier and the
+/// later move, and of the tile; each later move once.
 #[must_use]
 pub fn overridden(plan: &Plan) -> Vec<[usize; 3]> {
     let mut found: Vec<[usize; 3]> = Vec::new();

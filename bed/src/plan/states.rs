@@ -68,8 +68,8 @@ impl fmt::Display for Over {
     }
 }
 
-/// The highest pressure of a run, if it is above the limit of the bladders. Orders keep to that limit; a load raises the
-/// pressure of sealed air beyond its order.
+/// The highest pressure of a run, if it is above the limit of the bladders. Orders keep to that limit; a load raises
+/// the pressure of sealed air beyond its order.
 #[must_use]
 pub fn over(plan: &Plan, history: &History) -> Option<Over> {
     let watched =

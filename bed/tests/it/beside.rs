@@ -261,7 +261,8 @@ fn a_bed_of_soft_bladders_rests() {
 
 #[test]
 fn a_sheet_too_soft_for_its_pressure_is_refused_by_name() {
-    // Springs T = k (l - L) bear a pressure of some 12.5/m times E t and no more; a neighbour holds a sheet some further.
+    // Springs T = k (l - L) bear a pressure of some 12.5/m times E t and no more; a neighbour holds a sheet some
+    // further.
     let say = |modulus: f64, pressure: f64, is_alone: bool| {
         let mut bed = softer(modulus, [pressure; 2], 0.0);
         if is_alone {

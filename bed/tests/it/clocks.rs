@@ -138,7 +138,8 @@ fn a_patient_let_down_rests_as_the_equilibrium_says() {
 
 #[test]
 fn a_slab_creeps_as_its_tissue_relaxes() {
-    // Pressed by a regulated sheet at once, tissue gives way by p/K (1 - (1 - 1/r) e^(-t/(r theta))) at a pressure that stays p.
+    // Pressed by a regulated sheet at once, tissue gives way by p/K (1 - (1 - 1/r) e^(-t/(r theta))) at a pressure that
+    // stays p.
     let (pressure, foundation, at_once, relaxation) = (4000.0, 1e6, 3.0, 20.0);
     let heights = |at_once: f64| {
         let mut p = plan(2, 2, Vec::new());

@@ -205,8 +205,8 @@ fn a_tile_that_rises_gives_what_the_ledger_misses() {
 #[test]
 fn what_drives_give_is_booked_to_the_order_of_the_method() {
     const KINKS: [f64; 4] = [0.2, 0.45, 0.6, 0.85];
-    // The tiles under a ball at rest rise and fall, smoothly, or along straight lines that begin and end at once; one of
-    // them leans. What is left over of the work, at halved steps, is of order 2, also where velocities jump.
+    // The tiles under a ball at rest rise and fall, smoothly, or along straight lines that begin and end at once; one
+    // of them leans. What is left over of the work, at halved steps, is of order 2, also where velocities jump.
     let mut rest = between_four(6, 0.4, Shape::ball(0.15), 4e-3);
     go(&mut rest, 4.0, |_| {});
     let at_rest = solve(&rest.bed, &rest.body, &rest.now.state).expect("rests").state;
@@ -246,7 +246,8 @@ fn what_drives_give_is_booked_to_the_order_of_the_method() {
 
 #[test]
 fn stages_of_unlike_lengths_are_of_order_two() {
-    // x = t^2 + t at 0, 0.3 and 1 s: 3 m/s at the end, whatever the lengths; behind a jump of the velocity from 0, x = t.
+    // x = t^2 + t at 0, 0.3 and 1 s: 3 m/s at the end, whatever the lengths; behind a jump of the velocity from
+    // 0, x = t.
     let [x, before] = [1.0 * 1.0 + 1.0, 0.3 * 0.3 + 0.3];
     let formula = Method::Bdf2.formula(0.7, 1).behind(0.3);
     let rate = formula.rate * (x - before - formula.ahead_of(f64::NAN, before));

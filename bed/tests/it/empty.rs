@@ -32,7 +32,8 @@ fn ramp(time: f64, hertz: f64, phase: f64) -> f64 {
     TAU * hertz * time.min(0.6 * SECONDS) * phase.cos()
 }
 
-/// Twenty-eight tiles that all move, each its own way: screws at 3 mm/s and more, bladders that change by 1 kPa and more.
+/// Twenty-eight tiles that all move, each its own way: screws at 3 mm/s and more, bladders that change by 1 kPa and
+/// more.
 fn busy(layout: &Layout, course: Course, time: f64) -> Bed {
     let lattice = Lattice::new(layout.intervals, layout.size(), layout.modulus).expect("a sheet");
     let tile = |tile: usize| {

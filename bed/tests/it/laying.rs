@@ -153,7 +153,8 @@ fn a_bent_knee_finds_its_rest() {
     }
 }
 
-/// A patient whose weight is laid on evenly over so many seconds in motion, as `lay_on` does it in parts; then he is let go.
+/// A patient whose weight is laid on evenly over so many seconds in motion, as `lay_on` does it in parts; then he is
+/// let go.
 fn lowered(p: &Plan, bed: &Bed, seconds: f64) -> Solution {
     let mut body = p.load.body.clone();
     let masses: Vec<f64> = body.segments.iter().map(|s| s.mass).collect();

@@ -1,8 +1,8 @@
 //! A supine patient's map compared with published ones: which parts of the body carry load, and in what range.
 //!
-//! Garfin, Pye, Hargens and Akeson, Arch Phys Med Rehabil 61(9), 1980, four beds: soft ones bear a supine body on occiput,
-//! shoulders, buttocks, calves and heels, with more than 30 mmHg over bony prominences. Clin Phys Physiol Meas 10(4), 1989:
-//! on water, most pressure at sacrum and heels. `docs/bed.md` says what agrees and what does not.
+//! Garfin, Pye, Hargens and Akeson, Arch Phys Med Rehabil 61(9), 1980, four beds: soft ones bear a supine body on
+//! occiput, shoulders, buttocks, calves and heels, with more than 30 mmHg over bony prominences. Clin Phys Physiol Meas
+//! 10(4), 1989: on water, most pressure at sacrum and heels. `docs/bed.md` says what agrees and what does not.
 
 use smartbed_bed::body::anthropometry::Table;
 use smartbed_bed::body::figure::{Figure, Posture};
@@ -38,7 +38,7 @@ fn a_supine_patient_bears_on_what_published_maps_say() {
     // Agrees: these bear, prominences of trunk and heels with more than 30 mmHg, elbows and sides of the hips do not.
     assert!([shoulders, sacrum, heels].iter().all(|p| (30.0..80.0).contains(p)));
     assert!(peak(Region::Elbows) < 5.0 && peak(Region::Trochanters) < 5.0);
-    // Less than published: the head, which rests on a bladder by its whole back. Differs in order: the shoulder blades bear
-    // more than the sacrum, since the trunk is three slabs whose edges are rounder than a back.
+    // Less than published: the head, which rests on a bladder by its whole back. Differs in order: the shoulder blades
+    // bear more than the sacrum, since the trunk is three slabs whose edges are rounder than a back.
     assert!((20.0..32.0).contains(&occiput) && shoulders > sacrum && sacrum > heels);
 }

@@ -69,7 +69,8 @@ fn a_slow_sensor_reads_the_same_however_rarely_it_is_read() {
         (exact.pressure.noise, exact.pressure.bias, exact.pressure.resolution) = (0.0, 0.0, 0.0);
         let ticks = |seconds: f64| (seconds * 1e3).round() as u32;
         (exact.pressure.delay, exact.pressure.period) = (ticks(delay), ticks(period));
-        // A ramp from 0 through a lag T: t - T (1 - e^(-t/T)); what is read was sampled last at a multiple of the period.
+        // A ramp from 0 through a lag T: t - T (1 - e^(-t/T)); what is read was sampled last at a multiple of the
+        // period.
         let ramp = |t: f64| if t > 0.0 { t - lag * (1.0 - (-t / lag.max(1e-9)).exp()) } else { 0.0 };
         for every in [0.5, 2.0] {
             plan.every = every;

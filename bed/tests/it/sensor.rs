@@ -17,7 +17,8 @@ fn a_patch_resonates_where_the_textbook_says() {
         Patch { sides: [9.06e-3, 11.86e-3], height: 1.588e-3, permittivity: 2.2, slot: [0.4e-3, 0.3e-3] };
     let frequency = patch.resonance(Mode::Along, 1.0, 0.0);
     assert!((frequency / 10e9 - 1.0).abs() < 2e-3, "{frequency:e}");
-    // More overlap of a slot and a denser cover lower it; the slot by the perturbation's share, integrated here by sums.
+    // More overlap of a slot and a denser cover lower it; the slot by the perturbation's share, integrated here by
+    // sums.
     assert!(patch.resonance(Mode::Along, 3.0, 0.0) < frequency);
     let (steps, overlap) = (20_000, 2e-3);
     let energy = |from: f64, to: f64| -> f64 {

@@ -39,8 +39,8 @@ fn what_the_thesis_says_of_soft_manipulation_is_shown_or_refuted() {
     for claim in &claims {
         println!("{} {}: {}", if claim.holds { "shown" } else { "refuted" }, claim.says, claim.found);
     }
-    // The first point of contact goes on bearing the air's pressure: a tilt of 8 deg does not take it off the bladder; and
-    // shear is larger, not less, than deflated alone.
+    // The first point of contact goes on bearing the air's pressure: a tilt of 8 deg does not take it off the bladder;
+    // and shear is larger, not less, than deflated alone.
     let holds: Vec<bool> = claims.iter().map(|claim| claim.holds).collect();
     assert_eq!(holds, [true, true, true, true, true, true, false, false, true]);
 }

@@ -2,8 +2,8 @@
 //!
 //! In: kinematics, and the solution of the constraints. Out: M u' = forcing, u', energies. Over all unknowns y (speeds
 //! and lifted twists) the inertia is sparse. The eliminations that solve the constraints, y = sum c z and
-//! y' = sum c z' + b, reduce it one unknown at a time (`reduce`) to M = T' M_y T and T' (F_y - h_y - M_y beta), with y = T u, but T
-//! is never formed. No mass matrix of the dependent speeds is ever inverted.
+//! y' = sum c z' + b, reduce it one unknown at a time (`reduce`) to M = T' M_y T and T' (F_y - h_y - M_y beta), with
+//! y = T u, but T is never formed. No mass matrix of the dependent speeds is ever inverted.
 
 mod absolute;
 mod active_force;

@@ -249,9 +249,9 @@ impl Assembly {
         Err(Unreachable { residual: best.0, constraint, ..Unreachable::default() })
     }
 
-    /// Corrects `q` by the solution of the first `count` linearised equations; returns the size of the correction, NaN if it is not
-    /// finite. Applied even in the last iteration: convergence is quadratic, so it brings the error far below the
-    /// tolerance.
+    /// Corrects `q` by the solution of the first `count` linearised equations; returns the size of the correction, NaN
+    /// if it is not finite. Applied even in the last iteration: convergence is quadratic, so it brings the error far
+    /// below the tolerance.
     fn take_step(&mut self, q: &mut [f64], count: usize) -> f64 {
         let (residual, jacobian) = self.equations.values.split_at_mut(self.equations.equations);
         let (residual, jacobian) = (&mut residual[..count], &jacobian[..count * self.dependent.len()]);

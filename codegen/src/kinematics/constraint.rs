@@ -100,8 +100,8 @@ fn rows(alg: &mut Algebra, model: &Model, k: &Kinematics, found: &mut Configurat
     rows
 }
 
-/// Adds rows for the derivatives of closed forms, if the constraints do not determine all dependent speeds, or determine
-/// them otherwise.
+/// Adds rows for the derivatives of closed forms, if the constraints do not determine all dependent speeds, or
+/// determine them otherwise.
 pub(super) fn complete(alg: &mut Algebra, model: &Model, mut k: Kinematics) -> Kinematics {
     if k.is_state.iter().all(|&state| state)
         || (rank::determined(alg, model, &k) && !contradicts_closed_forms(alg, model, &k))
@@ -114,8 +114,8 @@ pub(super) fn complete(alg: &mut Algebra, model: &Model, mut k: Kinematics) -> K
     k
 }
 
-/// Do motion constraints say something else of the speed of a coordinate than its closed form? Configuration constraints
-/// have been compared with the forms themselves.
+/// Do motion constraints say something else of the speed of a coordinate than its closed form? Configuration
+/// constraints have been compared with the forms themselves.
 fn contradicts_closed_forms(alg: &Algebra, model: &Model, k: &Kinematics) -> bool {
     if model.motion_constraints.is_empty() {
         return false;

@@ -287,8 +287,8 @@ fn check_consequences(
     Ok(())
 }
 
-/// Adds products to sums and their sizes to the sums of sizes, one per sample. A function of its own, in which the lists
-/// are known not to overlap, so that several samples are taken at a time.
+/// Adds products to sums and their sizes to the sums of sizes, one per sample. A function of its own, in which the
+/// lists are known not to overlap, so that several samples are taken at a time.
 #[inline(never)]
 fn add_products(sums: &mut [f64], sizes: &mut [f64], a: &[f64], b: &[f64]) {
     for (((sum, size), a), b) in sums.iter_mut().zip(sizes).zip(a).zip(b) {

@@ -67,8 +67,8 @@ pub(crate) use velocity::is_lifted_triad;
 ///
 /// # Errors
 /// Parameters in `choice` that the model does not have or allow, and faults that only numbers show: constraints that
-/// cannot be met at the nominal configuration, closed forms that contradict a constraint, speeds from which the rates of
-/// the coordinates do not follow.
+/// cannot be met at the nominal configuration, closed forms that contradict a constraint, speeds from which the rates
+/// of the coordinates do not follow.
 pub fn derive(
     model: &Model,
     choice: &ParameterChoice,

@@ -60,9 +60,9 @@ pub(crate) fn dependent_slopes(
     (0..n).map(|j| values.get(&UnknownId::from_index(j)).cloned()).collect()
 }
 
-/// The independent speeds in the rates of the independent coordinates: for each coordinate the indices of the speeds that
-/// contain its rate, with the coefficients. `None` if a speed contains another rate, if none contains that of a coordinate,
-/// or if there are motion constraints: P does not follow from the velocities then.
+/// The independent speeds in the rates of the independent coordinates: for each coordinate the indices of the speeds
+/// that contain its rate, with the coefficients. `None` if a speed contains another rate, if none contains that of a
+/// coordinate, or if there are motion constraints: P does not follow from the velocities then.
 pub(crate) fn speeds_by_rates(
     alg: &mut Algebra,
     model: &Model,

@@ -12,8 +12,8 @@ pub struct Unreachable {
     /// A configuration exists there, but the way to it from the nominal one could not be followed; the residual is that
     /// of a place on the way.
     pub on_the_way: bool,
-    /// A constraint that followed from the others at the default parameters no longer does: the mechanism is locked. The
-    /// residual is what is left in that constraint where the others are met.
+    /// A constraint that followed from the others at the default parameters no longer does: the mechanism is locked.
+    /// The residual is what is left in that constraint where the others are met.
     pub locked: bool,
 }
 

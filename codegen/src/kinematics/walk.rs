@@ -1,8 +1,8 @@
-//! Walks along the motion of a mechanism: in small steps of all coordinates at once, and of time in a driven model, within
-//! their ranges.
+//! Walks along the motion of a mechanism: in small steps of all coordinates at once, and of time in a driven model,
+//! within their ranges.
 //!
-//! In: the nominal configuration. Out: configurations that satisfy the constraints, each reached from one before. A random
-//! walk looks around; a descent goes from a place to where some measure is less.
+//! In: the nominal configuration. Out: configurations that satisfy the constraints, each reached from one before. A
+//! random walk looks around; a descent goes from a place to where some measure is less.
 
 use super::assemble::Assembly;
 use super::quantities::{Kinematics, Sample};
@@ -58,8 +58,8 @@ impl Walker {
         found
     }
 
-    /// Configurations from one on, at each of which `measure` is less than at the one before; ends where it is no longer
-    /// above 0. Steps become shorter where none of those tried lessens it.
+    /// Configurations from one on, at each of which `measure` is less than at the one before; ends where it is no
+    /// longer above 0. Steps become shorter where none of those tried lessens it.
     pub fn descend(
         &mut self,
         start: Sample,

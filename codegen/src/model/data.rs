@@ -305,7 +305,8 @@ pub struct Body {
     pub frame: Option<FrameId>,
     /// Ixx, Iyy, Izz, Iyz, Ixz, Ixy of the inertia matrix about the mass centre, in `frame`.
     pub inertia: [Option<Expr>; 6],
-    /// Lengths of the shape from which mass or inertia are computed (m), the wall of a hollow one among them; all 0 or more.
+    /// Lengths of the shape from which mass or inertia are computed (m), the wall of a hollow one among them; all 0 or
+    /// more.
     pub lengths: Vec<Expr>,
     /// Does gravity act on it?
     pub weight: bool,

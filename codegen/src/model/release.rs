@@ -177,8 +177,8 @@ impl Sides<'_> {
         self.with_points(way, &|p| p.index() != ORIGIN, &back) + by.clone()
     }
 
-    /// Constraints on the attitude of the outer side, and the drive of a sliding joint, refer to the displaced copy of the
-    /// joint's point.
+    /// Constraints on the attitude of the outer side, and the drive of a sliding joint, refer to the displaced copy of
+    /// the joint's point.
     fn attach(&self, model: &mut Model, beyond: PointId) {
         for constraint in model.configuration_constraints.iter_mut().chain(&mut model.motion_constraints) {
             if self.is_of_joint(constraint.span) {

@@ -1,7 +1,7 @@
 //! The two sides of a joint that is cut: what moves with the outer side, what stays with the inner side.
 //!
-//! In: a model, a cut. Out: for every frame, point, body and constraint the side that it belongs to, and the expressions
-//! in which the outer side is reached from the joint's own point, which both sides share.
+//! In: a model, a cut. Out: for every frame, point, body and constraint the side that it belongs to, and the
+//! expressions in which the outer side is reached from the joint's own point, which both sides share.
 
 use super::data::*;
 use super::expression::{Expr, ExprKind};

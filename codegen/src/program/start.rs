@@ -45,8 +45,8 @@ impl Program {
     /// The model's start.
     ///
     /// # Errors
-    /// The configuration cannot be assembled, `[start]` states what follows from the rest, or only some of several speeds
-    /// that the constraints tie.
+    /// The configuration cannot be assembled, `[start]` states what follows from the rest, or only some of several
+    /// speeds that the constraints tie.
     pub fn start(&self) -> Result<Start, String> {
         if let Some(name) = self.stated_in_vain() {
             return Err(format!(

@@ -288,8 +288,8 @@ pub(super) fn mechanism(program: &Program, fields: &[String], runtime: &str, sca
     text + &alias + &format!("pub type Model = {name};\n")
 }
 
-/// Appends a text with its placeholders replaced by their values, in which placeholders are replaced likewise. Where one
-/// placeholder begins with another, the longer one is listed first.
+/// Appends a text with its placeholders replaced by their values, in which placeholders are replaced likewise. Where
+/// one placeholder begins with another, the longer one is listed first.
 fn fill(text: &mut String, template: &str, values: &[(&str, &str)]) {
     let mut rest = template;
     while let Some((before, after)) = rest.split_once('$') {

@@ -378,8 +378,8 @@ mod tests {
         assert_eq!(graph.overfull(&order(&steps, returned(&[last]), CHIP)), 0);
     }
 
-    /// 10 = a b, 11 = a + b and 12 = c d, all results: a returned one takes a register to the end, a written one only while
-    /// it is computed.
+    /// 10 = a b, 11 = a + b and 12 = c d, all results: a returned one takes a register to the end, a written one only
+    /// while it is computed.
     #[test]
     fn a_written_result_takes_no_register() {
         let steps = steps(&[(10, &[0, 1]), (11, &[0, 1]), (12, &[2, 3])]);

@@ -14,7 +14,8 @@ struct Made {
 
 /// Builds the live classes (operands first) and returns the roots' expressions.
 ///
-/// `labels` says which classes have a label in the generated code, and with which sign; `norms`, which are lengths of vectors.
+/// `labels` says which classes have a label in the generated code, and with which sign; `norms`, which are lengths of
+/// vectors.
 pub(super) fn roots(
     graph: &Graph,
     dag: &mut Dag,

@@ -36,8 +36,8 @@ pub use states::States;
 pub enum Effort {
     /// The expressions as derived.
     None,
-    /// Equal values merge, common factors are taken out; constant multiples, neighbours and products in another order are
-    /// looked at: two milliseconds.
+    /// Equal values merge, common factors are taken out; constant multiples, neighbours and products in another order
+    /// are looked at: two milliseconds.
     #[default]
     Default,
     /// All rules and the search over all pairs: a tenth of a second, for release builds.

@@ -183,7 +183,8 @@ fn inverse_dynamics_undoes_forward_dynamics() {
         let force = asking.part(&state, "inverse_dynamics", "generalised_force");
         let (mass, bias) =
             (asking.part(&state, "mass_matrix", "mass_matrix"), asking.part(&state, "bias", "bias"));
-        // With the inputs that the accelerations came from, nothing else is missing: force = B inputs. At inputs of 0 it is 0.
+        // With the inputs that the accelerations came from, nothing else is missing: force = B inputs. At inputs of 0
+        // it is 0.
         let mut free = state.clone();
         free.inputs.iter_mut().for_each(|x| *x = 0.0);
         free.u_dot = asking.rates(&free).1;
@@ -411,8 +412,8 @@ fn multipliers_are_those_of_the_equations_before_the_elimination() {
     }
 }
 
-/// A rod without mass passes on a force along itself only: the bob's weight is borne by the rod on which the model puts it,
-/// although both ends are one place.
+/// A rod without mass passes on a force along itself only: the bob's weight is borne by the rod on which the model puts
+/// it, although both ends are one place.
 #[test]
 fn multipliers_leave_a_mass_on_the_rod_that_carries_it() {
     let text = |centre: &str| {

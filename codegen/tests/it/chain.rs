@@ -61,8 +61,8 @@ fn with_positions(text: &str, n: usize) -> String {
     format!("{text}[outputs]\n{lines}")
 }
 
-/// Kinetic energy is sum 1/2 m v^2 with velocities from differences of positions, and the total energy is constant: detects
-/// errors that mass matrix and accelerations have in common.
+/// Kinetic energy is sum 1/2 m v^2 with velocities from differences of positions, and the total energy is constant:
+/// detects errors that mass matrix and accelerations have in common.
 fn check_energy(program: &Program, masses: &[f64]) {
     /// Step of central differences (s), and their tolerance.
     const STEP: f64 = 1e-5;
@@ -98,8 +98,8 @@ fn masses(n: usize) -> Vec<f64> {
     (0..n).map(|i| 1.0 + 0.1 * (i % 3) as f64).collect()
 }
 
-/// Pivots of parameters alone are compared when a parameter changes, and still watched: with a mass of 0 the equations are
-/// singular at every configuration.
+/// Pivots of parameters alone are compared when a parameter changes, and still watched: with a mass of 0 the equations
+/// are singular at every configuration.
 #[test]
 fn pivots_of_parameters_alone_are_compared_once() {
     let program = derived(&pendulum(10));

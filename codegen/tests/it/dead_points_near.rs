@@ -78,7 +78,8 @@ fn dead_points_near_the_walk_are_found() {
     }
 }
 
-/// No step of the random walk passes a dead point of this one, the weakest pivot that it meets keeps a fifth of its nominal value.
+/// No step of the random walk passes a dead point of this one, the weakest pivot that it meets keeps a fifth of its
+/// nominal value.
 #[test]
 fn a_dead_point_between_the_steps_of_the_walk_is_found() {
     let text = slider_crank([0.2, 0.4], 1.0, [-7.0, 7.0], [""; 3]);

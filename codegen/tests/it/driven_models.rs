@@ -89,7 +89,8 @@ fn driven(model: &Model, way: Way, speed: SpeedId) -> Option<(Model, CoordinateI
     Some((model, coordinate))
 }
 
-/// Accelerations of all unknowns of the free mechanism at a state, one of them prescribed, and the force that this takes.
+/// Accelerations of all unknowns of the free mechanism at a state, one of them prescribed, and the force that this
+/// takes.
 fn oracle(
     free: &Program,
     q: &[f64],

@@ -153,8 +153,8 @@ fn function<'t>(text: &'t str, name: &str) -> &'t str {
     &rest[..rest.find("\n}\n").expect("an end")]
 }
 
-/// `rates_near_into` updates by rotation every sine and cosine that `begin_step` passes to it, and evaluates none from an angle;
-/// without the option neither function exists.
+/// `rates_near_into` updates by rotation every sine and cosine that `begin_step` passes to it, and evaluates none from
+/// an angle; without the option neither function exists.
 #[test]
 fn functions_of_a_step_share_their_sines() {
     for name in ["tile", "arm6", "fourbar", "rolling_disc", "satellite", "free_body"] {

@@ -1,4 +1,5 @@
-//! Trees in space, solved joint by joint: operations a link, and the accelerations against the equations before the elimination.
+//! Trees in space, solved joint by joint: operations a link, and the accelerations against the equations before the
+//! elimination.
 
 use crate::augmented::{agree, with_augmented};
 use crate::models::derived_from;
@@ -36,8 +37,8 @@ fn chain(n: usize) -> String {
     text
 }
 
-/// The accelerations against the equations before the elimination, solved numerically, at several states; `most` is less than
-/// the operations of the other forms.
+/// The accelerations against the equations before the elimination, solved numerically, at several states; `most` is
+/// less than the operations of the other forms.
 fn check(text: &str, most: usize) {
     check_at(text, most, |_| ());
 }
@@ -115,8 +116,8 @@ fn link(text: &mut String, i: usize, (place, parent): (&str, &str), axis: &str) 
     .expect("a string grows");
 }
 
-/// Two arms on one trunk; a mast slides out of one of them askew and carries a wheel and two hinges; drives, a rope with a
-/// damper between the arms, a force at a tip.
+/// Two arms on one trunk; a mast slides out of one of them askew and carries a wheel and two hinges; drives, a rope
+/// with a damper between the arms, a force at a tip.
 fn tree() -> String {
     let mut text = head("tree", 25);
     for i in 0..3 {
@@ -220,7 +221,8 @@ fn operations_of_ball_joints_in_a_row() {
     }
 }
 
-/// Hinges, ball joints and a slide in a row, with a motor between two of them, a force at the tip and a rope to the ground.
+/// Hinges, ball joints and a slide in a row, with a motor between two of them, a force at the tip and a rope to the
+/// ground.
 #[test]
 fn hinges_and_ball_joints_in_a_row_under_loads() {
     let mut text = head("mixed", 9);

@@ -61,7 +61,8 @@ impl ByParameters {
         u_dot
     }
 
-    /// Slopes by one parameter. Central differences of fourth order: their error is the step's fourth power, some 1e-20.
+    /// Slopes by one parameter. Central differences of fourth order: their error is the step's fourth power, some
+    /// 1e-20.
     fn slopes(&mut self, state: &State, column: usize) -> Vec<f64> {
         let step = 1e-5 * self.values[column].abs().max(1e-2);
         let [a, b, c, d] = [-2.0, -1.0, 1.0, 2.0].map(|n| self.accelerations(state, column, n * step));
@@ -102,8 +103,8 @@ impl Exact {
         self.independent.iter().map(|&i| q_dot[i]).chain(u_dot).chain(outputs).collect()
     }
 
-    /// Corrects the dependent coordinates alone. A correction may move independent ones too, as it does with Euler parameters,
-    /// along their own direction: these are restored, and the residual shrinks by a factor each time.
+    /// Corrects the dependent coordinates alone. A correction may move independent ones too, as it does with Euler
+    /// parameters, along their own direction: these are restored, and the residual shrinks by a factor each time.
     fn assemble(&mut self, q: &mut [Twofold]) {
         let mut change = f64::INFINITY;
         for _ in 0..CORRECTIONS.0 {

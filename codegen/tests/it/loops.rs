@@ -180,8 +180,8 @@ fn a_fixed_vector_may_be_a_definition_that_nothing_else_needs() {
     assert_eq!(operations(&named), operations(&text));
 }
 
-/// A bracket fixed askew on an arm that turns about two axes, stated by its directions and by what is fixed in it: twice
-/// along the sum of two axes of the arm, which is no axis of it.
+/// A bracket fixed askew on an arm that turns about two axes, stated by its directions and by what is fixed in it:
+/// twice along the sum of two axes of the arm, which is no axis of it.
 #[test]
 fn a_frame_stated_by_sums_of_axes_is_turned_by_half_a_right_angle() {
     let text = |bracket: &str| {

@@ -23,7 +23,8 @@ fn cross(a: &[f64], b: &[f64]) -> [f64; 3] {
     [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
-/// c' = p/m, p' = F + m g, H' = M + r x F + c x m g, with F and M of the bearing at the base, which is cut; no motor works.
+/// c' = p/m, p' = F + m g, H' = M + r x F + c x m g, with F and M of the bearing at the base, which is cut; no motor
+/// works.
 #[test]
 fn the_rate_of_momentum_is_what_the_bearing_and_gravity_do() {
     let (reaction, pose) = ("reaction:link0@J0", "pose:link0@J0");

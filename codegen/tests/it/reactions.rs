@@ -128,7 +128,8 @@ impl Balance {
     }
 }
 
-/// Rate of the angular momentum about the mass centre, along N's axes; inertia as `Ixx, Iyy, Izz, Ixy, Ixz, Iyz` in the body.
+/// Rate of the angular momentum about the mass centre, along N's axes; inertia as `Ixx, Iyy, Izz, Ixy, Ixz, Iyz` in the
+/// body.
 pub(crate) fn rate_of_momentum(body: &Moving, inertia: [f64; 6]) -> Vector {
     let [xx, yy, zz, xy, xz, yz] = inertia;
     let times = |v: Vector| {
@@ -202,7 +203,8 @@ fn reactions_balance_the_links_of_a_loop_and_what_the_plane_shares_is_named() {
         "rocker@C",
     ];
     let mut loop_of_four = Balance::new("fourbar", &places, &cuts);
-    // Every link is kept in the plane by its own hinge and by the others. About its own line it is turned by its hinge alone.
+    // Every link is kept in the plane by its own hinge and by the others. About its own line it is turned by its hinge
+    // alone.
     for cut in &cuts[..3] {
         assert_eq!(loop_of_four.labels(cut), ["F_x", "F_y", "M_x", "M_z"], "{cut}");
     }

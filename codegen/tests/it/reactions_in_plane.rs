@@ -1,5 +1,5 @@
-//! Reactions in a planar loop whose plane is turned any way in N: as in the same loop in N's own plane, and against Newton's and
-//! Euler's equations.
+//! Reactions in a planar loop whose plane is turned any way in N: as in the same loop in N's own plane, and against
+//! Newton's and Euler's equations.
 
 use crate::reactions::{Balance, add, balanced, cross, rate_of_momentum, scaled};
 use smartbed_codegen::model::{self, Model};

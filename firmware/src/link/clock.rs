@@ -48,7 +48,8 @@ impl Clock {
 mod tests {
     use super::Clock;
 
-    /// Ten minutes of beats every 200 ms, each up to 5 ms late, with the supervisor's clock this much faster: when is it found?
+    /// Ten minutes of beats every 200 ms, each up to 5 ms late, with the supervisor's clock this much faster: when is
+    /// it found?
     fn found(rate: f64) -> Option<u32> {
         let mut clock = Clock::default();
         (0..3000_u32).map(|n| n * 200).find(|sent| {

@@ -1,8 +1,8 @@
 //! A supervisor's CAN controller: one bus, several tiles, one talk with each.
 //!
 //! In: frames, which their identifiers assign to a tile's talk; bodies for tiles. Out: frames, of all tiles in turn,
-//! and bodies with the tile that sent them. A stop has priority over everything else, and ends the messages under way to
-//! the tiles that it stops, whoever sends it. Storage is the caller's: as many talks as tiles.
+//! and bodies with the tile that sent them. A stop has priority over everything else, and ends the messages under way
+//! to the tiles that it stops, whoever sends it. Storage is the caller's: as many talks as tiles.
 
 use super::bus::Arrival;
 use super::can::{Controller, FRAMES, Port, STOP, is_data, names, stops};
@@ -44,8 +44,8 @@ impl<'a, C: Controller> Hub<'a, C> {
         fits
     }
 
-    /// Hands over the bodies received by now (ms), with the index of the tile's talk, and the stops that somebody else has
-    /// sent to a tile: the caller drops what it still holds for that.
+    /// Hands over the bodies received by now (ms), with the index of the tile's talk, and the stops that somebody else
+    /// has sent to a tile: the caller drops what it still holds for that.
     pub fn receive(&mut self, now: u32, mut take: impl FnMut(usize, Arrival)) {
         let Self { port, talks, .. } = self;
         port.receive(|frame| {

@@ -149,8 +149,8 @@ impl Faults {
         Self(self.0 & !other.0)
     }
 
-    /// Faults of this set that stop a tile on its way down for resuscitation. A bladder that carries much, or whose vent
-    /// does not open, is no reason to leave it half-way.
+    /// Faults of this set that stop a tile on its way down for resuscitation. A bladder that carries much, or whose
+    /// vent does not open, is no reason to leave it half-way.
     #[must_use]
     pub fn against_lowering(self) -> Self {
         const BEARABLE: Faults = Faults(1 << Fault::ValveShut as u8 | 1 << Fault::Overload as u8);
@@ -178,8 +178,8 @@ pub struct Latch {
 }
 
 impl Latch {
-    /// Takes the faults of this tick; returns the new ones. While something moves a latched fault whose cause comes back is
-    /// new, too: resuscitation is allowed despite faults, and must end at the next obstacle all the same.
+    /// Takes the faults of this tick; returns the new ones. While something moves a latched fault whose cause comes
+    /// back is new, too: resuscitation is allowed despite faults, and must end at the next obstacle all the same.
     pub fn take(&mut self, active: Faults, is_moving: bool) -> Faults {
         let new = active.without(if is_moving { self.active } else { self.latched });
         self.active = active;
@@ -187,8 +187,8 @@ impl Latch {
         new
     }
 
-    /// Clears those of these that are latched; returns false and clears nothing if the cause of one is present or one cannot
-    /// be cleared.
+    /// Clears those of these that are latched; returns false and clears nothing if the cause of one is present or one
+    /// cannot be cleared.
     pub fn clear(&mut self, faults: Faults) -> bool {
         if faults.0 & self.latched.0 & self.active.with(Faults::LASTING).0 != 0 {
             return false;

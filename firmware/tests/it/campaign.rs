@@ -1,7 +1,7 @@
 //! Single faults on the simulated tile: each kind in each activity, at many moments.
 //!
-//! 500 runs by default; `SMARTBED_RUNS` sets another number, `SMARTBED_TABLE` a file for the table. Asserted of every run: legs within 1 mm
-//! and 1 degree of their command, pressure below 12 kPa, forces below 150 N.
+//! 500 runs by default; `SMARTBED_RUNS` sets another number, `SMARTBED_TABLE` a file for the table. Asserted of every
+//! run: legs within 1 mm and 1 degree of their command, pressure below 12 kPa, forces below 150 N.
 //!
 //! `SMARTBED_FAULT` selects one kind by its name, `SMARTBED_CASE` one run by its number.
 //!
@@ -16,9 +16,9 @@ use smartbed_firmware::tile::mode::Mode;
 use smartbed_firmware::tile::motion::pose;
 use std::fmt::Write;
 
-/// A fault of the campaign: its name, what it changes when it strikes, and whether every run must find it. Exempt are: an
-/// obstacle, which may not be in the way; a corrupt bus, because silence counts only during motion; NaN, which is refused; a
-/// power cut, which breaks nothing.
+/// A fault of the campaign: its name, what it changes when it strikes, and whether every run must find it. Exempt are:
+/// an obstacle, which may not be in the way; a corrupt bus, because silence counts only during motion; NaN, which is
+/// refused; a power cut, which breaks nothing.
 struct Kind {
     name: &'static str,
     must_be_found: bool,
@@ -76,12 +76,13 @@ fn obstruct(wire: &mut Wire, n: u32) {
     wire.set(Defect::Block { leg, height: if above { at + 2e-4 } else { at - 2e-4 }, above });
 }
 
-/// Least duration of a run after its fault (ticks), and the duration if nothing is found: in up to 1,000 runs, and in more.
+/// Least duration of a run after its fault (ticks), and the duration if nothing is found: in up to 1,000 runs, and in
+/// more.
 const SHORTEST: u32 = 4000;
 const LONGEST: (u32, u32) = (8000, 30_000);
 
-/// Commands sent one after the other if nothing has been found by then: using the broken part shows a hidden fault, or shows
-/// that it does no harm.
+/// Commands sent one after the other if nothing has been found by then: using the broken part shows a hidden fault, or
+/// shows that it does no harm.
 const USES: [Command; 4] = [
     Command::Move(Target { heave: 0.004, slope_x: 0.02, slope_y: -0.015 }),
     Command::Pressure(5200.0),

@@ -202,7 +202,8 @@ fn one_frame_stops_all_and_nothing_that_came_before_moves_them() {
     assert_eq!(bed.modes(), [Mode::Hold; 2]);
 }
 
-/// Commands signed before a stop, by us or by somebody else, that are still with the supervisor or half-way to the tile.
+/// Commands signed before a stop, by us or by somebody else, that are still with the supervisor or half-way to the
+/// tile.
 #[test]
 fn what_is_under_way_when_a_stop_comes_is_not_carried_out() {
     for (is_ours, delay) in [true, false].into_iter().flat_map(|ours| (0..8).map(move |delay| (ours, delay)))
@@ -252,8 +253,8 @@ fn lost_frames_cost_their_message_alone() {
     }
 }
 
-/// Off the bus: nothing is sent, motion ends by silence, the controller comes back each [`REST`] at most, and the other tiles of
-/// the bus are moved on.
+/// Off the bus: nothing is sent, motion ends by silence, the controller comes back each [`REST`] at most, and the other
+/// tiles of the bus are moved on.
 #[test]
 fn a_tile_off_the_bus_leaves_the_others_alone_and_comes_back() {
     let mut talks = talks(4);

@@ -41,8 +41,9 @@ fn farthest(drive: Drive<f32>, way: [f32; 3], feed: Feed) -> f32 {
     farthest
 }
 
-/// The servo's integral removes most of the deviation; the derived loads remove two fifths of the rest, as would a third of
-/// the weight on each leg: legs are so slow that loads depend on positions alone, and drives so stiff that they matter little.
+/// The servo's integral removes most of the deviation; the derived loads remove two fifths of the rest, as would a
+/// third of the weight on each leg: legs are so slow that loads depend on positions alone, and drives so stiff that
+/// they matter little.
 #[test]
 fn the_derived_loads_keep_the_legs_nearer_to_their_way() {
     let worst = |feed: Feed| {

@@ -23,7 +23,8 @@ impl Dice {
     }
 }
 
-/// Bytes that look like a frame: noise, a good body with bits changed under a right checksum, an old frame, half a frame.
+/// Bytes that look like a frame: noise, a good body with bits changed under a right checksum, an old frame, half a
+/// frame.
 fn frame(dice: &mut Dice, old: &[Body]) -> Vec<u8> {
     let mut body = old[dice.below(old.len())].clone();
     match dice.below(5) {

@@ -34,7 +34,8 @@ fn an_obstruction_is_left_alone() {
     }
 }
 
-/// Lowers or homes the tile onto an obstacle below leg 1; returns the largest force (N), and how far the leg moved back (m).
+/// Lowers or homes the tile onto an obstacle below leg 1; returns the largest force (N), and how far the leg moved back
+/// (m).
 fn go_down(bench: &mut Bench, command: Command) -> (f32, f32) {
     bench.order(command);
     let (mut hardest, mut lowest) = (0.0_f32, bench.tile.heights()[1]);
@@ -158,8 +159,8 @@ fn trials() -> impl Iterator<Item = Trial> {
     kinds.flat_map(move |(f, p)| patterns.clone().map(move |(pattern, sign)| (f, p, pattern, sign)))
 }
 
-/// Many short motions, also back and forth, press on an obstacle no harder than a long one, wherever it is; the leg then
-/// retreats.
+/// Many short motions, also back and forth, press on an obstacle no harder than a long one, wherever it is; the leg
+/// then retreats.
 #[test]
 fn short_ways_lean_on_an_obstacle_no_harder() {
     let places = [(0, -0.012), (1, 0.0), (2, 0.012)];

@@ -1,4 +1,5 @@
-//! A reset at every tick of a whole session: drives are off from the first write on, and nothing moves before a new permission.
+//! A reset at every tick of a whole session: drives are off from the first write on, and nothing moves before a new
+//! permission.
 
 use crate::wire::Wire;
 use smartbed_firmware::link::frame::Body;
@@ -16,7 +17,8 @@ const STOPPED: (u32, f32) = (20, 2e-5);
 /// Lives that are tried with a fresh permission too: each of so many.
 const FRESH: u32 = 997;
 
-/// Commands of the session, and the time for each (ticks): a calibration, homing, a motion, the bladder, a fault, resuscitation.
+/// Commands of the session, and the time for each (ticks): a calibration, homing, a motion, the bladder, a fault,
+/// resuscitation.
 const SESSION: [(Command, u32); 9] = [
     (Command::Calibrate(Trim { height: [1e-4, -1e-4, 0.0], pressure: 20.0 }), 300),
     (Command::Enable, 50),
@@ -98,7 +100,8 @@ fn a_reset_at_any_tick_disables_the_drives() {
     }
 }
 
-/// Power that fails at any write while a boot is counted, or a calibration stored: the next life has a record, and is off.
+/// Power that fails at any write while a boot is counted, or a calibration stored: the next life has a record, and is
+/// off.
 #[test]
 fn a_cut_at_any_write_of_the_store_leaves_a_tile_that_starts() {
     let trim = Trim { height: [1e-4, -2e-4, 5e-5], pressure: 30.0 };

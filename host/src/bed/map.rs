@@ -1,8 +1,8 @@
 //! `smartbed bed map`: reads maps exported by a sensor maker's program, computes all metrics, compares them, and writes
 //! them in the other format.
 //!
-//! In: a file of Tekscan's or XSENSOR's. Out: metrics as a table, as CSV or as one JSON object, differences to another file of the same
-//! sensels, a file in the format given by its ending.
+//! In: a file of Tekscan's or XSENSOR's. Out: metrics as a table, as CSV or as one JSON object, differences to another
+//! file of the same sensels, a file in the format given by its ending.
 
 use super::rows::{self, csv, table, write};
 use crate::failure::Failure;

@@ -126,8 +126,8 @@ impl Search<'_> {
         rates.map(|rate| finite(rate.error)).collect()
     }
 
-    /// Bounds of the rounding errors of the slopes by the state. The state counts as exact but for its own last digit: a
-    /// spring of length 0 has its direction from a length that is nothing but what is left of the way.
+    /// Bounds of the rounding errors of the slopes by the state. The state counts as exact but for its own last digit:
+    /// a spring of length 0 has its direction from a length that is nothing but what is left of the way.
     pub(super) fn slope_errors(&mut self) -> DMatrix<f64> {
         let n = self.state.len();
         let [q, u, inputs] = [&self.q, &self.u, &self.inputs].map(|values| exact(values));

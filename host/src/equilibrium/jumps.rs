@@ -2,8 +2,8 @@
 //! equations have no slopes there, or others on each side.
 //!
 //! In: a model. Out: the model with one more output for each such argument that its loads read, directly or through
-//! definitions and laws; and, at a state, a warning for each `sign` whose argument is 0 up to its rounding, and for each
-//! kink where the slopes at both sides differ and the state is known no better than to either side of it.
+//! definitions and laws; and, at a state, a warning for each `sign` whose argument is 0 up to its rounding, and for
+//! each kink where the slopes at both sides differ and the state is known no better than to either side of it.
 
 use super::balance::{BOUNDS, CLOSE};
 use super::rates::NO_SLOPE;
@@ -13,8 +13,8 @@ use nalgebra::{DMatrix, DVector};
 use smartbed_codegen::diagnostic::{Diagnostic, Diagnostics};
 use smartbed_codegen::model::{Model, Output};
 
-/// How far away the slopes at both sides of a kink are compared, in units of half the ranges: beyond how well the state is
-/// known, and so far that slopes which bend without a jump differ less at the former.
+/// How far away the slopes at both sides of a kink are compared, in units of half the ranges: beyond how well the state
+/// is known, and so far that slopes which bend without a jump differ less at the former.
 const SIDES: [f64; 2] = [1e2 * CLOSE, 1e5 * CLOSE];
 /// Slopes that differ by less than this fraction of the largest of their row are the same.
 const SAME: f64 = 1e-6;

@@ -1,8 +1,9 @@
 //! `smartbed equilibrium`: static equilibria and steady motions of a mechanism, and its small motions about them.
 //!
 //! In: a model, what is held, where the search starts. Out: coordinates and speeds at which all accelerations vanish
-//! (`search`, from several starts if need be: `restart`), and eigenvalues and mode shapes of the linearised motion (`modes`), as text or JSON. Control laws are
-//! substituted into the equations ([`smartbed_codegen::model::Model::closed_loop`]) before these are derived.
+//! (`search`, from several starts if need be: `restart`), and eigenvalues and mode shapes of the linearised motion
+//! (`modes`), as text or JSON. Control laws are substituted into the equations
+//! ([`smartbed_codegen::model::Model::closed_loop`]) before these are derived.
 
 mod balance;
 mod jumps;

@@ -1,8 +1,9 @@
 //! Modes: eigenvalues and shapes of small motions about an equilibrium, dx' = A dx.
 //!
 //! In: A with bounds of its errors, and directions Z in which the state can change (orthonormal columns: across Euler
-//! parameters, which keep their unit length). Out: one mode per real eigenvalue of Z'AZ or complex pair (`spectrum`), the
-//! fastest first, with its shape (`shapes`). What is within an eigenvalue's own rounding is 0, however fast others are.
+//! parameters, which keep their unit length). Out: one mode per real eigenvalue of Z'AZ or complex pair (`spectrum`),
+//! the fastest first, with its shape (`shapes`). What is within an eigenvalue's own rounding is 0, however fast others
+//! are.
 
 use super::search::Slopes;
 use super::shapes;
@@ -33,8 +34,8 @@ pub(super) struct Mode {
     /// Its fate.
     pub fate: Fate,
     /// Entries of the state that take part: name, size relative to the largest, phase (rad). Empty for an eigenvalue 0,
-    /// whose motions often form a space of more than one dimension, and where a repeated eigenvalue has fewer shapes: the
-    /// motion is then t times one of these, besides others.
+    /// whose motions often form a space of more than one dimension, and where a repeated eigenvalue has fewer shapes:
+    /// the motion is then t times one of these, besides others.
     pub shape: Vec<(String, f64, f64)>,
 }
 

@@ -1,7 +1,7 @@
 //! Rates and their Jacobians at the state of a search for equilibrium.
 //!
-//! In: a [`Search`] with its present state. Out: the rates there, which of them have to vanish, their derivatives by the
-//! unknowns, Newton's step, and how far from balance they are.
+//! In: a [`Search`] with its present state. Out: the rates there, which of them have to vanish, their derivatives by
+//! the unknowns, Newton's step, and how far from balance they are.
 
 use super::search::{Flat, Rates, Search, Slopes, Unknown};
 use nalgebra::{DMatrix, DVector};

@@ -1,8 +1,8 @@
 //! Starts the search for an equilibrium again where Newton's method ends without one, or outside the ranges.
 //!
 //! In: the search where it starts. Out: the equilibrium to which it leads from there; if it leads to none within the
-//! ranges that the model states, the nearest of those found from places spread evenly over the ranges; if there is none,
-//! the end from the start.
+//! ranges that the model states, the nearest of those found from places spread evenly over the ranges; if there is
+//! none, the end from the start.
 
 use super::rates::NO_SLOPE;
 use super::search::{End, Entry, Found, Place, Rates, Search, Unknown};

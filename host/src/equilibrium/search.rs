@@ -6,10 +6,10 @@
 //! r = (u', q' of every coordinate that the rates depend on),   J dz = -r,   dz the solution of least norm
 //! ```
 //! in units of each unknown's own range. If the solutions form a line, steps of least norm lead to one near the start.
-//! A step is cut to half a range, and to twice as much after every cut one that reduced r as a whole: inputs, speeds and
-//! many coordinates have no range, and may end far from the start. It is halved as long as it does not reduce r or cannot
-//! be assembled. `balance` says whether the end is a solution.
-//! Where it is none, or outside a range, the search starts again elsewhere (`restart`).
+//! A step is cut to half a range, and to twice as much after every cut one that reduced r as a whole: inputs, speeds
+//! and many coordinates have no range, and may end far from the start. It is halved as long as it does not reduce r or
+//! cannot be assembled. `balance` says whether the end is a solution. Where it is none, or outside a range, the search
+//! starts again elsewhere (`restart`).
 
 use crate::configuration::Configurations;
 use crate::engine::Engine;

@@ -1,14 +1,15 @@
 //! Mode shapes: bases of the null spaces of A - lambda.
 //!
 //! In: A, an eigenvalue and how often it occurs, directions Z in which the state can change. Out: as many shapes Z v,
-//! (Z'AZ - lambda) v = 0, as are independent. Where there are several any mixture of them is one too; each of those given
-//! has an entry of its own, the largest that there is, in which the others have no part.
+//! (Z'AZ - lambda) v = 0, as are independent. Where there are several any mixture of them is one too; each of those
+//! given has an entry of its own, the largest that there is, in which the others have no part.
 
 use super::spectrum::vanishing;
 use nalgebra::linalg::balancing;
 use nalgebra::{Complex, ComplexField, DMatrix};
 
-/// Singular values below this fraction of the largest are 0: rounding splits a double eigenvalue by the root of epsilon.
+/// Singular values below this fraction of the largest are 0: rounding splits a double eigenvalue by the root of
+/// epsilon.
 const NONE: f64 = 1e-6;
 /// Sizes that differ by less than this fraction are the same, and the first of them counts.
 const SAME: f64 = 1e-6;

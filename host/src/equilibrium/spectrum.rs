@@ -6,9 +6,9 @@
 //! ```
 //! B is the block of A that lambda belongs to, balanced, E the errors of its entries. Blocks are the sets of entries of
 //! the state that act on one another in circles: what is fast in one of them does not round the others. Where
-//! eigenvalues repeat, x and y are bases of their null spaces; where these are too small, |y* x| is nearly 0 and the bound
-//! as wide as rounding splits the eigenvalue. In exact numbers, as of critical damping, it is not split, and |y* x| is 0: the
-//! bound is then the radius of a circle that no eigenvalue crosses while B changes by rounding.
+//! eigenvalues repeat, x and y are bases of their null spaces; where these are too small, |y* x| is nearly 0 and the
+//! bound as wide as rounding splits the eigenvalue. In exact numbers, as of critical damping, it is not split, and |y*
+//! x| is 0: the bound is then the radius of a circle that no eigenvalue crosses while B changes by rounding.
 
 use nalgebra::linalg::{Schur, balancing};
 use nalgebra::{Complex, ComplexField, DMatrix, DVector};
@@ -82,8 +82,8 @@ fn bound(block: &DMatrix<f64>, errors: &DMatrix<f64>, value: Complex<f64>) -> f6
     if overlap > SPLIT { bound } else { bound.min(far(block, value, WIDER * (rounding + errors.norm()))) }
 }
 
-/// Radius of a circle about an eigenvalue that no eigenvalue crosses while B changes by up to `epsilon`: on it the smallest
-/// singular value of B - z is larger (Trefethen & Embree, Spectra and Pseudospectra, 2.1).
+/// Radius of a circle about an eigenvalue that no eigenvalue crosses while B changes by up to `epsilon`: on it the
+/// smallest singular value of B - z is larger (Trefethen & Embree, Spectra and Pseudospectra, 2.1).
 fn far(block: &DMatrix<f64>, value: Complex<f64>, epsilon: f64) -> f64 {
     let n = block.nrows();
     let is_clear = |radius: f64| {

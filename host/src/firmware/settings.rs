@@ -1,7 +1,7 @@
 //! What an image is built from: a model, a scene or a world with its changes, or a program of the controller.
 //!
-//! In: the command line. Out: [`Settings`], which the firmware's build script gets through environment variables; what a
-//! file of this kind cannot be built with is refused here, before anything is compiled.
+//! In: the command line. Out: [`Settings`], which the firmware's build script gets through environment variables; what
+//! a file of this kind cannot be built with is refused here, before anything is compiled.
 
 use super::arguments::{Arguments, Bus};
 use super::fit::{Fitted, nanoseconds};

@@ -2,8 +2,9 @@
 //!
 //! In: TOML of format 1 with numbers and units as in scenes, and settings of the command line, which override it. Out:
 //! a plan within its limits, or what is wrong. One file per table: `layout` (tiles), `load` (and `mesh`, its file if it
-//! has one), `timing` and `dynamics` (clocks), `moves` (orders to tiles; `moments`: whether a run shows them), `sensing` and `instruments` (sensors),
-//! `policy` (who gives orders; `supervised`: who checks them), `estimates` (parameters of metrics).
+//! has one), `timing` and `dynamics` (clocks), `moves` (orders to tiles; `moments`: whether a run shows them),
+//! `sensing` and `instruments` (sensors), `policy` (who gives orders; `supervised`: who checks them), `estimates`
+//! (parameters of metrics).
 
 mod dynamics;
 mod estimates;

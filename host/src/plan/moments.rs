@@ -1,7 +1,7 @@
 //! Says which moves a run cannot show, and which pressures are ordered anew too early, with their places.
 //!
-//! In: a plan with the place of each of its moves, its policy. Out: an error where equilibria would miss a move without a
-//! word, a warning where one order of a pressure cuts another short, as the tiles' controller lets it.
+//! In: a plan with the place of each of its moves, its policy. Out: an error where equilibria would miss a move without
+//! a word, a warning where one order of a pressure cuts another short, as the tiles' controller lets it.
 
 use super::policy::Chosen;
 use crate::number::six_digits;

@@ -15,8 +15,8 @@ const MOST_ORDERS: f64 = 1e7;
 /// Moves of a cycle of alternating pressure: two groups go down and up.
 const MOVES_PER_CYCLE: f64 = 4.0;
 
-/// All moves of a plan, sorted by their beginning, each with its place; `pressure` (Pa) is the initial one, `seconds` the length of the run,
-/// `every` the interval between its moments.
+/// All moves of a plan, sorted by their beginning, each with its place; `pressure` (Pa) is the initial one, `seconds`
+/// the length of the run, `every` the interval between its moments.
 pub(super) fn read(
     plan: &Fields<'_>,
     layout: &Layout,

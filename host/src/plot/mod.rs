@@ -1,8 +1,8 @@
 //! Plots of a run: coordinates by unit, and energies, over time; SVG or PNG by the file's name.
 //!
 //! In: recorded rows. [`panels`] decides which curves share a panel, [`chart`] lays them out as a [`Drawing`] of lines,
-//! shapes and words, [`side`] adds pictures from the side; [`svg`] and [`png`] (painted by `tiny-skia` with the letters of
-//! [`font`]) write the drawing.
+//! shapes and words, [`side`] adds pictures from the side; [`svg`] and [`png`] (painted by `tiny-skia` with the letters
+//! of [`font`]) write the drawing.
 
 mod axis;
 pub mod chart;

@@ -1,7 +1,7 @@
 //! Picks method and step for a given error or computing time, from curves measured at once.
 //!
-//! The subject's own motion is run with every method and a ladder of steps, as in a report, within some seconds. The cost
-//! of an error depends on the motion, so that curves of another scene or machine would be a guess.
+//! The subject's own motion is run with every method and a ladder of steps, as in a report, within some seconds. The
+//! cost of an error depends on the motion, so that curves of another scene or machine would be a guess.
 
 use super::markdown::duration;
 use super::measure::{Measured, measure};

@@ -43,8 +43,8 @@ pub struct Plan {
     pub scalar: Option<ScalarKind>,
     /// What evaluates mechanisms.
     pub engine: EngineKind,
-    /// Of a calibration: the time between two rows of the run that it is made for (s). No step is longer, and errors are
-    /// measured at all step ends.
+    /// Of a calibration: the time between two rows of the run that it is made for (s). No step is longer, and errors
+    /// are measured at all step ends.
     pub rows: Option<f64>,
     /// A ladder ends with the first error of at most this (m or rad).
     pub enough: f64,
@@ -140,8 +140,8 @@ impl Plan {
             .collect()
     }
 
-    /// Steps from one sample to the next with which a ladder begins. If rows are asked for whose interval divides the time
-    /// between samples, all steps of the ladder divide the interval between rows.
+    /// Steps from one sample to the next with which a ladder begins. If rows are asked for whose interval divides the
+    /// time between samples, all steps of the ladder divide the interval between rows.
     fn coarsest(&self, longest: f64, interval: f64) -> usize {
         match self.rows {
             None => (interval / longest).ceil().max(1.0) as usize,

@@ -1,9 +1,10 @@
 //! The error of a pick over the whole run, where the reference covers only its start.
 //!
-//! In: a subject, a method, the step that was picked at the start. Out: a step, and its error over all of the time. A start
-//! says nothing of what follows, such as the first contact. So the run is made with this step, half of it and a quarter
-//! (of an adaptive method: with smaller tolerances), and compared at all ends of steps; steps are halved until the error is
-//! small enough or the time is used up. Two finer runs are asked, since two steps may agree by chance where contacts decide.
+//! In: a subject, a method, the step that was picked at the start. Out: a step, and its error over all of the time. A
+//! start says nothing of what follows, such as the first contact. So the run is made with this step, half of it and a
+//! quarter (of an adaptive method: with smaller tolerances), and compared at all ends of steps; steps are halved until
+//! the error is small enough or the time is used up. Two finer runs are asked, since two steps may agree by chance
+//! where contacts decide.
 
 use super::clock::{self, Stop};
 use super::measure::{at_step_ends, finer, share};

@@ -1,8 +1,8 @@
 //! A kink of a command in the run of a mechanism: the drive's impulse.
 //!
-//! In: the times just before and behind it, the state before. Out: the state behind it, whose speeds have the momenta of
-//! those before ([`switches::pass`]); the work of the impulse is booked. A command whose value jumps is refused: no motion
-//! follows it. So is a constraint whose factors of speeds jump: which impulse it gives is not known.
+//! In: the times just before and behind it, the state before. Out: the state behind it, whose speeds have the momenta
+//! of those before ([`switches::pass`]); the work of the impulse is booked. A command whose value jumps is refused: no
+//! motion follows it. So is a constraint whose factors of speeds jump: which impulse it gives is not known.
 
 use super::ledger::Ledger;
 use super::plant::Plant;

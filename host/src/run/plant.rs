@@ -89,8 +89,8 @@ impl<E: std::ops::DerefMut<Target = dyn Engine<S>>, S: EngineScalar> Plant<E, S>
         Ok(values.chunks_exact(2).map(|both| [both[0], both[1]]).collect())
     }
 
-    /// The first command that changes its speed at once within so many seconds from t = 0, with the time. It is looked for
-    /// in parts of that length (s).
+    /// The first command that changes its speed at once within so many seconds from t = 0, with the time. It is looked
+    /// for in parts of that length (s).
     ///
     /// # Errors
     /// [`Fault::Shape`] if the state has another length.
@@ -106,8 +106,8 @@ impl<E: std::ops::DerefMut<Target = dyn Engine<S>>, S: EngineScalar> Plant<E, S>
         Ok(None)
     }
 
-    /// A command that changes its speed at once between two times: by its rate where it is a coordinate in closed form, else
-    /// by energy and momenta, which do not show it where dependent speeds are state: there any kink counts.
+    /// A command that changes its speed at once between two times: by its rate where it is a coordinate in closed form,
+    /// else by energy and momenta, which do not show it where dependent speeds are state: there any kink counts.
     pub(super) fn leaps(&mut self, times: [f64; 2], x: &[S]) -> Result<Option<Command>, Fault> {
         let (q, u) = x.split_at_checked(self.engine.n_q()).ok_or(Fault::Shape)?;
         let changed = self.switches.changed(times)?;

@@ -1,8 +1,8 @@
 //! Pictures of a body from the side: at the start, at the first touch, at the largest compression of a spring, at the
 //! end.
 //!
-//! In: rows, one after the other. Out: four moments for [`crate::plot::side`]. Springs are grey at rest length, vermilion
-//! if stretched, blue if compressed.
+//! In: rows, one after the other. Out: four moments for [`crate::plot::side`]. Springs are grey at rest length,
+//! vermilion if stretched, blue if compressed.
 
 use super::read::Scene;
 use super::run::Row;

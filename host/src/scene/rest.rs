@@ -190,7 +190,8 @@ mod tests {
         Found::new(&parse("x", &text, &[]).expect("a scene"))
     }
 
-    /// Slower pressures leave it behind by the square of their speed; the volume's slope is that of a spring that stiffens.
+    /// Slower pressures leave it behind by the square of their speed; the volume's slope is that of a spring that
+    /// stiffens.
     #[test]
     fn a_slow_bladder_is_where_it_would_rest() {
         let [slow, fast] = ["T = 0.8\n", "T = 0.4\n"].map(|time| {

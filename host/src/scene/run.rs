@@ -169,8 +169,8 @@ pub fn run<S: Scalar>(scene: &Scene, mut emit: impl FnMut(&Row)) -> Result<Vec<E
     run_until::<S, String>(scene, emit, |_| Ok(()))
 }
 
-/// As [`run()`]; `emit`, and `stepped` with the time behind each step (or several, of a body that nobody has anything to see
-/// of between rows), may end the run with a failure of their own.
+/// As [`run()`]; `emit`, and `stepped` with the time behind each step (or several, of a body that nobody has anything
+/// to see of between rows), may end the run with a failure of their own.
 ///
 /// # Errors
 /// As [`run()`], or theirs.

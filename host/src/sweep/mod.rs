@@ -127,8 +127,8 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     output::print(&format!("{}: {words}{refused}\n", table.display()))
 }
 
-/// One JSON object: the table, once it is written, and the numbers of cases, of those left to other shards, and of those
-/// refused.
+/// One JSON object: the table, once it is written, and the numbers of cases, of those left to other shards, and of
+/// those refused.
 fn summary(table: Option<&Path>, [cases, left, refused]: [usize; 3]) -> String {
     let table = table.map(|file| file.display().to_string());
     format!("{}\n", serde_json::json!({ "table": table, "cases": cases, "left": left, "refused": refused }))

@@ -1,7 +1,7 @@
 //! A world from the side: at the start, at the first touch, at the end.
 //!
-//! In: the stage, and rows' places as it expects them. Out: lines in space for [`crate::plot::side`]. Springs between masses
-//! have the colour of their strain; mechanisms are their links, rigid parts their outlines.
+//! In: the stage, and rows' places as it expects them. Out: lines in space for [`crate::plot::side`]. Springs between
+//! masses have the colour of their strain; mechanisms are their links, rigid parts their outlines.
 
 use super::stage::Stage;
 use crate::plot::drawing::{Color, Drawing, INK};

@@ -33,8 +33,8 @@ pub fn time(text: &str) -> Result<f64, Failure> {
     })
 }
 
-/// The time that a still shows: of the moments that the page keeps the one nearest to the time asked for. Places between
-/// two of them are nobody's: a ball that bounced there would hang in the air.
+/// The time that a still shows: of the moments that the page keeps the one nearest to the time asked for. Places
+/// between two of them are nobody's: a ball that bounced there would hang in the air.
 ///
 /// # Errors
 /// [`Failure::Wrong`] for a time after the last of them.

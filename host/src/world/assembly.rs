@@ -36,8 +36,8 @@ pub struct Assembly {
 }
 
 impl Assembly {
-    /// Fingerprint of everything that decides the motion but for the length and step of the run: a checkpoint carries it, so
-    /// that a run that goes on with other masses, laws or gravity is told. Folders and titles do not enter.
+    /// Fingerprint of everything that decides the motion but for the length and step of the run: a checkpoint carries
+    /// it, so that a run that goes on with other masses, laws or gravity is told. Folders and titles do not enter.
     #[must_use]
     pub fn fingerprint(&self) -> String {
         let parts = self.parts.iter().map(|part| match &part.kind {

@@ -2,9 +2,10 @@
 //!
 //! In: a scene text. Out: an [`Assembly`], plain data in SI units; then rows, energies and events of its motion. `read`
 //! parses the text; `run` steps the assembly by an `engine`: `rigid` for worlds of rigid bodies, `carried` for flexible
-//! parts on mechanisms (`ported`, once `derived`) and other `carriers`; `touching` handles contacts, `settle` finds the equilibrium (`relaxing` is its step, `stability` disturbs it).
-//! `sensors` observe, `controllers` drive inputs, both through `feedback`; `picture` is what pages show, `pushed` the
-//! forces between parts in rows; `books` observe what works on what, `accounts` of parts and seams follow from them.
+//! parts on mechanisms (`ported`, once `derived`) and other `carriers`; `touching` handles contacts, `settle` finds the
+//! equilibrium (`relaxing` is its step, `stability` disturbs it). `sensors` observe, `controllers` drive inputs, both
+//! through `feedback`; `picture` is what pages show, `pushed` the forces between parts in rows; `books` observe what
+//! works on what, `accounts` of parts and seams follow from them.
 
 pub mod accounts;
 pub mod assembly;

@@ -34,8 +34,8 @@ pub struct Ported<S = f64> {
     projections: u8,
     reads_time: bool,
     is_driven: bool,
-    /// Time, coordinates and speeds at which rates or inverse inertias were asked for last, if only some of its motion is
-    /// prescribed.
+    /// Time, coordinates and speeds at which rates or inverse inertias were asked for last, if only some of its motion
+    /// is prescribed.
     last: (S, Vec<S>, Vec<S>),
     /// Number of points without the origin, of bodies with frames, and of bodies.
     counts: [usize; 3],

@@ -1,8 +1,8 @@
 //! Contact forces between the two parts of a pair, as rows show them.
 //!
 //! In: points in contact after a step, with their axes and forces. Out: five values per pair, `ONE-OTHER.normal` and so
-//! on: means over the step if touches are not located in time, otherwise the forces at its end (of rigid parts alone: in
-//! the middle of its last piece).
+//! on: means over the step if touches are not located in time, otherwise the forces at its end (of rigid parts alone:
+//! in the middle of its last piece).
 
 use super::engine::Column;
 use smartbed_runtime::real::Scalar;

@@ -92,8 +92,8 @@ impl Relaxation {
         Ok((speeds.fold(leaving / h * SLOW, |largest, speed| (speed / h).abs().max(largest)), h))
     }
 
-    /// Takes a step; `watch` sees its length and the speeds after it. Returns the largest acceleration, for which speeds
-    /// count as well.
+    /// Takes a step; `watch` sees its length and the speeds after it. Returns the largest acceleration, for which
+    /// speeds count as well.
     pub(super) fn step(
         &mut self,
         world: &mut impl Relaxing,

@@ -151,8 +151,8 @@ impl Checkpoint {
         })
     }
 
-    /// The values that an engine loads: without the memory of slow parts if it keeps none or that of others, so that all
-    /// begin awake.
+    /// The values that an engine loads: without the memory of slow parts if it keeps none or that of others, so that
+    /// all begin awake.
     fn state_for(&self, engine: &dyn Engine) -> &[f64] {
         let gone = self.sleepers.filter(|own| *own != engine.sleepers()).unwrap_or(0);
         &self.state[..self.state.len().saturating_sub(gone)]

@@ -47,7 +47,8 @@ fn maps_of_sensor_makers_are_read_compared_and_written() {
     let done = smartbed(&["bed", "map", &one, "--against", &other, "-o", &again, "--csv", &metrics]);
     assert_eq!(done.status, 0, "{done:?}");
     assert!(done.out.contains("2 x 3 sensels of 30.00 by 20.00 mm, 2 frames over 10 s"), "{done:?}");
-    // Six mmHg at one of six sensels in one of two frames: sqrt(36/12) mmHg. The window: (2 x 60 + 30)/3 and (2 x 60 + 36)/3.
+    // Six mmHg at one of six sensels in one of two frames: sqrt(36/12) mmHg. The window: (2 x 60 + 30)/3 and
+    // (2 x 60 + 36)/3.
     assert!(done.out.contains("1.732 mmHg root mean square, peak pressure index -3.85 % of it"), "{done:?}");
     assert!(done.out.contains("engineering indices, not clinical evidence"));
     let table = std::fs::read_to_string(&metrics).expect("metrics");

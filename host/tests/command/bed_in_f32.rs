@@ -10,8 +10,8 @@ const TIMES: [f64; 2] = [0.1, 0.6];
 /// Most times that both are run beside other tests: what else the machine does only adds to either.
 const TRIES: usize = 8;
 
-/// Processor time (s) of a simulated second of all threads, the least of some tries, and how strongly the ball presses (N).
-/// More are made only while it is longer than asked for.
+/// Processor time (s) of a simulated second of all threads, the least of some tries, and how strongly the ball presses
+/// (N). More are made only while it is longer than asked for.
 fn second(scalar: &str, nodes: usize, wanted: f64) -> (f64, f64) {
     let run = |seconds: f64| {
         let sides = ["rows", "columns"].map(|side| format!("parts.bladder.{side}={nodes}"));

@@ -1,5 +1,5 @@
-//! docs/bed.md against the program: its commands run, every key of a plan stands in it and every key in it is read; every
-//! refusal of a plan has its row in docs/guide/every-error.md.
+//! docs/bed.md against the program: its commands run, every key of a plan stands in it and every key in it is read;
+//! every refusal of a plan has its row in docs/guide/every-error.md.
 
 use crate::guide::{messages, run_page, same};
 use smartbed::plan::{checked, parse};

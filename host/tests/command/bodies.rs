@@ -59,7 +59,8 @@ fn a_pressure_below_a_vacuum_is_refused() {
     }
 }
 
-/// The load of an open surface with a free rim has no potential: said once. A fixed rim, and a closed surface, have one.
+/// The load of an open surface with a free rim has no potential: said once. A fixed rim, and a closed surface, have
+/// one.
 #[test]
 fn a_pressure_on_an_open_surface_is_told() {
     for (shape, is_told) in [("cylinder", true), ("cube", false), ("ball", false), ("sheet", false)] {

@@ -302,7 +302,8 @@ fn a_derived_crate_compiles_on_its_own() {
         let text = std::fs::read_to_string(folder.join("src/equations.rs")).expect("equations");
         assert_eq!(text.contains("sin_cos_of_difference"), optimise == "accuracy");
         let mut cargo = Command::new(env!("CARGO"));
-        // Its dependencies are those of the workspace. That of lanes may be fetched: nothing else here is built with it.
+        // Its dependencies are those of the workspace. That of lanes may be fetched: nothing else here is built with
+        // it.
         lock(&folder);
         cargo.args(["check", "--quiet", "--target-dir"]).arg(builds("derived")).current_dir(&folder);
         let done = finish(cargo);

@@ -487,8 +487,8 @@ fn each_constraint_is_judged_by_its_own_terms() {
     }
 }
 
-/// Where all cranks lie along the bar, another branch crosses: u' = -g cos(q1)/a as everywhere, but the coordinates that
-/// are solved for are good to half of their digits there.
+/// Where all cranks lie along the bar, another branch crosses: u' = -g cos(q1)/a as everywhere, but the coordinates
+/// that are solved for are good to half of their digits there.
 #[test]
 fn coordinates_solved_for_at_a_change_point_are_told_of() {
     let text = crate::support::model("parallelogram").replace("[0.3, 2.5]", "[-0.5, 4]");

@@ -1,4 +1,5 @@
-//! Files and streams: foreign files are not overwritten, no output is lost without a message, no input is read endlessly.
+//! Files and streams: foreign files are not overwritten, no output is lost without a message, no input is read
+//! endlessly.
 
 use crate::support::{command, file, finish, smartbed, written};
 use std::fs;

@@ -160,8 +160,8 @@ pub fn same(messages: &[String], rows: &[String]) {
     }
 }
 
-/// Message of a model that passes dead points, for an answer that needs independent speeds: the rejected model with a mass
-/// that can turn at the dead point.
+/// Message of a model that passes dead points, for an answer that needs independent speeds: the rejected model with a
+/// mass that can turn at the dead point.
 fn asked_of_redundant_speeds() -> String {
     let rejected = guide().join("../../models/rejected/dead_point.toml");
     let turned =

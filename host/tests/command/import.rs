@@ -270,7 +270,8 @@ fn what_is_not_carried_over_is_said() {
     assert!(warnings.items.is_empty(), "{warnings}");
 }
 
-/// Two joints whose limits coincide, one of each kind, then one without limits; a name that is a word of Rust, one of models.
+/// Two joints whose limits coincide, one of each kind, then one without limits; a name that is a word of Rust, one of
+/// models.
 #[test]
 fn joints_whose_limits_coincide_are_fixed_and_changed_names_are_said() {
     let text = r#"<robot name="fn"><link name="world"/>

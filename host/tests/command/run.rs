@@ -393,8 +393,8 @@ fn outputs_and_inputs_with_the_name_of_a_column_have_columns_of_their_own() {
     assert!(done.out.contains("0.250000 m/s"), "{}", done.out);
 }
 
-/// Folded into its line of centres a parallelogram is singular; what its pivots of 0 make of the numbers behind them is not
-/// the cause.
+/// Folded into its line of centres a parallelogram is singular; what its pivots of 0 make of the numbers behind them is
+/// not the cause.
 #[test]
 fn a_run_that_starts_at_a_change_point_is_told_so() {
     for start in ["q1=0", "q1=pi"] {

@@ -92,8 +92,8 @@ pub fn timed(command: &Command) -> (Done, f64) {
     (done, seconds)
 }
 
-/// The least time (s) that `measure` gives, in so many tries beside other tests, until one takes no longer than `wanted`.
-/// These share core and caches; if no moment was quiet enough, their commands wait for a few tries more.
+/// The least time (s) that `measure` gives, in so many tries beside other tests, until one takes no longer than
+/// `wanted`. These share core and caches; if no moment was quiet enough, their commands wait for a few tries more.
 pub fn least_time(wanted: f64, tries: usize, mut measure: impl FnMut() -> f64) -> f64 {
     let mut least = f64::INFINITY;
     let mut most = |tries: usize| {

@@ -44,8 +44,8 @@ setTimeout(() => {
 }, 500);
 </script></body>"##;
 
-/// Records errors on the page, and draws frames by the clock of the page's timers: the browser paints at times of its own,
-/// but the test is about the content of frames.
+/// Records errors on the page, and draws frames by the clock of the page's timers: the browser paints at times of its
+/// own, but the test is about the content of frames.
 const FRAMES: &str = r#"<head><script>
 const faults = [];
 window.onerror = (message) => { faults.push(message); };

@@ -1,6 +1,8 @@
-//! Plan texts with exchanged values, missing keys and corrupted letters: no panic, no hang, and every refusal has its place.
+//! Plan texts with exchanged values, missing keys and corrupted letters: no panic, no hang, and every refusal has its
+//! place.
 //!
-//! `SMARTBED_FUZZ_CASES=100000 cargo test -p smartbed --test fuzz -- plans`; the seed is fixed, case n is always the same.
+//! `SMARTBED_FUZZ_CASES=100000 cargo test -p smartbed --test fuzz -- plans`; the seed is fixed, case n is always the
+//! same.
 
 use crate::random::Random;
 use crate::worlds::mutated;

@@ -1,5 +1,5 @@
-//! Scene texts of format 2 with exchanged values, missing keys and corrupted letters: no panic, and every refusal has its
-//! place.
+//! Scene texts of format 2 with exchanged values, missing keys and corrupted letters: no panic, and every refusal has
+//! its place.
 //!
 //! `SMARTBED_FUZZ_CASES=100000 cargo test -p smartbed --test fuzz -- worlds`; the seed is fixed, case n is always the
 //! same.

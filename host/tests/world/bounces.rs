@@ -29,7 +29,8 @@ fn a_ball_beside_a_flexible_part_comes_to_rest() {
     }
 }
 
-/// Bounces that last a fifth of a step, however low, go on with e = 1: compensation gives all the energy back by default.
+/// Bounces that last a fifth of a step, however low, go on with e = 1: compensation gives all the energy back by
+/// default.
 #[test]
 fn a_ball_that_loses_nothing_bounces_on_within_a_step() {
     let text = ball(1.0).replace("height = 0.1 }", "height = 2e-5 }").replace("every = 100", "step = 0.02");
@@ -127,7 +128,8 @@ fn a_grazing_touch_gives_no_more_than_it_has() {
     }
 }
 
-/// A contact that slides off a facet loses its support at once: the forces behind that instant are no works of the step.
+/// A contact that slides off a facet loses its support at once: the forces behind that instant are no works of the
+/// step.
 #[test]
 fn dampers_of_a_ball_that_a_box_strikes_take_what_they_take() {
     let box_at = |place: &str, speed: u32| {

@@ -16,7 +16,8 @@ fn copied(name: &str) -> String {
     own
 }
 
-/// The upper rod of a double pendulum stands still as commanded: the lower one keeps its energy, that of a rod about its end.
+/// The upper rod of a double pendulum stands still as commanded: the lower one keeps its energy, that of a rod about
+/// its end.
 #[test]
 fn one_coordinate_of_an_open_chain_is_commanded() {
     let text = "format = 2\n[parts.arm]\nmechanism = \"MODEL\"\ncommand = { q1 = \"0*t/1_s\" }\nset = { c = 0 }\n\

@@ -41,7 +41,8 @@ fn a_sheet_of_200_x_200_takes_its_first_step_within_a_tenth_of_a_second() {
         world.step(1e-5, &mut Vec::new()).expect("a step");
         spent(begin) - start
     };
-    // A machine that does other work, or has a hot processor, is slow for seconds: half of the bar is used on a quiet one.
+    // A machine that does other work, or has a hot processor, is slow for seconds: half of the bar is used on a quiet
+    // one.
     let (bar, mut least) = (Duration::from_millis(100), Duration::MAX);
     for _ in 0..40 {
         least = least.min(first());

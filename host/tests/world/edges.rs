@@ -1,4 +1,5 @@
-//! What slides or rolls off an edge, bounces that die out within the rounding of the gap, and fixed nodes on the ground.
+//! What slides or rolls off an edge, bounces that die out within the rounding of the gap, and fixed nodes on the
+//! ground.
 
 use super::support::{json, number, scene};
 
@@ -86,7 +87,8 @@ fn a_box_that_slides_off_a_table_turns_about_its_edge_alone() {
 
 #[test]
 fn bounces_within_the_rounding_of_the_gap_come_to_rest() {
-    // A step so short, or a place so far out, that a bounce ends before it leaves that gap; it sank in, bounce by bounce.
+    // A step so short, or a place so far out, that a bounce ends before it leaves that gap; it sank in, bounce by
+    // bounce.
     for (x, height, step, seconds) in [(0.0, 1e-5, "1e-6", 0.05), (1000.0, 1e-3, "1e-4", 0.5)] {
         for (name, other) in [("rigid", ""), ("any", FAR)] {
             for e in [0.2, 0.5, 0.7] {

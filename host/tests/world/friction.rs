@@ -67,9 +67,9 @@ fn keys_of_contacts_are_set_by_number() {
     }
 }
 
-/// Four corners that slip in different directions leave open how they share the weight, and friction's torque depends on
-/// it. 1.1541939552 cos 0.2 is the spin of a planar motion with normal forces linear in the place of the corners, as on
-/// springs of one stiffness, by scipy's DOP853 to 1e-11.
+/// Four corners that slip in different directions leave open how they share the weight, and friction's torque depends
+/// on it. 1.1541939552 cos 0.2 is the spin of a planar motion with normal forces linear in the place of the corners, as
+/// on springs of one stiffness, by scipy's DOP853 to 1e-11.
 #[test]
 fn a_box_slides_and_turns_down_an_incline_alike_in_every_step_alone_and_beside() {
     let expected = -1.154_193_955_2 * 0.2_f64.cos();
@@ -118,7 +118,8 @@ const TURNTABLE: &str = "[coordinates]\nq = { unit = \"rad\" }\n[frames]\ntable 
     [bodies]\ntable = { centre = \"O\", frame = \"table\", mass = 3, inertia = { Izz = 0.1 } }\n\
     [ports]\ntop = { frame = \"table\", point = \"O\" }\n";
 
-/// Twelve components of friction for three accelerations: no smaller step makes the forces of redundant contacts unique.
+/// Twelve components of friction for three accelerations: no smaller step makes the forces of redundant contacts
+/// unique.
 #[test]
 fn a_box_that_stands_off_the_axis_rides_on_a_turntable() {
     let start = "position = [0.2, 0.1, 0], velocity = [-0.1, 0.2, 0], spin = [0, 0, 1]";
@@ -268,8 +269,8 @@ fn an_oblique_impact_does_not_depend_on_the_unit_of_mass() {
     }
 }
 
-/// Angle (rad) by which a box of 0.2 x 0.3 x 0.1 m that slides and turns on the ground comes to rest: Coulomb's friction at
-/// its four corners, normal forces in a plane over them, so that it does not tilt; Heun's steps of 20 us.
+/// Angle (rad) by which a box of 0.2 x 0.3 x 0.1 m that slides and turns on the ground comes to rest: Coulomb's
+/// friction at its four corners, normal forces in a plane over them, so that it does not tilt; Heun's steps of 20 us.
 fn turned_at_rest(velocity: [f64; 2], spin: f64, friction: f64) -> f64 {
     let (sides, height, gravity) = ([0.1, 0.15], 0.05, 9.81);
     let inertia = (0.2_f64.powi(2) + 0.3_f64.powi(2)) / 12.0;

@@ -77,8 +77,8 @@ fn what_is_near_and_untouched_changes_no_bit() {
     }
 }
 
-/// A ball rolls on a plate that a command shakes: 2/7 of the plate's way (solid ball), and no sweep over its one contact is
-/// said not to have converged, though their speeds relative to each other are far below their own.
+/// A ball rolls on a plate that a command shakes: 2/7 of the plate's way (solid ball), and no sweep over its one
+/// contact is said not to have converged, though their speeds relative to each other are far below their own.
 #[test]
 fn a_ball_that_rolls_on_a_shaken_plate_converges() {
     let shaken = "format = 1\nname = \"shaken\"\n[coordinates]\nx = { unit = \"m\" }\n[points]\nP = \"x*N.x\"\n\

@@ -357,7 +357,8 @@ fn a_model_is_looked_for_beside_its_scene_first() {
         std::fs::write(&file, text).expect("a file");
         super::support::number(&super::support::json(&[&file.display().to_string()])["last"]["total"])
     };
-    // Energy goes with the length of the rod, but for what friction takes; a scene of the model's own name does not take itself for the model.
+    // Energy goes with the length of the rod, but for what friction takes; a scene of the model's own name does not
+    // take itself for the model.
     let elsewhere = folder.join("elsewhere");
     std::fs::create_dir_all(&elsewhere).expect("a folder");
     let ratio = run("scene.toml", &folder) / run("pendulum.toml", &elsewhere);

@@ -54,8 +54,8 @@ fn what_falls_away_is_named_instead_of_settled() {
     }
 }
 
-/// The bed's ball lies on the middles of two stiff rims, or on eight nodes of four: it sticks to all of them. What pushes it
-/// out of one is not held back by the others, and tiles whose laws begin to rise do not lift it.
+/// The bed's ball lies on the middles of two stiff rims, or on eight nodes of four: it sticks to all of them. What
+/// pushes it out of one is not held back by the others, and tiles whose laws begin to rise do not lift it.
 #[test]
 fn a_ball_between_stiff_rims_comes_to_rest() {
     let bed = std::fs::read_to_string(find("scenes/bed").expect("the bed")).expect("text");
@@ -82,8 +82,8 @@ const PRESSED: &str = "format = 2\n[parts.ground]\nrigid = \"half_space\"\n[part
     start = { position = [\"0.14_m\", \"0.14_m\", 0], height = \"40_mm\" }\n\
     [[contacts]]\nbetween = [\"plate\", \"bladder\"]\nimpact = \"moreau\"\n[run]\nstep = 1e-4\n";
 
-/// The plate keeps the sheet flat: gas presses it on with p A, of which the rim bears half a facet on each side, less the
-/// sheet's weight (2 kg).
+/// The plate keeps the sheet flat: gas presses it on with p A, of which the rim bears half a facet on each side, less
+/// the sheet's weight (2 kg).
 #[test]
 fn the_force_on_a_flat_plate_tends_to_pressure_times_area_with_order_one() {
     let scene = scene("pressed", PRESSED);

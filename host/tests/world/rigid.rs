@@ -74,7 +74,8 @@ fn a_thrown_ball_rolls_at_five_sevenths_of_its_speed() {
     assert!((number(&last["ball.x"]) - way).abs() < 1e-7, "{} against {way}", last["ball.x"]);
 }
 
-/// Five equal balls in a row: the last one takes all of the speed if e = 1. Normals are unit vectors up to rounding only.
+/// Five equal balls in a row: the last one takes all of the speed if e = 1. Normals are unit vectors up to rounding
+/// only.
 #[test]
 fn a_row_of_balls_passes_its_speed_on() {
     for axis in 0..2 {

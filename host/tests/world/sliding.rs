@@ -1,5 +1,5 @@
-//! Parts that slide over facets which bend, and nodes that slide round edges of boxes, with touches located: forces along
-//! interpolated normals against gaps measured to facets; faces that change under a lasting contact.
+//! Parts that slide over facets which bend, and nodes that slide round edges of boxes, with touches located: forces
+//! along interpolated normals against gaps measured to facets; faces that change under a lasting contact.
 
 use super::support::{json, number, scene};
 
@@ -47,8 +47,8 @@ fn a_sheet_that_folds_round_a_fast_ball_gains_nothing() {
     assert!(left < 5e-5, "{left:e}");
 }
 
-/// A box thrown at a ball of springs: speed, angle (deg), height, gas, damper, friction; energy in no account over the energy
-/// thrown.
+/// A box thrown at a ball of springs: speed, angle (deg), height, gas, damper, friction; energy in no account over the
+/// energy thrown.
 fn thrown((speed, angle, across): (f64, f64, f64), gas: &str, damper: f64, friction: f64) -> f64 {
     let text = format!(
         "format = 2\ngravity = [0, 0, 0]\n[parts.ball]\nshape = \"ball\"\nradius = 0.1\nmass = 0.2\nK = 2000\nC = {damper}\n{gas}\n\
@@ -69,8 +69,8 @@ fn thrown((speed, angle, across): (f64, f64, f64), gas: &str, damper: f64, frict
     number(&done["imbalance"]).abs() / (0.25 * speed * speed)
 }
 
-/// Nodes slide round the box's edges and its corners over facets that fold: faces change within a step, and forces along the
-/// old one lost up to 4 J, or created 3e4 J with friction.
+/// Nodes slide round the box's edges and its corners over facets that fold: faces change within a step, and forces
+/// along the old one lost up to 4 J, or created 3e4 J with friction.
 #[test]
 fn a_box_thrown_at_a_ball_of_springs_gains_nothing() {
     let (open, sealed) = ("gas = { gauge = 5000 }", "gas = { gauge = 5000, sealed = true }");

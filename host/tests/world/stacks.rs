@@ -1,6 +1,6 @@
-//! Redundant contacts that contradict one another, because what sticks moves by the error of a step: stacks of boxes that
-//! a ball hits, with friction, and a flexible cube flat on a flat mesh. Located touches find their forces, and accounts
-//! close.
+//! Redundant contacts that contradict one another, because what sticks moves by the error of a step: stacks of boxes
+//! that a ball hits, with friction, and a flexible cube flat on a flat mesh. Located touches find their forces, and
+//! accounts close.
 
 use super::support::{ELSEWHERE, json, number, scene};
 use std::fmt::Write as _;
@@ -130,8 +130,8 @@ fn flush(name: &str, [one, other]: [&str; 2], between: &str, law: &str, more: &s
     )
 }
 
-/// A side of the upper face lies in a side of the lower one to rounding: a beam on a block of its width, a box on one of
-/// its size that is shifted, a square over the corners of another.
+/// A side of the upper face lies in a side of the lower one to rounding: a beam on a block of its width, a box on one
+/// of its size that is shifted, a square over the corners of another.
 #[test]
 fn a_box_rests_on_one_whose_sides_are_flush_with_its_own() {
     let below = |size: &str| format!("size = {size}\nfixed = true\nstart = {{ position = [0, 0, 0] }}");

@@ -106,8 +106,9 @@ pub fn rows(arguments: &[&str]) -> (Vec<String>, Vec<Vec<f64>>) {
     (names, lines.map(row).collect())
 }
 
-/// The least time of a step of 1 ms of each of these worlds (s), after `settled` steps of each. They take turns, so that
-/// a machine that slows down slows all of them: 30 turns, then more until the times are as `enough` asks, at most 2000.
+/// The least time of a step of 1 ms of each of these worlds (s), after `settled` steps of each. They take turns, so
+/// that a machine that slows down slows all of them: 30 turns, then more until the times are as `enough` asks, at most
+/// 2000.
 pub fn least_times<const N: usize>(
     texts: [String; N],
     settled: usize,

@@ -36,8 +36,8 @@ fn said(output: &Output) -> [String; 2] {
     [&output.stdout, &output.stderr].map(|text| String::from_utf8_lossy(text).into_owned())
 }
 
-/// m z'' = -m g - F - k (z - l) at z = l, with the m that the macro sets; then with another g, found because the file has
-/// changed; then a model that is wrong.
+/// m z'' = -m g - F - k (z - l) at z = l, with the m that the macro sets; then with another g, found because the file
+/// has changed; then a model that is wrong.
 #[test]
 fn a_model_is_built_rebuilt_and_refused_at_its_place() {
     let folder = press_crate();

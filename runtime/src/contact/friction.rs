@@ -1,9 +1,9 @@
 //! Coulomb friction as an impulse: the tangential speed loses at most mu J/m, and the energy loss is exact.
 //!
 //! f = min(1, mu J/(m |v_t|)); v_t := (1 - f) v_t; loss = m |v_t|^2 (1 - (1-f)^2)/2.
-//! f = 1 leaves no tangential speed: the point sticks. Over a stretch of motion the impulse opposes the mean of the slip
-//! directions at both ends, v' = v - mu J/m (d0 + d1)/|d0 + d1|, of order 2 on a curved path; or, where it could stop
-//! the slip within the stretch, the direction at the end.
+//! f = 1 leaves no tangential speed: the point sticks. Over a stretch of motion the impulse opposes the mean of the
+//! slip directions at both ends, v' = v - mu J/m (d0 + d1)/|d0 + d1|, of order 2 on a curved path; or, where it could
+//! stop the slip within the stretch, the direction at the end.
 
 use crate::real::Scalar;
 use crate::vec3::{self, Vec3};
@@ -28,8 +28,8 @@ pub fn apply<S: Scalar>(v: &mut Vec3<S>, normal: Vec3<S>, mass: S, coefficient: 
 
 /// As [`apply`], over a stretch of motion that started with the velocity `before`, along the mean direction of slip.
 ///
-/// Friction turns slip at the rate mu N/(m |v_t|). If it could stop the slip within the stretch, the mean would carry it
-/// past the direction of the driving force and make speed: there it acts against the slip after the stretch.
+/// Friction turns slip at the rate mu N/(m |v_t|). If it could stop the slip within the stretch, the mean would carry
+/// it past the direction of the driving force and make speed: there it acts against the slip after the stretch.
 pub fn apply_over<S: Scalar>(
     v: &mut Vec3<S>,
     before: Vec3<S>,

@@ -1,12 +1,11 @@
 //! Largest stable step of an explicit method: h_max = (sqrt(C^2 + K m) - C)/K of the square grid, for any graph.
 //!
 //! With tension T and length l of a spring, its ends apart by z = x_j - x_i,
-//! x.Kx = sum k (d.z)^2 + T/l (z.z - (d.z)^2) <= 2 sum_i x_i.A_i x_i with A_i = sum k d d^T + T/l (1 - d d^T) over the springs
-//! of point i, so no mode is stiffer than 2 lambda_max(A_i)/m_i, and a stable h is at most 2 over its square root.
-//! Compression softens: without its T the sums stay a bound.
-//! A point of the square grid has A = 2 K 1, so K stands for lambda_max/2 here; C likewise for the dampers.
-//! A soft ground counts as one more spring along its normal, fixed at its other end, at every point, because
-//! each may touch.
+//! x.Kx = sum k (d.z)^2 + T/l (z.z - (d.z)^2) <= 2 sum_i x_i.A_i x_i with A_i = sum k d d^T + T/l (1 - d d^T) over the
+//! springs of point i, so no mode is stiffer than 2 lambda_max(A_i)/m_i, and a stable h is at most 2 over its square
+//! root. Compression softens: without its T the sums stay a bound. A point of the square grid has A = 2 K 1, so K
+//! stands for lambda_max/2 here; C likewise for the dampers. A soft ground counts as one more spring along its normal,
+//! fixed at its other end, at every point, because each may touch.
 
 use super::ground::{ContactLaw, Ground};
 use super::repertoire::Repertoire;

@@ -65,8 +65,8 @@ impl<'a> Massless<'a> {
 }
 
 impl<'a, S: Scalar> Body<'a, S> {
-    /// Checks lengths, point indices and signs; on a microcontroller, whose tables a host has printed from a checked body,
-    /// those of masses, springs and facets only.
+    /// Checks lengths, point indices and signs; on a microcontroller, whose tables a host has printed from a checked
+    /// body, those of masses, springs and facets only.
     ///
     /// # Errors
     /// The first defect.
@@ -163,8 +163,8 @@ impl<'a, S: Scalar> Body<'a, S> {
         }
     }
 
-    /// Its springs, where they are few and all that it has: they are then taken one by one, without asking for each kind of
-    /// element. A microcontroller has one loop for all bodies.
+    /// Its springs, where they are few and all that it has: they are then taken one by one, without asking for each
+    /// kind of element. A microcontroller has one loop for all bodies.
     #[must_use]
     pub fn short_list(&self) -> Option<&'a [Spring<S>]> {
         let is_alone = self.inflation.is_none() && self.grids.is_empty() && self.patches.is_none();

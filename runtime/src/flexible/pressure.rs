@@ -97,7 +97,8 @@ impl<S: Scalar> Weights<S> {
 /// Outward vectors (m^2) at the corners a, b, c, d of one facet; times the pressure they are forces.
 ///
 /// With the diagonals p = c - a, q = d - b and the warp g = (a + c) - (b + d), the gradient of the volume
-/// (integral of N_a x_u x x_v over u, v in 0..1) is p x q/8 at every corner, + q x g/24 at a, - at c, + p x g/24 at b, - at d.
+/// (integral of N_a x_u x x_v over u, v in 0..1) is p x q/8 at every corner, + q x g/24 at a, - at c, + p x g/24 at
+/// b, - at d.
 //   x_u = U + (2v - 1) g/2, x_v = V + (2u - 1) g/2 with U = (p - q)/2, V = (p + q)/2, so
 //   x_u x x_v = p x q/2 + ((2v - 1) g x V + (2u - 1) U x g)/2;  int N_a = 1/4, int N_a (2u - 1) = int N_a (2v - 1) = -1/12
 #[inline(always)]

@@ -88,8 +88,8 @@ pub(super) fn is_clear<S: Scalar>(
 ///
 /// A cubic through values g0, g1 and rates r0, r1 stays above min(g0, g1) - 4/27 (|r0| + |r1|): the weights of the
 /// values sum to 1, those of the rates are at most 4/27. Using 1/2 instead, and a small share of the values, covers
-/// rounding. A rate n.v is at most the sum of |n| over its components times the largest component of any velocity of the
-/// block, which is found number by number, without taking the vectors apart.
+/// rounding. A rate n.v is at most the sum of |n| over its components times the largest component of any velocity of
+/// the block, which is found number by number, without taking the vectors apart.
 struct Lowest<'a, 'm, S> {
     ground: &'a Ground<S>,
     first: usize,

@@ -1,8 +1,8 @@
 //! Dormand and Prince's pair 5(4): adaptive step, dense output of order 4.
 //!
-//! In: state at t, the longest step allowed. Out: state after a step that meets the tolerance. Time goes forward only. The
-//! last stage is the first of the next step, unless a projection has moved the state.
-//! A rejected attempt is repeated with a smaller step, at most [`MAX_REJECTIONS`] times.
+//! In: state at t, the longest step allowed. Out: state after a step that meets the tolerance. Time goes forward only.
+//! The last stage is the first of the next step, unless a projection has moved the state. A rejected attempt is
+//! repeated with a smaller step, at most [`MAX_REJECTIONS`] times.
 
 use super::state::State;
 use super::step_size::{Controller, Tolerance};
@@ -78,9 +78,9 @@ impl<'a, S: Scalar> DormandPrince<'a, S> {
     /// One step, at most `h_max` long.
     ///
     /// # Errors
-    /// [`Fault::StepSize`] if the tolerance is not met after [`MAX_REJECTIONS`] attempts, or if `h_max` or `next` is not
-    /// above 0, or both are infinite; the fault of the last attempt if it was one (singular, not finite). The state is
-    /// then unchanged, bit for bit.
+    /// [`Fault::StepSize`] if the tolerance is not met after [`MAX_REJECTIONS`] attempts, or if `h_max` or `next` is
+    /// not above 0, or both are infinite; the fault of the last attempt if it was one (singular, not finite). The state
+    /// is then unchanged, bit for bit.
     pub fn step(
         &mut self,
         system: &mut impl Ode<S>,
@@ -127,8 +127,8 @@ impl<'a, S: Scalar> DormandPrince<'a, S> {
     /// Steps from `t` to exactly `end`; returns the number of steps.
     ///
     /// # Errors
-    /// Those of [`DormandPrince::step`]; [`Fault::StepSize`] after `max_steps` steps, or if `end` is before `t` by more than
-    /// rounding, or not finite. The state is then that of the last good step and `t` its time.
+    /// Those of [`DormandPrince::step`]; [`Fault::StepSize`] after `max_steps` steps, or if `end` is before `t` by more
+    /// than rounding, or not finite. The state is then that of the last good step and `t` its time.
     pub fn advance_to(
         &mut self,
         system: &mut impl Ode<S>,
@@ -161,8 +161,8 @@ impl<'a, S: Scalar> DormandPrince<'a, S> {
     /// Dense output: the state at t + `theta` h of the last step, 0 <= `theta` <= 1; order 4.
     ///
     /// # Errors
-    /// [`Fault::Shape`] if `x` and the state differ in length; [`Fault::StepSize`] before the first step, and after a refused
-    /// one.
+    /// [`Fault::Shape`] if `x` and the state differ in length; [`Fault::StepSize`] before the first step, and after a
+    /// refused one.
     pub fn dense(&self, theta: S, x: &mut [S]) -> Result<(), Fault> {
         if x.len() != self.x_new.len() {
             return Err(Fault::Shape);

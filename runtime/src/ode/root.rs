@@ -2,8 +2,8 @@
 //!
 //! [`Search`] proposes times and takes the values of g there, so that its caller may evaluate g in any way, by a whole
 //! trial step for instance. Proposals: inverse quadratic interpolation through the last three values; where it leaves
-//! the bracket, false position (Anderson & Bjorck 1973). Those of [`locate()`] are drawn towards the middle as far as needed
-//! to never take [`SPARE`] evaluations more than bisection, also where g jumps (Oliveira & Takahashi 2020).
+//! the bracket, false position (Anderson & Bjorck 1973). Those of [`locate()`] are drawn towards the middle as far as
+//! needed to never take [`SPARE`] evaluations more than bisection, also where g jumps (Oliveira & Takahashi 2020).
 //! [`locate()`] runs it on a function and returns a bracket (low, high) of the root. g at `low` has the sign of the
 //! start, so the caller may stop before the event (low) or behind it (high).
 
@@ -21,7 +21,8 @@ pub const MAX_EVALUATIONS: u32 = 400;
 pub enum RootFault {
     /// The guard has the same sign at both ends, or is no number at one of them; or the bracket's length is not finite.
     NotBracketed,
-    /// The bracket is still wider after [`MAX_EVALUATIONS`]: it was longer than the width by too many orders of magnitude.
+    /// The bracket is still wider after [`MAX_EVALUATIONS`]: it was longer than the width by too many orders of
+    /// magnitude.
     NotConverged,
     /// The guard became not-a-number inside the bracket.
     NonFinite,

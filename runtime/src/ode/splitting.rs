@@ -27,7 +27,8 @@ pub const fn splitting_scratch(n: usize) -> usize {
     5 * n
 }
 
-/// Velocity Verlet: half a kick, a drift, half a kick. Order 2, symmetric; symplectic where forces do not depend on speeds.
+/// Velocity Verlet: half a kick, a drift, half a kick. Order 2, symmetric; symplectic where forces do not depend on
+/// speeds.
 ///
 /// # Errors
 /// See [`rk4`](super::rk4); [`Fault::Unsettled`] if the step is too long for the iteration to converge.
@@ -46,8 +47,8 @@ pub fn verlet<S: Scalar>(
     flow.finish(t + h, state)
 }
 
-/// Blanes & Moan (2002): seven kicks with six drifts between. Order 4 where forces do not depend on speeds and coordinates
-/// follow speeds by constant factors, else 2.
+/// Blanes & Moan (2002): seven kicks with six drifts between. Order 4 where forces do not depend on speeds and
+/// coordinates follow speeds by constant factors, else 2.
 ///
 /// # Errors
 /// As [`verlet`].

@@ -9,7 +9,8 @@ pub trait Ode<S: Real> {
     fn n_x(&self) -> usize;
     /// How many leading entries of x are coordinates; the rest are speeds.
     fn n_q(&self) -> usize;
-    /// Writes x_dot and returns the worst pivot (see [`Mechanism::rates`](crate::mechanism::Mechanism::rates); 1 if there is none).
+    /// Writes x_dot and returns the worst pivot (see [`Mechanism::rates`](crate::mechanism::Mechanism::rates); 1 if
+    /// there is none).
     ///
     /// # Errors
     /// [`Fault::Shape`] if a slice has not `n_x` entries.

@@ -42,8 +42,8 @@ pub trait Real:
     /// The nearest representable number, rounded once. Free for constants; on a machine without
     /// double precision a library call for anything else.
     fn from_f64(x: f64) -> Self;
-    /// Makes the compiler align the caller's stack frame like this scalar. Registers of lanes that overflow to the stack
-    /// do not make it do so; every second one then lies across two cache lines.
+    /// Makes the compiler align the caller's stack frame like this scalar. Registers of lanes that overflow to the
+    /// stack do not make it do so; every second one then lies across two cache lines.
     #[inline(always)]
     fn align_frame() {}
     /// Square root, exactly rounded; NaN below 0.

@@ -271,7 +271,8 @@ pub(crate) fn solve_tangential<S: Scalar>(k: &InverseMass<S>, [x, y]: [S; 2]) ->
     }
 }
 
-/// By how much a contact yields to its force or impulse (1/kg): a share of what it gives its bodies, alike in all directions.
+/// By how much a contact yields to its force or impulse (1/kg): a share of what it gives its bodies, alike in all
+/// directions.
 #[must_use]
 pub(crate) fn softness<S: Scalar>(share: S, k: &InverseMass<S>) -> S {
     share * (k[0][0] + k[1][1] + k[2][2]) / S::from_f64(3.0)

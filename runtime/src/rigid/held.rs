@@ -38,8 +38,8 @@ impl<S: Scalar> Slip<S> {
         Slip { direction, speed, horizon, together, against: direction }
     }
 
-    /// The slip of a contact that has this relative velocity in N now; where no more than `least` of it is left along its
-    /// `first` direction it has reversed: at rest in that direction, so that its end is found.
+    /// The slip of a contact that has this relative velocity in N now; where no more than `least` of it is left along
+    /// its `first` direction it has reversed: at rest in that direction, so that its end is found.
     pub(crate) fn now(
         contact: &Contact<S>,
         [velocity, first]: [Vec3<S>; 2],
@@ -111,8 +111,8 @@ pub struct Sought<S> {
     pub least: S,
 }
 
-/// One sweep: whether friction turns, whether contacts pull, how much they yield. Returns its largest change relative to
-/// the largest force or `scale`.
+/// One sweep: whether friction turns, whether contacts pull, how much they yield. Returns its largest change relative
+/// to the largest force or `scale`.
 pub(super) fn sweep<S: Scalar>(
     held: &mut [impl AsMut<Held<S>>],
     how: (bool, bool, S),
@@ -203,9 +203,9 @@ impl<S: Scalar> Held<S> {
 
     /// Direction against which friction acts, given the tangential acceleration.
     ///
-    /// Friction R turns slip of speed s at the rate `R k/s`, k the inverse mass across it: no explicit step follows a slow
-    /// slip. There the direction is that of the slip after tau = h - s/(j R k), with j contacts together, which limits the
-    /// rate to about 1/h; a slip fast enough, or on a straight line, keeps its own.
+    /// Friction R turns slip of speed s at the rate `R k/s`, k the inverse mass across it: no explicit step follows a
+    /// slow slip. There the direction is that of the slip after tau = h - s/(j R k), with j contacts together, which
+    /// limits the rate to about 1/h; a slip fast enough, or on a straight line, keeps its own.
     fn turned(&self, slip: &Slip<S>, [ax, ay]: [S; 2]) -> [S; 2] {
         let ([x, y], [_, [_, a, b], [_, _, c]]) = (slip.direction, self.inverse_mass);
         let [n, tx, ty] = self.contact.impulse;

@@ -8,8 +8,8 @@
 //! sliding: T = -mu N v_t/|v_t|          resting: |T| <= mu N, against the acceleration it cannot stop
 //! ```
 //! Solved by Gauss-Seidel sweeps over the contacts, to the last digits, accelerated where they converge slowly
-//! (`anderson`: a box on a smaller one). Where contacts are redundant (a box on four corners) forces are not unique, and
-//! where they slip in different directions accelerations depend on which are taken: `share` says which.
+//! (`anderson`: a box on a smaller one). Where contacts are redundant (a box on four corners) forces are not unique,
+//! and where they slip in different directions accelerations depend on which are taken: `share` says which.
 
 use super::anderson::Anderson;
 use super::contact::{Inertia, Twist};

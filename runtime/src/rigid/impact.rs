@@ -1,4 +1,5 @@
-//! Impact with friction at one point, along the normal impulse (thesis Eqs. 4.2 to 4.4, 4.14 to 4.26; Stronge 1990, 2000).
+//! Impact with friction at one point, along the normal impulse (thesis Eqs. 4.2 to 4.4, 4.14 to 4.26; Stronge 1990,
+//! 2000).
 //!
 //! In: the relative velocity v with which two bodies meet at the point (along n, t1, t2; v_n < 0 closing), the inverse
 //! mass matrix K at the point (v = v_0 + K P), friction mu, energetic restitution e. Out: the impulse P on the body

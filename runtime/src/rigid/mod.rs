@@ -141,8 +141,8 @@ impl<S: Scalar> Struck<'_, S> {
 /// Impact of a rigid body on the ground, or on another one; n points from the other to `one`.
 ///
 /// The impulse acts on `one`, its opposite on `other`, at the same point: linear and angular momentum of the pair are
-/// conserved. Bodies that are not closing are left unchanged. No energy is created for `friction` >= 0, `restitution` from
-/// 0 to 1 and a normal of length 1, which the caller sees to: [`law::Law`] checks the two numbers.
+/// conserved. Bodies that are not closing are left unchanged. No energy is created for `friction` >= 0, `restitution`
+/// from 0 to 1 and a normal of length 1, which the caller sees to: [`law::Law`] checks the two numbers.
 pub fn strike<S: Scalar>(
     one: Struck<S>,
     other: Option<Struck<S>>,

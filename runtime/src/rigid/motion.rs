@@ -19,7 +19,8 @@ const PARTS: u32 = 1 << 20;
 /// Newton iterations: they start within a tenth of the root and converge quadratically.
 const ITERATIONS: usize = 5;
 
-/// The largest moment of inertia (kg m^2) may be between this and its inverse: products of three are numbers in f32, too.
+/// The largest moment of inertia (kg m^2) may be between this and its inverse: products of three are numbers in f32,
+/// too.
 const SIZE: f64 = 65536.0;
 /// So many changes by [`SIZE`]^2 bring any f64 there.
 const SIZES: usize = 34;

@@ -1,8 +1,8 @@
 //! Impact at several points at once with e = 0, by sweeps: normal impulses that stop the approach, energy compensation
 //! with them, friction within known impulses.
 //!
-//! In: contacts and velocities at the instant of impact. Out: impulses, and the velocities after. Every update of a sweep
-//! lowers the kinetic energy, so that stopping early creates none.
+//! In: contacts and velocities at the instant of impact. Out: impulses, and the velocities after. Every update of a
+//! sweep lowers the kinetic energy, so that stopping early creates none.
 
 use super::contact::{Inertia, Twist, rubbed};
 use super::struck::{Outcome, Struck};
@@ -94,8 +94,8 @@ pub fn compensate_all<S: Scalar>(
     Outcome { pieces: 1, complete }
 }
 
-/// Impact with e = 0 and friction of contacts that share it, from none: J_n >= 0, v_n >= 0, J_n v_n = 0 and |J_t| <= mu J_n
-/// against the slip that is left, all with the velocities after. It loses energy: J . v+ <= 0.
+/// Impact with e = 0 and friction of contacts that share it, from none: J_n >= 0, v_n >= 0, J_n v_n = 0 and |J_t| <= mu
+/// J_n against the slip that is left, all with the velocities after. It loses energy: J . v+ <= 0.
 ///
 /// Returns false if the sweeps did not converge; the impulses are then those of [`stop`].
 pub(crate) fn end<S: Scalar>(

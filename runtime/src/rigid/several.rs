@@ -21,12 +21,13 @@ use crate::vec3;
 
 /// Most pieces of one impact; the rest is then resolved with e = 0.
 const PIECES: usize = 10_000;
-/// Length of a piece in units of 1/sqrt(sum of K_nn). Impulses are as exact as its square: 2e-4 for three balls in a row.
+/// Length of a piece in units of 1/sqrt(sum of K_nn). Impulses are as exact as its square: 2e-4 for three balls in a
+/// row.
 const PIECE: f64 = 0.04;
 /// Most friction sweeps of one piece: stopped early, friction still opposes slip within its cone.
 const RUBS: usize = 60;
-/// Closing speeds below this share of the fastest do not start to push any more: less than the error of the pieces. What is
-/// left of them at the end is stopped.
+/// Closing speeds below this share of the fastest do not start to push any more: less than the error of the pieces.
+/// What is left of them at the end is stopped.
 const SLOWEST: f64 = 1e-6;
 /// Restitution coefficients below this do not shorten pieces: the end of the contact is located anyway.
 const SOFTEST: f64 = 0.05;
@@ -65,8 +66,8 @@ impl<S: Scalar> Struck<S> {
         length * fallen.max(half * force)
     }
 
-    /// E after the normal velocity has changed from `before` to v over the impulse of the piece, and how much the contact
-    /// still lasts: from 1 down to 0 where it ends.
+    /// E after the normal velocity has changed from `before` to v over the impulse of the piece, and how much the
+    /// contact still lasts: from 1 down to 0 where it ends.
     fn charge(&self, v: S) -> [S; 2] {
         let (u, impulse, half) = (self.before[0], self.piece[0], S::from_f64(0.5));
         // Integrals over the piece of the parts of v_n below and above 0.

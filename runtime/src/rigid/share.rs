@@ -5,10 +5,10 @@
 //! G lambda + D (lambda - lambda_before) = -(W M^-1 f + W' u)     D = share of K, from lambda_before = 0, repeated
 //! ```
 //! Many forces of redundant contacts give the same accelerations where these slip in one direction, but not where they
-//! slip in different ones: the pattern + - + - at the corners of a box that turns is a torque of friction. Contacts that
-//! yield have one solution, in whatever order and from whatever forces they are swept. In the limit of the repetitions they
-//! yield no more, and D lambda fits one motion of the bodies: under a box, the normal forces are a plane over its corners,
-//! as on springs of one stiffness. Nor do contacts whose accelerations contradict one another
+//! slip in different ones: the pattern + - + - at the corners of a box that turns is a torque of friction. Contacts
+//! that yield have one solution, in whatever order and from whatever forces they are swept. In the limit of the
+//! repetitions they yield no more, and D lambda fits one motion of the bodies: under a box, the normal forces are a
+//! plane over its corners, as on springs of one stiffness. Nor do contacts whose accelerations contradict one another
 //! drive the forces away: each repetition moves them by that contradiction over D only. A large D takes few sweeps a
 //! repetition and moves them least: forces that plain sweeps did not find are found so (`soften`).
 
@@ -37,8 +37,8 @@ const SOFT_TIMES: [usize; 2] = [80, 8];
 const SOFT_SWEEPS: usize = 400;
 /// They end where one changes the forces by less than this share of what the repetition does.
 const INEXACT: f64 = 0.1;
-/// What contradictions may leave, relative to the largest acceleration without contact forces: contacts that stick move by
-/// the error of a step's middle, and redundant ones contradict one another by it.
+/// What contradictions may leave, relative to the largest acceleration without contact forces: contacts that stick move
+/// by the error of a step's middle, and redundant ones contradict one another by it.
 const CONTRADICTION: f64 = 1e-3;
 /// Directions of slip that differ by more (rad) are different.
 const TURNED: f64 = 1e-6;
@@ -50,7 +50,8 @@ const SWEEPS: usize = 200;
 const PATIENCE: usize = 20;
 /// What may be left where it does not (rounding units).
 const ROUGHEST: f64 = 4096.0;
-/// A repetition that leaves more than this share of what the one before left gains nothing: contacts contradict one another.
+/// A repetition that leaves more than this share of what the one before left gains nothing: contacts contradict one
+/// another.
 const STAYS: f64 = 0.9;
 /// Sweeps of each before acceleration begins.
 const PLAIN: usize = 4;
@@ -155,7 +156,8 @@ pub(crate) fn press<S: Scalar>(
     }
     let closing = S::from_f64(CLOSING) * scale;
     if held.iter_mut().any(|h| h.as_mut().opens(velocities) < -closing) {
-        // Where friction jams, the impulse grows from sweep to sweep until the contact sticks: no extrapolation follows that.
+        // Where friction jams, the impulse grows from sweep to sweep until the contact sticks: no extrapolation follows
+        // that.
         release(held, inertia, velocities);
         for _ in 0..SOFT_SWEEPS {
             let left = sweep(held, (false, false, S::ZERO), scale, inertia, velocities);

@@ -7,8 +7,8 @@ use crate::real::Scalar;
 /// Sweeps before acceleration begins.
 pub(crate) const PLAIN: usize = 30;
 
-/// Change of the impulses by a sweep at which sweeps end, relative to the largest. Extrapolation stirs rounding: it never
-/// settles to the last digit.
+/// Change of the impulses by a sweep at which sweeps end, relative to the largest. Extrapolation stirs rounding: it
+/// never settles to the last digit.
 pub(crate) fn fine<S: Scalar>(number: usize) -> S {
     S::from_f64(if number < PLAIN { 4.0 } else { 64.0 }) * S::EPSILON
 }
@@ -38,9 +38,9 @@ impl<S: Scalar> Patience<S> {
         Patience { sweeps, allowed, least: [S::from_f64(f64::INFINITY); 2], rate: S::ZERO }
     }
 
-    /// For forces, of whose changes relative to the largest rounding may be left soon, since those of redundant contacts
-    /// that cancel one another change for ever. With `rough` more may be left late, since contacts that contradict one
-    /// another have no exact forces.
+    /// For forces, of whose changes relative to the largest rounding may be left soon, since those of redundant
+    /// contacts that cancel one another change for ever. With `rough` more may be left late, since contacts that
+    /// contradict one another have no exact forces.
     pub(crate) fn of_forces(rough: bool) -> [Self; 3] {
         let soon = S::from_f64(64.0) * S::EPSILON;
         let some = if rough { accepted::<S>(false).max(S::from_f64(1e-8)) } else { accepted(false) };

@@ -41,8 +41,8 @@ impl<S> Rows<'_, S> {
     }
 }
 
-/// Whether a body can be marched: no ground, one grid no wider than [`WIDTH`] that is all of it, no dampers, no air, constant
-/// pressure shared out by volume or by area.
+/// Whether a body can be marched: no ground, one grid no wider than [`WIDTH`] that is all of it, no dampers, no air,
+/// constant pressure shared out by volume or by area.
 #[must_use]
 pub fn can_march<S: Scalar>(system: &System<S>) -> bool {
     let body = &system.body;

@@ -157,8 +157,8 @@ impl<S: Scalar> State<'_, S> {
     /// Prepares a start: forces, energy, points that lie on the ground or touch it now.
     ///
     /// # Errors
-    /// A ground whose numbers are out of range, a point below a rigid ground, an energy that is not finite, or a fault of
-    /// the gas law.
+    /// A ground whose numbers are out of range, a point below a rigid ground, an energy that is not finite, or a fault
+    /// of the gas law.
     pub fn begin<R: Repertoire<S>, O: Observer<S, R>>(
         &mut self,
         system: &System<S, R>,

@@ -55,7 +55,8 @@ impl<S: Scalar> Switch<S> {
         Switch { closes, hysteresis, chatter, source: Noise::new(seed), closed: false, changed: None }
     }
 
-    /// Updates it with the position at a tick; returns whether it reads closed. Before tick 0 all stood as it does then.
+    /// Updates it with the position at a tick; returns whether it reads closed. Before tick 0 all stood as it does
+    /// then.
     pub fn observe(&mut self, tick: u64, place: S) -> bool {
         let threshold = if self.closed { self.closes - self.hysteresis } else { self.closes };
         let closed = place >= threshold;

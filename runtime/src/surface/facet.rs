@@ -136,8 +136,8 @@ impl<S: Scalar> Facet<S> {
         (determinant.is_finite() && determinant != S::ZERO).then(|| (rows, S::ONE / determinant))
     }
 
-    /// Twice the most by which the tangent plane of a corner misses the facet's middle: a smooth surface may be that far
-    /// above it at one place and below it at another. 0 where a flat facet's normals are its own.
+    /// Twice the most by which the tangent plane of a corner misses the facet's middle: a smooth surface may be that
+    /// far above it at one place and below it at another. 0 where a flat facet's normals are its own.
     fn sagitta(&self) -> S {
         let middle = blend(&[S::from_f64(0.25); 4], &self.corners);
         let missed =

@@ -158,8 +158,8 @@ impl<S: Scalar> Surface<S> for Cuboid<S> {
 }
 
 impl<S: Scalar> Cuboid<S> {
-    /// The face by which a line from a place along a unit vector enters the box: distance of the place from its plane (m), < 0
-    /// behind it, and its outward normal. None where the line misses the box (slabs, Kay and Kajiya 1986).
+    /// The face by which a line from a place along a unit vector enters the box: distance of the place from its plane
+    /// (m), < 0 behind it, and its outward normal. None where the line misses the box (slabs, Kay and Kajiya 1986).
     #[must_use]
     pub fn entered(&self, place: Vec3<S>, way: Vec3<S>) -> Option<(S, Vec3<S>)> {
         let far = S::from_f64(f64::INFINITY);

@@ -14,8 +14,8 @@ use crate::rigid::contact::Twist;
 use crate::vec3::{self, Vec3};
 
 impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
-    /// Energy accounts of this step, of which those of the free nodes are given: work of the forces at the middle over the
-    /// mean of the velocities at start and end.
+    /// Energy accounts of this step, of which those of the free nodes are given: work of the forces at the middle over
+    /// the mean of the velocities at start and end.
     pub(super) fn observe(
         &mut self,
         h: S,

@@ -68,8 +68,8 @@ pub trait Carrier<S: Scalar> {
         u: &[S],
         ports: [usize; 2],
     ) -> Result<InverseInertia<S>, Fault>;
-    /// Tells, by member of a group, the power (W) that the drive of its commanded motion supplies because of wrenches at
-    /// its ports, given the frames of the ports.
+    /// Tells, by member of a group, the power (W) that the drive of its commanded motion supplies because of wrenches
+    /// at its ports, given the frames of the ports.
     fn drive_powers(&mut self, frames: &[Frame<S>], wrenches: &[Wrench<S>], tell: &mut impl FnMut(usize, S)) {
         let _ = (frames, wrenches, tell);
     }

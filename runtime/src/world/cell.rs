@@ -76,8 +76,8 @@ impl<S: Scalar> Cell<S> {
         enclosed_volume(self.of(facets).unwrap_or_default(), pos)
     }
 
-    /// The same number, with the cells of grids computed row by row. A microcontroller computes one number at a time, and
-    /// would fill lanes for nothing.
+    /// The same number, with the cells of grids computed row by row. A microcontroller computes one number at a time,
+    /// and would fill lanes for nothing.
     pub(super) fn volume_by_rows(&self, body: &Body<S>, grids: &[Grid<S>], pos: &[Vec3<S>]) -> S {
         if cfg!(target_os = "none") {
             return self.volume(body.facets, pos);

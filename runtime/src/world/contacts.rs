@@ -1,7 +1,7 @@
 //! Contacts of a step: velocities without them, which of them are near, and their impulses.
 //!
-//! In: the coordinates of the middle of a step, and the rates there. Out: the list of contacts in the step's memory, each
-//! with its impulse, and the velocities that they leave.
+//! In: the coordinates of the middle of a step, and the rates there. Out: the list of contacts in the step's memory,
+//! each with its impulse, and the velocities that they leave.
 
 use super::carrier::{Carrier, Wrench};
 use super::detect::Touch;
@@ -57,8 +57,8 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
 
     /// Detects contacts at the positions placed last (the middle, at t), their inverse masses, and the velocities of
     /// their nodes at the start and, under the forces in memory, at the end. Impulses of the last
-    /// step are not taken as a start, which would save a tenth of the sweeps: a step depends on the state alone, so that
-    /// a run that is resumed, and parts that step apart, give the same bits.
+    /// step are not taken as a start, which would save a tenth of the sweeps: a step depends on the state alone, so
+    /// that a run that is resumed, and parts that step apart, give the same bits.
     pub(super) fn find_contacts(
         &mut self,
         (t, h): (S, S),

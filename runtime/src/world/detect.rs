@@ -164,7 +164,8 @@ impl<S: Scalar> Found<'_, S> {
         self.touches.get(first..self.count).unwrap_or_default()
     }
 
-    /// Removes those contacts from `first` to `end` for which one of the later ones stands; the others keep their order.
+    /// Removes those contacts from `first` to `end` for which one of the later ones stands; the others keep their
+    /// order.
     pub(super) fn leave_out(
         &mut self,
         [first, end]: [usize; 2],
@@ -177,8 +178,8 @@ impl<S: Scalar> Found<'_, S> {
     }
 }
 
-/// Moves the contacts from `first` on that `keeps` wants, given number, contact and list, to the front of those; returns
-/// the number of all that are left. The later ones of the list are in their places when it is asked.
+/// Moves the contacts from `first` on that `keeps` wants, given number, contact and list, to the front of those;
+/// returns the number of all that are left. The later ones of the list are in their places when it is asked.
 pub(super) fn keep_only<S: Scalar>(
     touches: &mut [Touch<S>],
     first: usize,
@@ -198,8 +199,8 @@ pub(super) fn keep_only<S: Scalar>(
 }
 
 impl<'a, S: Scalar> Scenery<'a, S> {
-    /// Fills the list; returns its length. Pairs whose bounding boxes are too far apart are skipped; those without boxes
-    /// are always examined.
+    /// Fills the list; returns its length. Pairs whose bounding boxes are too far apart are skipped; those without
+    /// boxes are always examined.
     pub(super) fn find(
         &self,
         pairs: &[Pair<S>],
@@ -378,7 +379,8 @@ impl<'a, S: Scalar> Scenery<'a, S> {
         Some(Meeting { contact: Contact { friction, restitution, ..meeting.contact }, ..meeting })
     }
 
-    /// Where a contact that was found before is now, of its node or of the same point of its facet; None between rigid shapes.
+    /// Where a contact that was found before is now, of its node or of the same point of its facet; None between rigid
+    /// shapes.
     pub(super) fn place_of(&self, pair: &Pair<S>, id: u32, contact: &Contact<S>) -> Option<Vec3<S>> {
         let [one, other] = pair.things.map(|thing| self.things.get(thing));
         let (one, other) = (one?, other?);

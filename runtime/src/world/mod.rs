@@ -2,9 +2,9 @@
 //!
 //! In: a [`Carrier`] (a mechanism with ports, a rigid body, a commanded frame, a [`Group`] of them), flexible bodies,
 //! [`Attachment`]s. Out: an [`Island`], one [`Ode`](crate::ode::Ode) of all of them that every method of `ode` can
-//! step. A [`World`] steps it with contacts, an [`Observer`] sees what works on what. In each evaluation attached nodes follow the frames of their ports, and
-//! the forces on them enter the carrier's equations as wrenches: action and reaction cancel to rounding, and methods
-//! keep their order.
+//! step. A [`World`] steps it with contacts, an [`Observer`] sees what works on what. In each evaluation attached nodes
+//! follow the frames of their ports, and the forces on them enter the carrier's equations as wrenches: action and
+//! reaction cancel to rounding, and methods keep their order.
 //! ```text
 //! x_k = O + A r_k,  v_k = v_O + omega x (x_k - O);   force = sum f_k,  moment about O = sum (x_k - O) x f_k
 //! ```

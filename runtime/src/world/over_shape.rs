@@ -10,8 +10,8 @@
 //! w = sum l_j n_j,  l_j >= 0
 //! ```
 //! or behind all of them (a sheet is touched from both sides); at a rim it must not point into the mesh. Otherwise the
-//! face counts by which a line along a facet's normal enters the box, the nearest of them: gap and normal are those of its
-//! plane. A box that no such line meets does not touch the node.
+//! face counts by which a line along a facet's normal enters the box, the nearest of them: gap and normal are those of
+//! its plane. A box that no such line meets does not touch the node.
 
 use super::detect::Meeting;
 use super::scenery::{Mesh, Scenery, Standing};
@@ -93,8 +93,8 @@ impl<S: Scalar> Scenery<'_, S> {
         Some(Meeting { sharp, ..Meeting::exact(gap, x, Contact::between(sides, normal)) })
     }
 
-    /// Gap and normal of a node over that face of a box by which a line along a normal of the node's facets, to either side
-    /// of them, enters it; the nearest of these faces.
+    /// Gap and normal of a node over that face of a box by which a line along a normal of the node's facets, to either
+    /// side of them, enters it; the nearest of these faces.
     fn over_a_face(
         &self,
         around: &Around<S>,

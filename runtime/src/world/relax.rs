@@ -1,4 +1,5 @@
-//! A step on the way to rest: what a step does while time stands still and nothing rebounds, then parts leave one another where they overlap.
+//! A step on the way to rest: what a step does while time stands still and nothing rebounds, then parts leave one
+//! another where they overlap.
 //!
 //! In: as for a step. Out: the same, and the speed at which parts were moved apart.
 //! ```text

@@ -13,8 +13,8 @@ use crate::surface::facet::{Facet, FacetNearest};
 use crate::surface::{Frame, Nearest, Shape, Surface};
 use crate::vec3::{self, Vec3};
 
-/// Cosine of the angle between a facet's normal and the mean normal at a corner, below which the corner is sharp and the
-/// facet keeps its own normal (edges of a cube).
+/// Cosine of the angle between a facet's normal and the mean normal at a corner, below which the corner is sharp and
+/// the facet keeps its own normal (edges of a cube).
 const SHARP: f64 = 0.75;
 /// Cosine of that angle above which normals are interpolated from facet to facet without a jump (a sheet). Between the
 /// two one normal passes into the other: one that changed at once, while a sheet folds, would be an impact.

@@ -58,8 +58,8 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
     /// # Errors
     /// [`Fault::Shape`] for lists of wrong length, and for things and pairs that name what does not exist;
     /// [`Fault::StepSize`] if h is not > 0 and finite; [`Fault::TooManyContacts`] where the lists have no room;
-    /// [`Fault::Singular`] or [`Fault::NonFinite`] if the middle or the end is so, or a pair's law is no number. The state
-    /// is then unchanged.
+    /// [`Fault::Singular`] or [`Fault::NonFinite`] if the middle or the end is so, or a pair's law is no number. The
+    /// state is then unchanged.
     pub fn step(
         &mut self,
         t: S,
@@ -170,8 +170,8 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         })
     }
 
-    /// Advances by half the step with the speeds at the start: carriers turn by their q', which `rest` gets, nodes move by
-    /// their velocities.
+    /// Advances by half the step with the speeds at the start: carriers turn by their q', which `rest` gets, nodes move
+    /// by their velocities.
     fn advance_to_middle(
         &mut self,
         (t, h): (S, S),
@@ -212,7 +212,8 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         }
         new.iter_mut().zip(middle).take(turning).for_each(|(to, from)| *to = *from);
         self.turn(t_middle, new, low)?;
-        // N at the end, so that both halves together are symmetric in time: order 2, and Euler parameters of unit length.
+        // N at the end, so that both halves together are symmetric in time: order 2, and Euler parameters of unit
+        // length.
         let (half, ends) = (S::from_f64(0.5) * h, new.iter_mut().zip(middle.iter().zip(low.iter())));
         ends.take(turning).for_each(|(to, (from, rate))| *to = *from + half * *rate);
         self.turn(t_end, new, low)
@@ -225,9 +226,9 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         checked(self.island.carrier_rates(t, middle, dot)?)
     }
 
-    /// Forces at what their rates predict of parts on which no contact pushes, and the carriers' rates under them; returns the
-    /// worst pivot. What touches keeps its place and speed, since what holds it is not known yet: a load at rest stays at
-    /// rest. `predicted` gets the carriers' speeds; the nodes are left as they were placed.
+    /// Forces at what their rates predict of parts on which no contact pushes, and the carriers' rates under them;
+    /// returns the worst pivot. What touches keeps its place and speed, since what holds it is not known yet: a load at
+    /// rest stays at rest. `predicted` gets the carriers' speeds; the nodes are left as they were placed.
     fn correct(
         &mut self,
         (t, h): (S, S),

@@ -39,8 +39,8 @@ const ROUNDING: f64 = 16.0;
 
 /// Share of what an impulse gives its bodies by which redundant contacts yield to it.
 const YIELDS: f64 = 0.01;
-/// Number of times that they yield, each time from the impulses before, so that what is left falls by that share: always
-/// as many, because the iteration of a conserving step would not converge on impulses that jump.
+/// Number of times that they yield, each time from the impulses before, so that what is left falls by that share:
+/// always as many, because the iteration of a conserving step would not converge on impulses that jump.
 const TIMES: usize = 8;
 
 /// How the sweeps went.
@@ -104,8 +104,8 @@ pub(super) fn sweep<S: Scalar>(
     sum
 }
 
-/// Whether impulses fit in more than one way, and which are taken makes a difference: contacts of rigid parts that rub in
-/// different directions.
+/// Whether impulses fit in more than one way, and which are taken makes a difference: contacts of rigid parts that rub
+/// in different directions.
 fn are_redundant<S: Scalar>(touches: &[Touch<S>], ports: usize) -> bool {
     let is_rigid = |touch: &Touch<S>| touch.contact.points().all(|(_, point)| point.body < ports);
     let rubs = |touch: &&Touch<S>| touch.contact.friction > S::ZERO && is_rigid(touch);

@@ -1,5 +1,5 @@
-//! Many steps of the energy-momentum method at once: against the same steps one by one in lists, to rounding; the same bits in all
-//! registers and however many are taken at once; energy and momenta.
+//! Many steps of the energy-momentum method at once: against the same steps one by one in lists, to rounding; the same
+//! bits in all registers and however many are taken at once; energy and momenta.
 
 use proptest::prelude::*;
 use smartbed_runtime::flexible::PressureForm;

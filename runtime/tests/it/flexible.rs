@@ -155,7 +155,8 @@ fn close(found: f64, wanted: f64, within: f64, about: &str) {
     assert!((found - wanted).abs() <= within, "{about}: {found:e} is not {wanted:e}");
 }
 
-/// Random slips and impulses: friction is at most mu J, opposes the slip and never reverses it; it reports the energy lost.
+/// Random slips and impulses: friction is at most mu J, opposes the slip and never reverses it; it reports the energy
+/// lost.
 #[test]
 fn friction_stops_slip_and_never_turns_it() {
     let mut random = Random::new(7);
@@ -240,8 +241,8 @@ fn what_cannot_reach_the_ground_changes_no_event() {
     }
 }
 
-/// Points that swing through the floor, looked at together, against the same looked at one by one: a fixed point that lies on
-/// the floor among them is never free, so that its block is not passed over.
+/// Points that swing through the floor, looked at together, against the same looked at one by one: a fixed point that
+/// lies on the floor among them is never free, so that its block is not passed over.
 #[test]
 fn points_looked_at_together_touch_when_they_do_one_by_one() {
     let mut random = Random::new(3);
@@ -276,7 +277,8 @@ fn points_looked_at_together_touch_when_they_do_one_by_one() {
     }
 }
 
-/// A point on a spring swings a thousandth below the floor and is thrown back each time: no dip within a step is missed.
+/// A point on a spring swings a thousandth below the floor and is thrown back each time: no dip within a step is
+/// missed.
 #[test]
 fn dips_within_a_step_are_found() {
     let (rate, middle) = (10.0, 0.1);
@@ -329,7 +331,8 @@ fn block(mu: f64, a: f64, t: f64) -> f64 {
     start
 }
 
-/// The block reverses, sticks and stays, on rigid and on compliant ground; friction takes the energy that the spring gave.
+/// The block reverses, sticks and stays, on rigid and on compliant ground; friction takes the energy that the spring
+/// gave.
 #[test]
 fn a_block_on_a_spring_turns_and_sticks() {
     let weight = 0.5 * G;
@@ -365,7 +368,8 @@ fn a_block_on_a_spring_turns_and_sticks() {
     }
 }
 
-/// v dv = -(k/m) d^1.5 (1 + a v) dd: with F(v) = v/a - ln(1 + a v)/a^2 the speed of leaving is the root of F(-v1) = F(v0).
+/// v dv = -(k/m) d^1.5 (1 + a v) dd: with F(v) = v/a - ln(1 + a v)/a^2 the speed of leaving is the root of
+/// F(-v1) = F(v0).
 #[test]
 fn a_dissipating_ground_takes_what_its_closed_form_says() {
     let (v0, a) = (1.0, 0.2);
@@ -386,7 +390,8 @@ fn a_dissipating_ground_takes_what_its_closed_form_says() {
     }
 }
 
-/// Two stacked masses: v' of the upper one is -sqrt(v_a^2 + v_b^2) (thesis Eq. 4.13), for masses m_a and m_b too by energy.
+/// Two stacked masses: v' of the upper one is -sqrt(v_a^2 + v_b^2) (thesis Eq. 4.13), for masses m_a and m_b too by
+/// energy.
 #[test]
 fn stacked_masses_compensate_by_the_thesis() {
     for (below, above, fast, slow) in [(1.0, 1.0, 1.0, 1.0), (0.4, 2.5, 1.3, 0.2), (3.0, 0.5, 0.7, -0.3)] {
@@ -513,7 +518,8 @@ fn the_stable_step_knows_how_deep_a_fall_goes() {
     (pressed.mass[0], pressed.law) = (m, trial.law);
     let found = largest_stable_step(&pressed.system(), &pressed.pos, &pressed.vel, &mut [Sums::none()]);
     close(found.expect("a bound"), longest, 1e-3 * longest, "the ground's spring, pressed at the start");
-    // A spring to a fixed point, with a damper: h = (sqrt(C^2 + K m) - C)/K with K = k/4 and C = c/4 from that end alone.
+    // A spring to a fixed point, with a damper: h = (sqrt(C^2 + K m) - C)/K with K = k/4 and C = c/4 from that end
+    // alone.
     let (k, c) = (900.0, 8.0);
     let mut hung = Trial::point([0.0; 3], [0.0; 3]).anchored([0.0, 0.0, 1.0]);
     hung.mass[0] = m;

@@ -1,4 +1,5 @@
-//! Impacts of flexible bodies at several points at once: conservation laws on random bodies, the thesis' formula for one point.
+//! Impacts of flexible bodies at several points at once: conservation laws on random bodies, the thesis' formula for
+//! one point.
 
 use crate::random::Random;
 use smartbed_runtime::contact::pair;

@@ -122,8 +122,9 @@ impl<S: Scalar> Net<S> {
         self.facets.iter_mut().flatten().for_each(|corner| *corner += node);
     }
 
-    /// Forces of positions, of speeds and their means over a step on all nodes of some nets, whose lists follow one another, with grids or without;
-    /// behind each net stand three nodes, joined by two springs and a facet, that are on none.
+    /// Forces of positions, of speeds and their means over a step on all nodes of some nets, whose lists follow one
+    /// another, with grids or without; behind each net stand three nodes, joined by two springs and a facet, that are
+    /// on none.
     fn forces(
         nets: &mut [Net<S>],
         form: PressureForm,

@@ -250,8 +250,8 @@ fn a_ball_that_rides_on_a_sprung_platform_swings_with_it_to_the_methods_order() 
     assert!(order[0] > 3.7 && errors[1][0] < 1e-6, "{errors:?}");
 }
 
-/// A cube of springs that drops, slightly turned by its place over the floor, and bounces: its state at the end. `more`: added
-/// to its spin (rad/s).
+/// A cube of springs that drops, slightly turned by its place over the floor, and bounces: its state at the end.
+/// `more`: added to its spin (rad/s).
 fn bounced(h: f64, friction: f64, damping: f64, more: f64) -> (Vec<f64>, f64, usize) {
     let mut scene = Scene::falling();
     let floor = scene.floor();
@@ -322,8 +322,8 @@ fn two_cubes_that_collide_keep_momentum_and_energy() {
     assert!(x[48] < -0.05, "the larger cube is pushed");
 }
 
-/// A ball of 5 kg that falls at 1 m/s into a bladder without dampers for so many milliseconds: impacts, steps that went to
-/// their end without locating, imbalance (J).
+/// A ball of 5 kg that falls at 1 m/s into a bladder without dampers for so many milliseconds: impacts, steps that went
+/// to their end without locating, imbalance (J).
 fn sink(milliseconds: u32) -> (usize, usize, f64) {
     let h = 1e-4;
     let mut scene = Scene { room: 600, ..Scene::falling() };
@@ -354,7 +354,8 @@ fn what_is_left_overlapping_gains_nothing() {
     assert!(forced > 10 && imbalance.abs() < 1e-5, "{forced} {imbalance:e}");
 }
 
-/// A frame that moves as commanded, without a state, beside nothing that it could touch: every way of stepping moves it.
+/// A frame that moves as commanded, without a state, beside nothing that it could touch: every way of stepping moves
+/// it.
 #[test]
 fn what_is_commanded_alone_is_stepped() {
     let mut scene = Scene::falling();

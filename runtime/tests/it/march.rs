@@ -1,4 +1,5 @@
-//! Many steps at once against the same steps one by one, spring by spring and facet by facet: every bit, in all registers.
+//! Many steps at once against the same steps one by one, spring by spring and facet by facet: every bit, in all
+//! registers.
 
 use proptest::prelude::*;
 use smartbed_runtime::contact::compensation::PointImpact;

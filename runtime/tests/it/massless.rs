@@ -1,5 +1,5 @@
-//! Massless points against Coulomb's law in the form of inequalities, which does not depend on how the position is found;
-//! friction loss of points guided along the ground against force times displacement.
+//! Massless points against Coulomb's law in the form of inequalities, which does not depend on how the position is
+//! found; friction loss of points guided along the ground against force times displacement.
 
 use crate::random::Random;
 use smartbed_runtime::contact::massless::{friction_loss, settle};

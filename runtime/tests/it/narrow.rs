@@ -1,4 +1,5 @@
-//! Contact geometry of pairs of rigid shapes: distances against independent computations, rates against finite differences.
+//! Contact geometry of pairs of rigid shapes: distances against independent computations, rates against finite
+//! differences.
 
 use crate::random::Random;
 use crate::vector::{Vector, along, dot, sub, turned, unit};
@@ -195,7 +196,8 @@ fn a_face_on_a_face_touches_in_the_corners_of_what_they_share() {
         ..level
     };
     let corners = |frame: &Frame<f64>, shape: &Shape<f64>| found((shape, frame), (&cube, &level), 1e-9);
-    // Flush: four. Shifted: four, at the corners of the overlap. Turned by 45 degrees: an octagon. Small on large: four.
+    // Flush: four. Shifted: four, at the corners of the overlap. Turned by 45 degrees: an octagon. Small on large:
+    // four.
     for (origin, angle, wanted) in [
         ([0.0, 0.0, 1.0], 0.0, 4),
         ([0.3, 0.2, 1.0], 0.0, 4),
@@ -249,8 +251,8 @@ fn shared(one: [[f64; 2]; 4], [a, b]: [f64; 2]) -> Vec<[f64; 2]> {
     polygon
 }
 
-/// Boxes whose sides are flush, nearly so, or cross in corners, one upon the other in any order and attitude: the points
-/// span what the faces share, and where sides are flush to rounding no point stands twice.
+/// Boxes whose sides are flush, nearly so, or cross in corners, one upon the other in any order and attitude: the
+/// points span what the faces share, and where sides are flush to rounding no point stands twice.
 #[test]
 fn what_faces_share_is_spanned_however_their_sides_lie() {
     let mut random = Random::new(41);

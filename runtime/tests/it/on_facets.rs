@@ -93,7 +93,8 @@ fn a_ball_rests_on_a_facet_wherever_it_falls() {
     }
 }
 
-/// A ball that rolls for 1.5 s: its place, velocity, speed of its surface; what contacts took, and what is in no account.
+/// A ball that rolls for 1.5 s: its place, velocity, speed of its surface; what contacts took, and what is in no
+/// account.
 fn rolled(way: Way, y: f64, floor: impl Fn(&mut Scene) -> usize) -> ([f64; 6], [f64; 2]) {
     let (radius, speed) = (0.1, 0.5);
     let friction = if matches!(way, Way::Located(Kind::Newton)) { 0.0 } else { 0.5 };

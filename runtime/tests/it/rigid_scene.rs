@@ -601,8 +601,8 @@ fn a_box_on_a_smaller_one_stays_there() {
     }
 }
 
-/// A rod of 1 m and 1 kg at 60 degrees whose lower tip slides ahead with 1 m/s: with mu = 2 every normal force would press
-/// the tip together, and none holds it (Painleve).
+/// A rod of 1 m and 1 kg at 60 degrees whose lower tip slides ahead with 1 m/s: with mu = 2 every normal force would
+/// press the tip together, and none holds it (Painleve).
 fn pushed_rod() -> World {
     let (radius, half, angle) = (0.01, 0.5, core::f64::consts::FRAC_PI_6);
     let across = half * half / 3.0;

@@ -218,8 +218,8 @@ impl Scene {
         self.thing(Thing::Mesh { nodes, facets, depth: 0.3 * edge })
     }
 
-    /// A sheet of `n` x `n` nodes at height 0 about the origin, its rim fixed or held by a port, with a base below that closes
-    /// it; gas of constant pressure inside. Its number as a thing.
+    /// A sheet of `n` x `n` nodes at height 0 about the origin, its rim fixed or held by a port, with a base below that
+    /// closes it; gas of constant pressure inside. Its number as a thing.
     pub fn bladder(&mut self, n: usize, width: f64, gauge: f64, port: Option<usize>) -> usize {
         let (first, facet, cell) = (self.pos.len(), self.facets.len(), width / (n - 1) as f64);
         let rim = |i: usize, j: usize| i == 0 || j == 0 || i == n - 1 || j == n - 1;

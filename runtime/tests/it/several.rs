@@ -1,4 +1,5 @@
-//! Impacts at several points at once: energy, friction cone and momentum on random cases, springs in small steps, a flat box.
+//! Impacts at several points at once: energy, friction cone and momentum on random cases, springs in small steps, a
+//! flat box.
 
 use crate::random::Random;
 use crate::vector::{Vector, cross, dot};
@@ -270,7 +271,8 @@ fn without_friction_impulses_are_shared_as_equal_springs_share_them() {
             assert!((s.contact.impulse[0] - p).abs() <= 3e-4 * p, "{e}: {} {p}", s.contact.impulse[0]);
         }
     }
-    // Equal springs: the third ball leaves first, the first falls back a little (no chain of two-body impacts gives that).
+    // Equal springs: the third ball leaves first, the first falls back a little (no chain of two-body impacts gives
+    // that).
     let (mut scene, contact) = balls();
     let mut struck = scene.struck(&[contact(0, 1.0), contact(1, 1.0)]);
     scene.strike(&mut struck);

@@ -6,8 +6,8 @@ use smartbed_runtime::ode::shared_work::{Begun, SharedWork, rk4_shared, rk4_shar
 use smartbed_runtime::ode::{Ode, State};
 use smartbed_runtime::real::{Real, Turn};
 
-/// A pendulum of length 1 by its angle and the place of its end, x = [angle, sin angle, -cos angle, speed]: the place is
-/// determined by the angle. The speed at which it counts as singular is the caller's.
+/// A pendulum of length 1 by its angle and the place of its end, x = [angle, sin angle, -cos angle, speed]: the place
+/// is determined by the angle. The speed at which it counts as singular is the caller's.
 struct Rod {
     singular_beyond: f64,
 }

@@ -1,4 +1,5 @@
-//! Impacts between sides of any kind at random: nodes, facets, floating bodies, a commanded frame, two ports of one body.
+//! Impacts between sides of any kind at random: nodes, facets, floating bodies, a commanded frame, two ports of one
+//! body.
 
 use crate::random::Random;
 use smartbed_runtime::mechanism::Fault;
@@ -128,8 +129,8 @@ impl Scene {
         vec3::sub(place, origin)
     }
 
-    /// A side at a place: a point of a port, a node that stands there, or a facet whose foot it is, perhaps with a corner on a
-    /// port or fixed in space. Returns its bodies too: impulses must act along one line.
+    /// A side at a place: a point of a port, a node that stands there, or a facet whose foot it is, perhaps with a
+    /// corner on a port or fixed in space. Returns its bodies too: impulses must act along one line.
     fn side(&self, random: &mut Random, place: Vec3<f64>) -> Side<f64> {
         let node = |random: &mut Random| (random.between(0.0, NODES as f64) as usize).min(NODES - 1);
         let port = |random: &mut Random| (random.between(0.0, PORTS as f64) as usize).min(PORTS - 1);
@@ -289,8 +290,8 @@ fn no_impact_of_random_sides_creates_energy_leaves_a_cone_or_changes_momentum() 
                 sum
             })
             .sum();
-        // Energy by masses falls by the contacts' own work, which is never positive, less what the commanded body gives; to
-        // rounding of the terms, works of single contacts before they cancel.
+        // Energy by masses falls by the contacts' own work, which is never positive, less what the commanded body
+        // gives; to rounding of the terms, works of single contacts before they cancel.
         let terms = struck.iter().fold(before, |sum, s| {
             let speed =
                 vec3::norm(s.contact.relative(&start)) + vec3::norm(s.contact.relative(&scene.twists));

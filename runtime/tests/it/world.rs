@@ -1,4 +1,5 @@
-//! Worlds without split steps: contacts of rigid and flexible parts at rest, sliding, rolling, colliding; energy accounts.
+//! Worlds without split steps: contacts of rigid and flexible parts at rest, sliding, rolling, colliding; energy
+//! accounts.
 
 use crate::island::Platform;
 use crate::scenery::{Part, Scene};
@@ -496,8 +497,8 @@ fn what_touches_nothing_tumbles_to_order_two() {
     assert!(lengths[0] / lengths[1] > 3.5 && lengths[2] < 1e-6, "{lengths:?}");
 }
 
-/// A mass on a spring, far from a floor, let go with the spring stretched: order of the frequency, and its relative error at
-/// the smaller step over (h w)^2 or (h w)^4.
+/// A mass on a spring, far from a floor, let go with the spring stretched: order of the frequency, and its relative
+/// error at the smaller step over (h w)^2 or (h w)^4.
 fn frequency(restrained: &[[usize; 2]]) -> (f64, f64) {
     let (mass, stiffness, stretched) = (0.5, 200.0, 0.01);
     let w = f64::sqrt(stiffness / mass);

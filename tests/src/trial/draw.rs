@@ -1,4 +1,5 @@
-//! Generates a random mechanism of a given kind: links joined into a tree, then loops, constraints, speeds, loads, outputs.
+//! Generates a random mechanism of a given kind: links joined into a tree, then loops, constraints, speeds, loads,
+//! outputs.
 
 use super::description::{Body, Coordinate, Description, Frame, Parameter};
 use super::expression::{Scalar, Vector};

@@ -111,7 +111,8 @@ impl Draw {
         }
     }
 
-    /// A rod in N's plane, with a frame in which it is fixed, and a body. Off the constraint its direction is no unit vector.
+    /// A rod in N's plane, with a frame in which it is fixed, and a body. Off the constraint its direction is no unit
+    /// vector.
     fn massive_rod(&mut self, gap: Vector, length: Scalar, end: usize) {
         let one = Box::new(Scalar::number(1.0));
         let x = gap.clone().scaled(Scalar::Quotient(one, Box::new(length.clone())));
@@ -150,7 +151,8 @@ impl Draw {
             .push(Value::Scalar(Scalar::Coordinate(i) - Scalar::number(at_a) - ratio * follower));
     }
 
-    /// Redundant equations: a parallelogram with three cranks, a plane that is not a coordinate plane of N, or repeated equations.
+    /// Redundant equations: a parallelogram with three cranks, a plane that is not a coordinate plane of N, or repeated
+    /// equations.
     pub(super) fn redundant(&mut self) {
         if self.chance(0.5) {
             self.tilted = true;

@@ -21,7 +21,8 @@ impl Draw {
         of_motion.into_iter().for_each(|i| self.d.speeds[i].independent = false);
     }
 
-    /// Replaces some independent rates by sums with other rates; the matrix is triangular with ones, so they stay independent.
+    /// Replaces some independent rates by sums with other rates; the matrix is triangular with ones, so they stay
+    /// independent.
     pub(super) fn combine_speeds(&mut self) {
         let free: Vec<usize> = self.d.independent_speeds();
         let mut combined = Vec::new();

@@ -237,7 +237,8 @@ pub fn largest_residual(description: &Description, state: &State) -> f64 {
     rows.iter().fold(0.0, |m: f64, row| m.max(row.value.abs()))
 }
 
-/// Jacobian of the constraints (of configuration first) over the state's coordinates, and how many are of configuration.
+/// Jacobian of the constraints (of configuration first) over the state's coordinates, and how many are of
+/// configuration.
 #[must_use]
 pub fn jacobian(description: &Description, state: &State) -> (DMatrix<f64>, usize) {
     let at = Evaluated::new(description, state, description.state());

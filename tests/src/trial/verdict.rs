@@ -59,8 +59,8 @@ impl Verdict {
     }
 }
 
-/// Does the oracle, too, meet a singular state or an end of the motion within the ranges? It looks around the worst state
-/// that it has found, ever closer.
+/// Does the oracle, too, meet a singular state or an end of the motion within the ranges? It looks around the worst
+/// state that it has found, ever closer.
 #[must_use]
 pub fn is_singular_somewhere(d: &Description, random: &mut Random) -> bool {
     let mut best = vec![0.0; d.coordinates.len()];

@@ -93,7 +93,8 @@ fn coordinates(stages: &Stages, independent: bool) -> Vec<CoordinateId> {
     all.map(|(id, _)| id).filter(|&id| stages.k.coordinate_symbol(&stages.alg.dag, id).is_some()).collect()
 }
 
-/// The error for dependent coordinates that the configuration constraints do not give, with those that none of them reads.
+/// The error for dependent coordinates that the configuration constraints do not give, with those that none of them
+/// reads.
 fn not_following(stages: &mut Stages, target: &Target) -> Diagnostic {
     let dag = &stages.alg.dag;
     let read: HashSet<SymbolId> =

@@ -1,7 +1,7 @@
 //! Declares the values of a long function in groups.
 //!
-//! In: statements, one per line, `let x = ..;` or `let (sin_x, cos_x) = ..;`. Out: the same operations in the same order,
-//! as assignments to names that one `let (x, y, ..);` declares for many statements at once.
+//! In: statements, one per line, `let x = ..;` or `let (sin_x, cos_x) = ..;`. Out: the same operations in the same
+//! order, as assignments to names that one `let (x, y, ..);` declares for many statements at once.
 
 /// Statements in a group.
 const GROUP: usize = 64;

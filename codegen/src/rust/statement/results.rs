@@ -1,7 +1,7 @@
 //! Results that a function writes to memory, each as soon as it is computed.
 //!
-//! A result that waits for the end of the function takes a register from other values, or is stored on the stack, loaded
-//! at the end and stored again.
+//! A result that waits for the end of the function takes a register from other values, or is stored on the stack,
+//! loaded at the end and stored again.
 
 use super::super::name::RATES;
 use super::super::options::Core;

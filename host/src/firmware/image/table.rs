@@ -1,7 +1,8 @@
 //! Table branches of Thumb-2 that are no `tbb` or `tbh`: a jump into a list of jumps.
 //!
-//! In: halfwords of code, and where a `mov pc, rn` is among them. Out: whether that jumps into such a list, so that its targets are known.
-//! Where the code between is too long for offsets of a byte or two, and wherever their literals lie in between, LLVM writes
+//! In: halfwords of code, and where a `mov pc, rn` is among them. Out: whether that jumps into such a list, so that its
+//! targets are known. Where the code between is too long for offsets of a byte or two, and wherever their literals lie
+//! in between, LLVM writes
 //! ```text
 //! adr r, list     add.w rn, r, index, lsl #2     mov pc, rn     list: b.w first, b.w second, ...
 //! ```
@@ -12,8 +13,8 @@ use crate::firmware::thumb::{Kind, decode, is_wide};
 /// Most halfwords between the beginning of this and the jump.
 const REACH: usize = 16;
 
-/// Whether the halfword at byte `at` of code branches by a list. `half` gives the halfword at a byte, the first of which
-/// has the address `base`.
+/// Whether the halfword at byte `at` of code branches by a list. `half` gives the halfword at a byte, the first of
+/// which has the address `base`.
 pub(super) fn is_branch(base: u32, half: impl Fn(usize) -> u16, at: usize) -> bool {
     let jump = half(at);
     if is_wide(jump) || jump & 0xFF87 != 0x4687 {

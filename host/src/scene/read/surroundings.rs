@@ -221,8 +221,8 @@ fn polytropic(fields: &Fields, lists: &Lists, pressure: f64) -> Result<Gas<f64>,
     })
 }
 
-/// Is the rim fixed, in a plane through the origin? Facets and this plane then enclose a volume, to which the plane itself
-/// adds nothing.
+/// Is the rim fixed, in a plane through the origin? Facets and this plane then enclose a volume, to which the plane
+/// itself adds nothing.
 fn has_base<'a>(lists: &Lists, rim: impl Iterator<Item = &'a usize> + Clone) -> bool {
     let places = rim.clone().map(|point| lists.points[*point]);
     let size = places.clone().map(|x| vec3::dot(x, x)).fold(0.0, f64::max).sqrt();

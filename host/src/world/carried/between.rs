@@ -1,5 +1,5 @@
-//! Warnings of pairs in which a rigid part and a mesh can pass one another: a bar between the nodes, since edges of facets
-//! do not touch; nodes in the plane of a box's side, which rounding puts over its face or beside it.
+//! Warnings of pairs in which a rigid part and a mesh can pass one another: a bar between the nodes, since edges of
+//! facets do not touch; nodes in the plane of a box's side, which rounding puts over its face or beside it.
 
 use super::CarriedWorld;
 use super::methods::Contacts;
@@ -41,7 +41,8 @@ impl<S: Scalar> CarriedWorld<S> {
         said
     }
 
-    /// One warning for each pair of a mesh that has nodes over the rim of a face of a box now, where touches are located.
+    /// One warning for each pair of a mesh that has nodes over the rim of a face of a box now, where touches are
+    /// located.
     pub(super) fn nodes_over_rims(&self) -> Vec<String> {
         let Some(touching) = self.touching.as_ref().filter(|_| matches!(self.contacts, Contacts::Located))
         else {

@@ -1,5 +1,5 @@
-//! Commands whose speed jumps, laws and loads that do: a step is cut there, so that equations are smooth in each part and
-//! what touches is struck.
+//! Commands whose speed jumps, laws and loads that do: a step is cut there, so that equations are smooth in each part
+//! and what touches is struck.
 //!
 //! In: a world and the length of a step. Out: the world after it. What lies on a mechanism meets its new speed at the
 //! start of the next part: whatever law a contact has treats that as an impact. A command whose value jumps is refused:

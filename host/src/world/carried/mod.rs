@@ -283,7 +283,8 @@ impl<S: Scalar> CarriedWorld<S> {
 
     /// Finds the forces of located contacts at the present state, for rows and pictures.
     fn press(&mut self) {
-        // Forces at the end of a step are those before the kinks of commands behind it; if that fails, so does the next step.
+        // Forces at the end of a step are those before the kinks of commands behind it; if that fails, so does the next
+        // step.
         let _ = self.next_kink(self.t, self.h);
         let Some(mut touching) = self.touching.take() else { return };
         let [t, h] = [self.t, self.h].map(S::from_f64);

@@ -242,8 +242,8 @@ pub(super) fn on(text: &Value, number: usize, parts: &mut [Part], found: &mut Di
     }
 }
 
-/// A `[[contacts]]` table: the pairs it means, none of which an `earlier` table may have named: two laws would share one
-/// load between them in any way.
+/// A `[[contacts]]` table: the pairs it means, none of which an `earlier` table may have named: two laws would share
+/// one load between them in any way.
 pub(super) fn contact(
     table: &Table,
     parts: &[Part],

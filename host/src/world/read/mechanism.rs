@@ -152,8 +152,8 @@ fn refuse_without_unit(name: &str, value: &Value, (unit, factor): &(String, f64)
     }
 }
 
-/// The field `speed` of a commanded coordinate, whose rate is not free any more. Refuses one whose rate the model states
-/// by other speeds: no speed of it can be given up.
+/// The field `speed` of a commanded coordinate, whose rate is not free any more. Refuses one whose rate the model
+/// states by other speeds: no speed of it can be given up.
 fn own_speed((part, key): (&str, &Key), base: &Model, found: &mut Diagnostics) -> Option<String> {
     let name = &key.name;
     let own =

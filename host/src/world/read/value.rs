@@ -42,7 +42,8 @@ pub(crate) fn unit(text: &str) -> Unit {
     unit::parse(text).map_or(Unit::NONE, |scale| scale.unit)
 }
 
-/// The field `unit`: its text for the fields that follow it, and its dimension; an empty text and `None` if it is left out.
+/// The field `unit`: its text for the fields that follow it, and its dimension; an empty text and `None` if it is left
+/// out.
 pub(crate) fn named_unit(fields: &Fields<'_>, found: &mut Diagnostics) -> Option<(String, Option<Unit>)> {
     let Some(text) = fields.text("unit", found) else { return Some((String::new(), None)) };
     match unit::parse(text.text.trim()) {

@@ -1,15 +1,15 @@
-//! Many steps of the energy-momentum method of a body that is one grid under constant pressure, its numbers by component
-//! from the first step to the last.
+//! Many steps of the energy-momentum method of a body that is one grid under constant pressure, its numbers by
+//! component from the first step to the last.
 //!
-//! In: the motion at the start, how many steps. Out: the motion at the end but for its forces, the same bits however many steps
-//! are taken at once; the rows keep it, so that the next need not read it again. Unknown is the way D of the nodes over
-//! a step, D = h v + h^2/2 f(D)/m with the mean forces f of [`mean`](crate::flexible::mean). It is improved by Chebyshev's
-//! iteration, whose coefficients follow from a bound on the stiffness: a row is done as soon as its forces are known, so that an
-//! iteration passes once through the grid.
+//! In: the motion at the start, how many steps. Out: the motion at the end but for its forces, the same bits however
+//! many steps are taken at once; the rows keep it, so that the next need not read it again. Unknown is the way D of the
+//! nodes over a step, D = h v + h^2/2 f(D)/m with the mean forces f of [`mean`](crate::flexible::mean). It is improved
+//! by Chebyshev's iteration, whose coefficients follow from a bound on the stiffness: a row is done as soon as its
+//! forces are known, so that an iteration passes once through the grid.
 //!
-//! An iteration needs neither roots nor divisions: lengths at the start are taken once a step, the inverses of those at the end
-//! by Newton's method from the iteration before. The mean of a quadratic form Q over a straight way, which the pressure needs,
-//! is Q/4 at its start and 3 Q/4 after two thirds of it (Radau's rule, exact for such forms).
+//! An iteration needs neither roots nor divisions: lengths at the start are taken once a step, the inverses of those at
+//! the end by Newton's method from the iteration before. The mean of a quadratic form Q over a straight way, which the
+//! pressure needs, is Q/4 at its start and 3 Q/4 after two thirds of it (Radau's rule, exact for such forms).
 
 use super::course::{Course, Forces, Largest, arrive, improve, measure, pull_and_push, set_out};
 use super::layout::WIDTH;
@@ -38,7 +38,8 @@ const MAX_UNCHECKED: usize = 3;
 const MAX_CHECKS: usize = 60;
 /// Rounding units of the way that end the iteration.
 const SETTLED: f64 = 4.0;
-/// Bound on the stiffness of a node over that of its springs in one direction: on an inclined sheet those of the other add to it.
+/// Bound on the stiffness of a node over that of its springs in one direction: on an inclined sheet those of the other
+/// add to it.
 const BOTH: f64 = 1.3;
 
 impl<S: Scalar> Kernel for Conserve<'_, '_, S> {
@@ -155,7 +156,8 @@ impl<S: Scalar> Conserve<'_, '_, S> {
         }
     }
 
-    /// Improves the way by multiples of the residual and of its last change. Computes the largest numbers with `LOOK` only.
+    /// Improves the way by multiples of the residual and of its last change. Computes the largest numbers with `LOOK`
+    /// only.
     #[inline(always)]
     fn iterate<const LOOK: bool>(&mut self, gains: [S; 2], forces: &mut Forces<S>) -> Largest<S> {
         let mut largest = Largest::none();

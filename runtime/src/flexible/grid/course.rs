@@ -1,7 +1,7 @@
 //! A row of a grid over a step of the energy-momentum method, as [`super::Conserve`] keeps it.
 //!
-//! In: the row at the start of the step, the ways of its nodes and of those above it. Out: the mean forces, better ways, the row
-//! at the end.
+//! In: the row at the start of the step, the ways of its nodes and of those above it. Out: the mean forces, better
+//! ways, the row at the end.
 
 use super::layout::{Grid, WIDTH};
 use super::line::{Corner, LEAD, Lanes, Line, Springs, Vectors, Wide, get, larger, set};
@@ -180,8 +180,8 @@ pub(super) fn pull_and_push<S: Scalar, const LOOK: bool>(
     }
 }
 
-/// Mean force (N) on the tail of a spring, K ((l + l')/2 - L) (d + d')/(l + l'), from the places of its nodes at the start of
-/// the step and their ways.
+/// Mean force (N) on the tail of a spring, K ((l + l')/2 - L) (d + d')/(l + l'), from the places of its nodes at the
+/// start of the step and their ways.
 #[inline(always)]
 fn pull<S: Scalar, const LOOK: bool>(
     springs: &Springs<S>,

@@ -8,7 +8,8 @@ use crate::ode::nodes::Motion;
 use crate::real::Scalar;
 use crate::vec3::{self, Vec3};
 
-/// Lanes before the first column, or behind the last, for neighbours: a register's worth, so that columns begin with one.
+/// Lanes before the first column, or behind the last, for neighbours: a register's worth, so that columns begin with
+/// one.
 pub(super) const LEAD: usize = 16;
 
 /// A number for each node of a row.
@@ -133,8 +134,8 @@ impl<S: Scalar> Line<S> {
         line
     }
 
-    /// Takes over the nodes of a row from a motion, through memory for each of its vectors; columns without a node get some
-    /// other node's numbers, as in [`Strip::read`].
+    /// Takes over the nodes of a row from a motion, through memory for each of its vectors; columns without a node get
+    /// some other node's numbers, as in [`Strip::read`].
     #[inline(always)]
     pub(super) fn read(&mut self, grid: &Grid<S>, row: usize, motion: &Motion<S>, memory: &mut [Row<S>; 5]) {
         let strip = Strip { from: 0, width: grid.columns, own: [0, grid.columns] };
@@ -168,7 +169,8 @@ impl<S: Scalar> Line<S> {
 /// Nodes that are put together at a time.
 const AT_ONCE: usize = 16;
 
-/// Vectors of a run from their components. The last nodes of a long run are put together with some before them, once more.
+/// Vectors of a run from their components. The last nodes of a long run are put together with some before them, once
+/// more.
 #[inline(always)]
 fn put_together<S: Scalar, const N: usize>(run: &Run, lanes: &[[S; N]; 3], to: &mut [Vec3<S>]) {
     let Run { column, node, length } = *run;

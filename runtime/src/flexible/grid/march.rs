@@ -1,10 +1,10 @@
 //! Many steps of velocity Verlet of a body that is one grid under constant pressure, its numbers by component from the
 //! first step to the last.
 //!
-//! In: the motion at the start, how many steps. Out: the motion at the end, with the bits that [`Verlet`] gives step by step;
-//! the rows keep it, so that the next march need not read it again. A step goes through the grid once: the forces of a
-//! row, its second half kick, and at once the first half kick and the drift of the next step, because no row further on
-//! asks for its places any more.
+//! In: the motion at the start, how many steps. Out: the motion at the end, with the bits that [`Verlet`] gives step by
+//! step; the rows keep it, so that the next march need not read it again. A step goes through the grid once: the forces
+//! of a row, its second half kick, and at once the first half kick and the drift of the next step, because no row
+//! further on asks for its places any more.
 //!
 //! [`Verlet`]: crate::ode::nodes::method::Verlet
 
@@ -91,8 +91,8 @@ impl<S: Scalar> March<'_, '_, S> {
     }
 }
 
-/// Forces between the nodes of a row and those to their right and above (N), and the largest numbers of all rows so far: in
-/// another memory than those of the row below, or they would be written lane by lane where they grow.
+/// Forces between the nodes of a row and those to their right and above (N), and the largest numbers of all rows so
+/// far: in another memory than those of the row below, or they would be written lane by lane where they grow.
 #[repr(align(64))]
 struct Forces<S> {
     /// On the tails of the springs to the right.
@@ -186,8 +186,8 @@ fn drift<S: Scalar>(h: S, line: &mut Line<S>, i: usize, lane: usize, v: S) {
     (line.pos[i][lane], line.pos_rest[i][lane]) = add_compensated(x, rest, way);
 }
 
-/// v += h/2 a at the end of a step and, if it is not the last, what [`kick_and_drift`] does at the start of the next; after
-/// the last the forces stand in `half`.
+/// v += h/2 a at the end of a step and, if it is not the last, what [`kick_and_drift`] does at the start of the next;
+/// after the last the forces stand in `half`.
 #[inline(always)]
 fn arrive<S: Scalar, const LAST: bool, const BESIDE: bool>(
     h: S,

@@ -1,11 +1,11 @@
 //! Forces of springs and facets that form a grid: each node is read and written once, next to its neighbours.
 //!
-//! In: where the nodes of a grid stand in the lists of a body ([`Grid`]), positions. Out: the sums of forces that the lists
-//! give, number for number: a node's terms are added in their order, left, right, below, above, then its four cells;
-//! [`elastic`] has the forces of positions, [`volume`] the volume that gas needs, [`damping`] forces of speeds, [`mean`]
-//! the means over a step; [`march`] takes the steps of a [`span`] by Verlet's method, [`conserve`] by the energy-momentum
-//! method. Rows are computed side by side; a row wider than [`WIDTH`] goes in strips, whose borders are computed twice.
-//! Where there is no spring or cell its force is 0.
+//! In: where the nodes of a grid stand in the lists of a body ([`Grid`]), positions. Out: the sums of forces that the
+//! lists give, number for number: a node's terms are added in their order, left, right, below, above, then its four
+//! cells; [`elastic`] has the forces of positions, [`volume`] the volume that gas needs, [`damping`] forces of speeds,
+//! [`mean`] the means over a step; [`march`] takes the steps of a [`span`] by Verlet's method, [`conserve`] by the
+//! energy-momentum method. Rows are computed side by side; a row wider than [`WIDTH`] goes in strips, whose borders are
+//! computed twice. Where there is no spring or cell its force is 0.
 
 pub mod conserve;
 pub mod course;

@@ -1,7 +1,7 @@
 //! Volume under the cells of a grid, row by row.
 //!
-//! In: a grid, positions, the sum over the facets before its own. Out: the sum over these and its cells, in the order of
-//! the list and so with its bits: products of a row are computed side by side and added one after the other.
+//! In: a grid, positions, the sum over the facets before its own. Out: the sum over these and its cells, in the order
+//! of the list and so with its bits: products of a row are computed side by side and added one after the other.
 
 use super::elastic::corners;
 use super::layout::{Grid, WIDTH};

@@ -130,8 +130,8 @@ impl<S: Scalar, N: Newton<S>> Kernel for PlaceMiddle<'_, '_, '_, S, N> {
     }
 }
 
-/// Starts with f and -C v in `residual` and `image`: k = 0, p = M^-1 (f - C v). Returns a.M^-1 a for a = f - C v and for
-/// the change of f - C v since the start of the step.
+/// Starts with f and -C v in `residual` and `image`: k = 0, p = M^-1 (f - C v). Returns a.M^-1 a for a = f - C v and
+/// for the change of f - C v since the start of the step.
 struct Begin<'a, 'm, 'r, S, N> {
     newton: &'a N,
     start: &'a Motion<'m, S>,

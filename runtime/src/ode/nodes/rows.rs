@@ -15,8 +15,8 @@ pub(super) const BLOCK: usize = if cfg!(target_os = "none") { 4 } else { 128 };
 /// Fewer nodes than these are handled one by one: starting a row costs more than its sums.
 pub(super) const FEW: usize = if cfg!(target_os = "none") { 0 } else { 7 };
 
-/// Runs a kernel over so many nodes; over few the plain loop where the call stands: wide registers gain nothing there, and
-/// to hand over what a kernel borrows costs more than its sums.
+/// Runs a kernel over so many nodes; over few the plain loop where the call stands: wide registers gain nothing there,
+/// and to hand over what a kernel borrows costs more than its sums.
 #[inline(always)]
 pub(super) fn run<K: Kernel>(nodes: usize, kernel: K) -> K::Output {
     if nodes < FEW { kernel.run() } else { kernel::run(kernel) }

@@ -2,8 +2,9 @@
 //!
 //! In: two shapes with their frames, the margin within which a gap counts. Out: up to [`CAPACITY`] features.
 //!
-//! A feature is either a point of one core (centre of a ball, end of a capsule, corner of a box) over the surface of the
-//! other shape, or two straight edges that cross. For the first, with distance d from the core's point to the surface,
+//! A feature is either a point of one core (centre of a ball, end of a capsule, corner of a box) over the surface of
+//! the other shape, or two straight edges that cross. For the first, with distance d from the core's point to the
+//! surface,
 //! ```text
 //! n' = omega x n + H w,    c' = v - d' n - d n'         w: velocity of the core's point relative to the other frame
 //! ```

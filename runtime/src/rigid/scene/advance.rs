@@ -1,5 +1,5 @@
-//! Advances between events: contact forces at the start and in the middle, or impulses; clearance at the end, projection
-//! of drift.
+//! Advances between events: contact forces at the start and in the middle, or impulses; clearance at the end,
+//! projection of drift.
 
 use super::memory::{Memory, Report};
 use super::parts::{Fault, NEAR, RigidScene, Rounding};
@@ -159,8 +159,8 @@ impl<S: Scalar> RigidScene<'_, S> {
         Ok((moved && self.spends(memory, count, length, rounding)).then_some(count))
     }
 
-    /// Whether the trial states have about the energy that friction leaves, and it takes some: next to a jam forces grow
-    /// beyond bounds within a piece.
+    /// Whether the trial states have about the energy that friction leaves, and it takes some: next to a jam forces
+    /// grow beyond bounds within a piece.
     fn spends(&self, memory: &Memory<S>, count: usize, length: S, rounding: Rounding<S>) -> bool {
         let [now, trial, _] = &memory.states;
         let along = memory.along.get(..count).unwrap_or_default();

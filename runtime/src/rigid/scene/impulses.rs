@@ -1,11 +1,12 @@
 //! A piece of a step in which contact forces were not found, or do not exist: contacts act by impulses over it.
 //!
-//! In: the middle of the piece without contacts. Out: impulses, as mean forces; velocities half-way between start and end.
+//! In: the middle of the piece without contacts. Out: impulses, as mean forces; velocities half-way between start and
+//! end.
 //! ```text
 //! W (v + h a) + h/2 W' u + W M^-1 W' P:   0 <= P_n, 0 <= v_n+, P_n v_n+ = 0     |P_t| <= mu P_n, against the slip left
 //! ```
-//! Where friction jams a sliding contact (Painleve), its impulse grows until it sticks: such a solution there always is.
-//! Contacts take no more energy than there is, also where the sweeps end early. Of order 1.
+//! Where friction jams a sliding contact (Painleve), its impulse grows until it sticks: such a solution there always
+//! is. Contacts take no more energy than there is, also where the sweeps end early. Of order 1.
 
 use super::advance::{By, Start};
 use super::memory::Memory;
@@ -26,8 +27,8 @@ impl Start {
 }
 
 impl<S: Scalar> RigidScene<'_, S> {
-    /// Finds the impulses of the first `count` contacts of `along` over a piece of this length, in whose middle they are;
-    /// `held` contacts were there at its start.
+    /// Finds the impulses of the first `count` contacts of `along` over a piece of this length, in whose middle they
+    /// are; `held` contacts were there at its start.
     pub(super) fn find_impulses(&self, memory: &mut Memory<S>, [held, count]: [usize; 2], length: S) {
         let Memory { states: [.., middle], twists, spare, mobilities, touching, along, .. } = memory;
         let half = S::from_f64(0.5);

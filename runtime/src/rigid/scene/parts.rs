@@ -132,8 +132,8 @@ impl<S: Scalar> RigidScene<'_, S> {
         })
     }
 
-    /// Tolerances for a step of h: gaps from the size of the moving parts, speeds from the present ones and from the lowest
-    /// bounce.
+    /// Tolerances for a step of h: gaps from the size of the moving parts, speeds from the present ones and from the
+    /// lowest bounce.
     pub(super) fn rounding(&self, states: &[RigidState<S>], h: S) -> Rounding<S> {
         let (mut size, mut speed) = (S::ZERO, S::ZERO);
         for (part, state) in self.parts.iter().zip(states) {

@@ -195,9 +195,9 @@ impl<S: Scalar> RigidScene<'_, S> {
         Ok(())
     }
 
-    /// Whether the bounces of a contact that closes have died out: the height that one loses, (1 - e^2) v^2/(2 g), is less
-    /// than the gap that counts as zero, in which no touch is located, or it has sunk in bounce by bounce. With e = 1 no
-    /// bounce dies out.
+    /// Whether the bounces of a contact that closes have died out: the height that one loses, (1 - e^2) v^2/(2 g), is
+    /// less than the gap that counts as zero, in which no touch is located, or it has sunk in bounce by bounce. With
+    /// e = 1 no bounce dies out.
     fn has_died_out(&self, t: &Touching<S>, rounding: Rounding<S>) -> bool {
         let (e, v) = (t.held.contact.restitution, t.velocity[0]);
         let (lost, height) = (S::ONE - e * e, S::from_f64(0.5) * v * v / vec3::norm(self.gravity));
@@ -205,8 +205,8 @@ impl<S: Scalar> RigidScene<'_, S> {
         lost > S::ZERO && (low || t.gap < -S::from_f64(OVERLAP) * rounding.gap)
     }
 
-    /// Advances over all the time left, or to the first new contact, end of slip or passage of a contact to another face,
-    /// edge or end; returns how far, and the number of contacts in `along`.
+    /// Advances over all the time left, or to the first new contact, end of slip or passage of a contact to another
+    /// face, edge or end; returns how far, and the number of contacts in `along`.
     fn shorten(
         &self,
         memory: &mut Memory<S>,
@@ -220,8 +220,8 @@ impl<S: Scalar> RigidScene<'_, S> {
         if last >= near - S::ONE {
             return Ok((left, pressing));
         }
-        // At the start no contact is new or lost, and no slip has reversed. One that opens has no gap there, and says nothing
-        // of when it closes.
+        // At the start no contact is new or lost, and no slip has reversed. One that opens has no gap there, and says
+        // nothing of when it closes.
         let [now, trial, _] = &mut memory.states;
         trial.iter_mut().zip(now.iter()).for_each(|(to, from)| *to = *from);
         let first = self.clearance(memory, *start, rounding).to_event().max(-last);

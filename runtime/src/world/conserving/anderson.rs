@@ -1,6 +1,7 @@
 //! Anderson acceleration (1965) of the iteration for the mean rates.
 //!
-//! In: rates k and what an iteration makes of them, g(k). Out: the next rates, from the differences of earlier iterations.
+//! In: rates k and what an iteration makes of them, g(k). Out: the next rates, from the differences of earlier
+//! iterations.
 
 use crate::ode::nodes::copy;
 use crate::real::Scalar;

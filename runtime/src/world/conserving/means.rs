@@ -1,7 +1,7 @@
 //! Contacts at the mean positions of a step, where their impulses leave no moment.
 //!
-//! In: frames of the ports at the start, at the end and where contacts were detected; mean positions of the nodes. Out: a
-//! contact with arms from the mean origins to the mean contact points.
+//! In: frames of the ports at the start, at the end and where contacts were detected; mean positions of the nodes. Out:
+//! a contact with arms from the mean origins to the mean contact points.
 
 use crate::real::Scalar;
 use crate::rigid::contact::{Contact, Point, Side};

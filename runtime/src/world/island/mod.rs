@@ -148,8 +148,8 @@ impl<'a, S: Scalar, C: Carrier<S>> Island<'a, S, C> {
         if known && !twice { Ok(self) } else { Err(Fault::Shape) }
     }
 
-    /// Names the bodies that space or a commanded port holds: the first node of each and the one after the last. Nothing
-    /// keeps their angular momentum, so that steps of order 2 may give them frequencies of order 4.
+    /// Names the bodies that space or a commanded port holds: the first node of each and the one after the last.
+    /// Nothing keeps their angular momentum, so that steps of order 2 may give them frequencies of order 4.
     ///
     /// # Errors
     /// [`Fault::Shape`] if one ends before it begins or beyond the last node.

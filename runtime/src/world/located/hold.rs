@@ -20,7 +20,8 @@ const SLOW: f64 = 0.1;
 
 impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
     /// Stops contacts whose slip has reversed slowly: towards the end of a slip its direction is known less and less,
-    /// and the rest of it is the method's error. One that has passed to another face has no slip along the old one there.
+    /// and the rest of it is the method's error. One that has passed to another face has no slip along the old one
+    /// there.
     pub(super) fn stop(&mut self, t: S, way: &mut PartialStep<S>) -> Result<(), Fault> {
         let touches = way.memory.touches[0].get(..way.known).unwrap_or_default();
         let list = way.pressing.get_mut(..way.held).unwrap_or_default();

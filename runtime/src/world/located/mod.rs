@@ -11,8 +11,8 @@
 //! Repeated until h is used up. A step is split at most [`SPLITS`] times; the rest is stepped in [`PIECES`] pieces with
 //! e = 0 and without locating events, as in `step`, and the report says so: use that step for many contacts. The same
 //! where an implicit method's iteration does not converge, because friction turns round however short the piece, and
-//! where contact forces are not found or do not exist, because friction jams: the impulses of `step` always do. Gaps and
-//! speeds that count as zero follow from the sizes and speeds present.
+//! where contact forces are not found or do not exist, because friction jams: the impulses of `step` always do. Gaps
+//! and speeds that count as zero follow from the sizes and speeds present.
 
 mod hold;
 mod shorten;
@@ -63,8 +63,8 @@ pub struct LocatedReport<S> {
     pub pieces: usize,
     /// Contacts that push at the end.
     pub pressing: usize,
-    /// Whether splits were used up, an implicit method did not converge or contact forces were not found: the rest of the
-    /// step then went without location, with e = 0.
+    /// Whether splits were used up, an implicit method did not converge or contact forces were not found: the rest of
+    /// the step then went without location, with e = 0.
     pub forced: bool,
     /// Whether every impact converged to rounding; the rest of one that did not ended as with e = 0.
     pub settled: bool,
@@ -183,8 +183,8 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
     /// compensation e is the square root of its share).
     ///
     /// # Errors
-    /// Those of [`World::step`]; [`Fault::Shape`] if `kinds` has not one entry per pair; the method's faults. The state is
-    /// then unchanged.
+    /// Those of [`World::step`]; [`Fault::Shape`] if `kinds` has not one entry per pair; the method's faults. The state
+    /// is then unchanged.
     pub fn step_located(
         &mut self,
         kinds: &[Kind],
@@ -302,8 +302,8 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
     }
 
     /// The number of contacts that press at a state, in whose steps of h they are; their forces there are then those of
-    /// `memory.pressing`, where a step leaves those of its middle. A contact that is about to strike does not press, nor
-    /// does any where no forces are found.
+    /// `memory.pressing`, where a step leaves those of its middle. A contact that is about to strike does not press,
+    /// nor does any where no forces are found.
     ///
     /// # Errors
     /// As [`World::step_located`]; no contact presses then.

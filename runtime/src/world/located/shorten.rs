@@ -26,8 +26,8 @@ impl<S: Scalar> Touch<S> {
         // An overlap that is opening counts as new only where it goes deeper.
         let depth = before.map_or(S::ZERO, |own| own.gap.min(S::ZERO));
         let by_gap = (self.gap - depth) / rounding.gap + S::ONE;
-        // What slides above or below a facet, within its sagitta, comes nearer to it also where nothing closes; no law acts
-        // on a known contact that opens, wherever it goes.
+        // What slides above or below a facet, within its sagitta, comes nearer to it also where nothing closes; no law
+        // acts on a known contact that opens, wherever it goes.
         let by_rate = gap_rate / rounding.rate;
         match (self.gap <= -self.sagitta, before) {
             (true, None) => by_gap,
@@ -51,8 +51,8 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         method.step(&mut pressed, t, length, &mut State::resume(x, low)?, room).map(|_| ())
     }
 
-    /// Advances over all the time left, or over a half, a quarter, ... of it where an implicit method finds no end of the
-    /// step because friction turns round within it; returns how far.
+    /// Advances over all the time left, or over a half, a quarter, ... of it where an implicit method finds no end of
+    /// the step because friction turns round within it; returns how far.
     fn halve(&mut self, method: Method, (t, left): (S, S), way: &mut PartialStep<S>) -> Result<S, Fault> {
         let mut length = left;
         loop {
@@ -131,8 +131,8 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         let force = |own: &Pressing<S>| own.held.contact.impulse;
         let largest = list.iter().fold(S::ZERO, |most, own| most.max(force(own)[0].abs()));
         let light = S::from_f64(LIGHT) * largest;
-        // A force that passes through 0 is exactly 0 over a short while, because accelerations are differences. Where all
-        // are, none pulls yet and none is missing: no share of them is a number.
+        // A force that passes through 0 is exactly 0 over a short while, because accelerations are differences. Where
+        // all are, none pulls yet and none is missing: no share of them is a number.
         let presses = largest > S::ZERO;
         for own in list {
             clear = if own.lost { -S::ONE } else { clear };

@@ -21,8 +21,8 @@ impl<S: Scalar> PartialStep<'_, '_, S> {
         self.touches().iter().any(|touch| touch.start[0] < -self.rounding.rate)
     }
 
-    /// Is there an overlap that was no contact in the last piece? Facets that turn towards each other catch what is behind
-    /// them already.
+    /// Is there an overlap that was no contact in the last piece? Facets that turn towards each other catch what is
+    /// behind them already.
     fn catches(&self, earlier: usize) -> bool {
         let earlier = self.memory.touches[1].get(..earlier).unwrap_or_default();
         let deepest = -S::from_f64(OVERLAP) * self.rounding.gap;
@@ -35,8 +35,8 @@ impl<S: Scalar> PartialStep<'_, '_, S> {
     ///
     /// A contact is found again one gap that counts as zero deeper than it was left, which alone keeps bounces as high
     /// as half that gap / (1 - e) alive for ever. A bounce that ends within that gap is found at the start of the next
-    /// step, whose last piece is not known: it dies out by its height under a usual acceleration, or where it has sunk in
-    /// bounce by bounce. With e = 1 no bounce dies out.
+    /// step, whose last piece is not known: it dies out by its height under a usual acceleration, or where it has sunk
+    /// in bounce by bounce. With e = 1 no bounce dies out.
     fn end_bounces(&mut self, earlier: usize, length: S) {
         let earlier = self.memory.touches[1].get(..earlier).unwrap_or_default();
         let (gap, rate) = (self.rounding.gap, self.rounding.rate);

@@ -1,7 +1,8 @@
-//! Corrections that put a state back onto its lasting contacts: displacements that close gaps, impulses that end their rates.
+//! Corrections that put a state back onto its lasting contacts: displacements that close gaps, impulses that end their
+//! rates.
 //!
-//! In: contacts with the change that each of them wants. Out: a state moved by W M^-1 W' z, with z such that every change
-//! is reached (Gauss-Seidel sweeps).
+//! In: contacts with the change that each of them wants. Out: a state moved by W M^-1 W' z, with z such that every
+//! change is reached (Gauss-Seidel sweeps).
 
 use super::{Pressed, Pressing};
 use crate::mechanism::Fault;
@@ -16,8 +17,8 @@ use crate::world::whole::StepMemory;
 
 /// Most sweeps over the contacts.
 const SWEEPS: usize = 2000;
-/// Sweeps within which what is left halves at least; else it is rounding of redundant contacts, or gaps that no position
-/// closes together, as those of a box's four corners.
+/// Sweeps within which what is left halves at least; else it is rounding of redundant contacts, or gaps that no
+/// position closes together, as those of a box's four corners.
 const PATIENCE: usize = 40;
 
 impl<S: Scalar, C: Carrier<S>> Pressed<'_, '_, '_, S, C> {

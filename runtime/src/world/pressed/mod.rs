@@ -141,8 +141,9 @@ impl<S: Scalar> Pressing<S> {
         }
     }
 
-    /// The gap (m) to which a projection moves the contact: the present one, as long as it is within the sagitta. Forces
-    /// act along the normals of a smooth surface, and to move the contact back to the facet would do work against them.
+    /// The gap (m) to which a projection moves the contact: the present one, as long as it is within the sagitta.
+    /// Forces act along the normals of a smooth surface, and to move the contact back to the facet would do work
+    /// against them.
     fn aim(&self) -> S {
         self.gap.max(self.kept - self.sagitta).min(self.kept + self.sagitta)
     }

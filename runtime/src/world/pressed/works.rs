@@ -1,9 +1,9 @@
 //! Energy accounts of motion under lasting contacts.
 //!
 //! In: two states of a piece of a step. Out: the work of dampers, drag, friction and drives between them, by Simpson's
-//! rule over the powers at both ends and in the middle; each of these instants is shown to an observer. A piece that ends
-//! where a contact loses its support, or passes to another face, ends behind a jump of forces: there by Radau's rule,
-//! which does not look at the end,
+//! rule over the powers at both ends and in the middle; each of these instants is shown to an observer. A piece that
+//! ends where a contact loses its support, or passes to another face, ends behind a jump of forces: there by Radau's
+//! rule, which does not look at the end,
 //! ```text
 //! h (P(t) + 3 P(t + 2/3 h))/4
 //! ```
@@ -92,8 +92,8 @@ impl<S: Scalar, C: Carrier<S>> Pressed<'_, '_, '_, S, C> {
                 *to = *a + part * (way + part * ((*b - *a) - way));
             }
             if watch.watches() {
-                // The start was shown with Simpson's weight. Forces in memory are those of the end by now: compute its own
-                // once more to show what is missing.
+                // The start was shown with Simpson's weight. Forces in memory are those of the end by now: compute its
+                // own once more to show what is missing.
                 self.powers(t, old, first)?;
                 self.show((t, old), quarter - sixth, watch)?;
             }
