@@ -14,8 +14,8 @@ use super::given::Given;
 use super::mass_and_force::MassAndForce;
 use super::solve::NO_INERTIA;
 use super::spatial::Wrench;
-use super::tree::{self, JointTurn, Node};
-use super::tree_motion::{self, Base, Moves, State, power};
+use super::tree::{self, JointTurn, TreeNode};
+use super::tree_motion::{self, Base, Moves, NodeMotion, power};
 use super::{active_force, shared_axis};
 use crate::expr::tape::SampleTable;
 use crate::expr::{Dag, ExprId, Label};
@@ -39,7 +39,7 @@ pub(super) struct HingeByHinge {
 }
 
 /// A released speed with its twist (v, w).
-struct Free {
+struct Released {
     unknown: UnknownId,
     v: Components,
     w: Components,
@@ -51,7 +51,7 @@ struct Free {
 }
 
 /// A place in a node's triad where other nodes hang.
-struct Place {
+struct JointPlace {
     parent: usize,
     offset: Components,
 }
@@ -121,30 +121,36 @@ pub(super) fn derive(
 
 /// The nodes that hang on a root, with their motions.
 struct Tree {
-    nodes: Vec<Node>,
+    nodes: Vec<TreeNode>,
     root: usize,
     base: Base,
-    states: Vec<Option<State>>,
+    states: Vec<Option<NodeMotion>>,
     moves: Vec<Option<Moves>>,
-    places: Vec<Place>,
+    places: Vec<JointPlace>,
     /// By node: the place where it hangs, if it does.
     place_of: Vec<Option<usize>>,
 }
 
 impl Tree {
     /// `None` if one speed moves several places of the tree.
-    fn new(alg: &mut Algebra, model: &Model, k: &Kinematics, nodes: &[Node], root: usize) -> Option<Self> {
+    fn new(
+        alg: &mut Algebra,
+        model: &Model,
+        k: &Kinematics,
+        nodes: &[TreeNode],
+        root: usize,
+    ) -> Option<Self> {
         let mut nodes = nodes.to_vec();
         tree::move_inwards(alg, &mut nodes, root, tree::Wheels::Whole);
         let base = Base::new(alg, model, k, &Given::default(), &nodes[root]);
         let (states, moves) = tree_motion::motions(alg, k, &Given::default(), &nodes, root, &base.state);
-        let (mut places, mut place_of): (Vec<Place>, _) = (Vec::new(), vec![None; nodes.len()]);
+        let (mut places, mut place_of): (Vec<JointPlace>, _) = (Vec::new(), vec![None; nodes.len()]);
         for (i, node) in nodes.iter().enumerate() {
             let (Some(joint), Some(_)) = (&node.joint, &moves[i]) else { continue };
             let same = places.iter().position(|p| p.parent == joint.parent && p.offset == joint.offset);
             place_of[i] = Some(same.unwrap_or(places.len()));
             if same.is_none() {
-                places.push(Place { parent: joint.parent, offset: joint.offset });
+                places.push(JointPlace { parent: joint.parent, offset: joint.offset });
             }
         }
         let one = alg.dag.one();
@@ -167,7 +173,7 @@ impl Tree {
     /// Solves for the derivatives of all speeds.
     fn solve(&self, dag: &mut Dag, active: &MassAndForce) -> Vec<Solved> {
         // By node: the released speeds of its joint, with their twists in its triad.
-        let mut freed: Vec<Vec<Free>> = Vec::new();
+        let mut freed: Vec<Vec<Released>> = Vec::new();
         freed.resize_with(self.nodes.len(), Vec::new);
         // By place: the articulated body that hangs there, in the triad of the node that has the place.
         let mut hanging: Vec<Option<Articulated>> = self.places.iter().map(|_| None).collect();
@@ -221,7 +227,7 @@ impl Tree {
     }
 
     /// Computes u' from the root to the leaves.
-    fn outwards(&self, dag: &mut Dag, freed: &[Vec<Free>]) -> Vec<Solved> {
+    fn outwards(&self, dag: &mut Dag, freed: &[Vec<Released>]) -> Vec<Solved> {
         let mut found = Vec::new();
         let zero = [dag.zero(); 3];
         let mut beyond: Vec<Option<Beyond>> = vec![None; self.nodes.len()];
@@ -260,7 +266,7 @@ fn set_free(
     body: &mut Articulated,
     (unknown, v, w): (UnknownId, Components, Components),
     active: &MassAndForce,
-) -> Free {
+) -> Released {
     let column = body.resistance(dag, &v, &w);
     let pivot = power(dag, &v, &w, &column);
     let share = column.map(|e| dag.div(e, pivot));
@@ -271,11 +277,16 @@ fn set_free(
     body.release(dag, &column, &share);
     let carried = column.map(|e| dag.mul(e, alone));
     body.wrench = body.wrench.plus(dag, &carried);
-    Free { unknown, v, w, share, alone, pivot }
+    Released { unknown, v, w, share, alone, pivot }
 }
 
 /// Adds the accelerations of the speeds released at one place, the innermost first.
-fn accelerate(dag: &mut Dag, (mut a, mut alpha): Beyond, freed: &[Free], found: &mut Vec<Solved>) -> Beyond {
+fn accelerate(
+    dag: &mut Dag,
+    (mut a, mut alpha): Beyond,
+    freed: &[Released],
+    found: &mut Vec<Solved>,
+) -> Beyond {
     for free in freed.iter().rev() {
         let [straight, turning] = [(&free.share.force, &a), (&free.share.moment, &alpha)]
             .map(|(share, acceleration)| dot_components(dag, share, acceleration));

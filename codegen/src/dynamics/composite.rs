@@ -10,8 +10,8 @@ use super::given::Given;
 use super::mass_and_force::Terms;
 use super::parallel::{self, Turning};
 use super::spatial::{Inertia, Wrench};
-use super::tree::{self, Joint, Node};
-use super::tree_motion::{Base, Moves, State, motions, power, relative_alpha};
+use super::tree::{self, Joint, TreeNode};
+use super::tree_motion::{Base, Moves, NodeMotion, motions, power, relative_alpha};
 use crate::expr::{Dag, ExprId};
 use crate::kinematics::{Kinematics, LinearForm, UnknownId};
 use crate::model::{Axis, Model};
@@ -20,7 +20,7 @@ use std::collections::BTreeMap;
 
 /// The composite body on a node: its inertia, bias wrench and columns C s, in the node's triad about its origin.
 #[derive(Clone, Debug)]
-struct Load {
+struct Composite {
     inertia: Inertia,
     bias: Wrench,
     columns: BTreeMap<UnknownId, Wrench>,
@@ -35,7 +35,7 @@ pub(super) fn contributions(
     model: &Model,
     k: &Kinematics,
     given: &Given,
-    nodes: &[Node],
+    nodes: &[TreeNode],
     cut: usize,
 ) -> Terms {
     let mut nodes = nodes.to_vec();
@@ -46,9 +46,9 @@ pub(super) fn contributions(
     let (states, moves) = motions(alg, k, given, nodes, cut, &base.state);
     let mut turning = parallel::turning(alg, k, nodes, &moves);
     let dag = &mut alg.dag;
-    let mut loads: Vec<Option<Load>> = Vec::new();
+    let mut composites: Vec<Option<Composite>> = Vec::new();
     for (node, state) in nodes.iter().zip(&states) {
-        loads.push(state.as_ref().map(|state| Load {
+        composites.push(state.as_ref().map(|state| Composite {
             inertia: node.own.clone(),
             bias: node.own.resistance(dag, &state.acceleration),
             columns: BTreeMap::new(),
@@ -56,34 +56,35 @@ pub(super) fn contributions(
         }));
     }
     for i in (cut + 1..nodes.len()).rev() {
-        let (Some(joint), Some(motion), Some(load)) = (&nodes[i].joint, &moves[i], loads[i].take()) else {
+        let (Some(joint), Some(motion), Some(composite)) = (&nodes[i].joint, &moves[i], composites[i].take())
+        else {
             continue;
         };
         let Some(inner) = states[joint.parent].clone() else { continue };
-        let load = match joint.hinge() {
+        let composite = match joint.hinge() {
             Some(hinge) => {
                 let turning = turning[i].take();
-                turned_inwards(alg, &nodes[i], motion, (load, turning), (&inner, hinge), &mut found)
+                turned_inwards(alg, &nodes[i], motion, (composite, turning), (&inner, hinge), &mut found)
             }
-            None => load,
+            None => composite,
         };
-        let load = slid_inwards(alg, joint, motion, load, &mut found);
-        if let Some(parent) = &mut loads[joint.parent] {
+        let composite = slid_inwards(alg, joint, motion, composite, &mut found);
+        if let Some(parent) = &mut composites[joint.parent] {
             if let Some(turning) = &mut turning[joint.parent] {
-                turning.add(&mut alg.dag, i, &load.inertia, &joint.offset);
+                turning.add(&mut alg.dag, i, &composite.inertia, &joint.offset);
             }
-            parent.add(&mut alg.dag, &load);
+            parent.add(&mut alg.dag, &composite);
         }
     }
-    if let Some(mut load) = loads[cut].take() {
-        load.project(&mut alg.dag, &base.twists, &mut found);
+    if let Some(mut composite) = composites[cut].take() {
+        composite.project(&mut alg.dag, &base.twists, &mut found);
     }
     found.mass.retain(|(_, _, e)| !alg.dag.is_zero(*e));
     found.force.retain(|(_, e)| !alg.dag.is_zero(*e));
     found
 }
 
-impl Load {
+impl Composite {
     fn add(&mut self, dag: &mut Dag, other: &Self) {
         self.inertia = self.inertia.plus(dag, &other.inertia);
         self.bias = self.bias.plus(dag, &other.bias);
@@ -102,15 +103,15 @@ impl Load {
     }
 }
 
-/// Adds the columns and contributions of a hinge's rotation; returns the load in the parent's triad.
+/// Adds the columns and contributions of a hinge's rotation; returns the composite in the parent's triad.
 fn turned_inwards(
     alg: &mut Algebra,
-    node: &Node,
+    node: &TreeNode,
     motion: &Moves,
-    (mut load, turning): (Load, Option<Turning>),
-    (inner, hinge): (&State, (Axis, ExprId)),
+    (mut composite, turning): (Composite, Option<Turning>),
+    (inner, hinge): (&NodeMotion, (Axis, ExprId)),
     found: &mut Terms,
-) -> Load {
+) -> Composite {
     let dag = &mut alg.dag;
     let zero = [dag.zero(); 3];
     let axis = hinge.0 as usize;
@@ -121,17 +122,23 @@ fn turned_inwards(
         own.push((unknown, zero, w));
     }
     match turning {
-        Some(turning) => load.project_parallel(dag, &own[0], &turning, found),
-        None => load.project(dag, &own, found),
+        Some(turning) => composite.project_parallel(dag, &own[0], &turning, found),
+        None => composite.project(dag, &own, found),
     }
-    let mut load = load.turned(dag, hinge);
-    load.spin(dag, node.spin, hinge.0, motion, inner, found);
-    load
+    let mut composite = composite.turned(dag, hinge);
+    composite.spin(dag, node.spin, hinge.0, motion, inner, found);
+    composite
 }
 
-/// Adds the columns and contributions of a joint's translation to a load in the parent's triad; returns it about the
+/// Adds the columns and contributions of a joint's translation to a composite in the parent's triad; returns it about the
 /// parent's origin.
-fn slid_inwards(alg: &mut Algebra, joint: &Joint, motion: &Moves, mut load: Load, found: &mut Terms) -> Load {
+fn slid_inwards(
+    alg: &mut Algebra,
+    joint: &Joint,
+    motion: &Moves,
+    mut composite: Composite,
+    found: &mut Terms,
+) -> Composite {
     let dag = &mut alg.dag;
     let zero = [dag.zero(); 3];
     let sliding: Vec<UnknownId> = motion.slide.iter().flat_map(|r| r.partials.keys().copied()).collect();
@@ -141,12 +148,12 @@ fn slid_inwards(alg: &mut Algebra, joint: &Joint, motion: &Moves, mut load: Load
         own.insert(unknown, v);
     }
     let own: Vec<_> = own.into_iter().map(|(unknown, v)| (unknown, v, zero)).collect();
-    load.project(dag, &own, found);
-    load.shifted(dag, &joint.offset)
+    composite.project(dag, &own, found);
+    composite.shifted(dag, &joint.offset)
 }
 
-impl Load {
-    /// Projects the load on the twists `own` (unknown, v, w) of a joint: adds v . f + w . n of columns and bias to M_y
+impl Composite {
+    /// Projects the composite on the twists `own` (unknown, v, w) of a joint: adds v . f + w . n of columns and bias to M_y
     /// and to the forces, and adds the twists' own columns for the joints inside.
     fn project(&mut self, dag: &mut Dag, own: &[(UnknownId, Components, Components)], found: &mut Terms) {
         let new: Vec<Wrench> = own.iter().map(|(_, v, w)| self.inertia.momentum(dag, v, w)).collect();
@@ -180,7 +187,7 @@ impl Load {
         products
     }
 
-    /// [`Load::project()`] for a hinge that carries a parallel hinge farther out along without turning it. With M'_aa
+    /// [`Composite::project()`] for a hinge that carries a parallel hinge farther out along without turning it. With M'_aa
     /// its own part and d = M_ab - M_bb the part due to the translation of the outer hinge, M_aa = M'_aa + d + M_ab.
     fn project_parallel(
         &mut self,
@@ -233,7 +240,7 @@ impl Load {
         inertia: ExprId,
         axis: Axis,
         motion: &Moves,
-        inner: &State,
+        inner: &NodeMotion,
         found: &mut Terms,
     ) {
         if dag.is_zero(inertia) {

@@ -7,7 +7,7 @@
 //! d, M_aa = M'_aa + d + M_ab, and solved in absolute rates (`absolute`), where the shared part is never formed.
 
 use super::spatial::{Inertia, Wrench};
-use super::tree::{Joint, Node};
+use super::tree::{Joint, TreeNode};
 use super::tree_motion::{Moves, power};
 use crate::expr::{Dag, ExprId};
 use crate::kinematics::{Kinematics, UnknownId};
@@ -28,7 +28,7 @@ pub(super) struct Turning {
 pub(super) fn turning(
     alg: &Algebra,
     k: &Kinematics,
-    nodes: &[Node],
+    nodes: &[TreeNode],
     moves: &[Option<Moves>],
 ) -> Vec<Option<Turning>> {
     let mut found: Vec<Option<Turning>> = vec![None; nodes.len()];

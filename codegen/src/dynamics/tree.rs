@@ -17,7 +17,7 @@ use std::collections::BTreeMap;
 
 /// A triad with an origin, and the inertia that moves with both.
 #[derive(Clone, Debug)]
-pub(super) struct Node {
+pub(super) struct TreeNode {
     pub triad: TriadId,
     /// Position of the origin.
     pub origin: Vector,
@@ -82,7 +82,7 @@ pub(super) enum Joints {
 /// Nodes, each parent before its children, and the node of every body.
 #[derive(Clone, Debug)]
 pub(super) struct Forest {
-    pub nodes: Vec<Node>,
+    pub nodes: Vec<TreeNode>,
     node_of_body: Vec<usize>,
 }
 
@@ -151,7 +151,7 @@ struct Builder<'m> {
     joints: Joints,
     /// What slides; `None` if only hinges are joints.
     slides: Option<Slides>,
-    nodes: Vec<Node>,
+    nodes: Vec<TreeNode>,
 }
 
 impl Builder<'_> {
@@ -174,7 +174,7 @@ impl Builder<'_> {
         }
         let joint = self.slide(alg, triad, origin).or_else(|| self.turn(alg, triad, origin));
         let (own, spin) = (Inertia::zero(&mut alg.dag), alg.dag.zero());
-        self.nodes.push(Node { triad, origin: origin.clone(), joint, own, spin });
+        self.nodes.push(TreeNode { triad, origin: origin.clone(), joint, own, spin });
         self.nodes.len() - 1
     }
 
@@ -211,7 +211,7 @@ impl Builder<'_> {
 ///
 /// Any farther in, the inertia of the first body would be shifted to points about which it turns and its moments would
 /// be turned back; there they are large compared with their differences.
-pub(super) fn cut(alg: &mut Algebra, k: &Kinematics, nodes: &[Node], root: usize) -> usize {
+pub(super) fn cut(alg: &mut Algebra, k: &Kinematics, nodes: &[TreeNode], root: usize) -> usize {
     if derivative_of(alg, k, &nodes[root].origin).partials.is_empty() {
         return root; // what is moved inwards to a place at rest has no inertia
     }
@@ -234,7 +234,7 @@ pub(super) enum Wheels {
 }
 
 /// Base parameters: moves inertia that a joint's rotation does not change inwards, as far as the node `cut`.
-pub(super) fn move_inwards(alg: &mut Algebra, nodes: &mut [Node], cut: usize, wheels: Wheels) {
+pub(super) fn move_inwards(alg: &mut Algebra, nodes: &mut [TreeNode], cut: usize, wheels: Wheels) {
     let mut hangs = vec![false; nodes.len()];
     hangs[cut] = true;
     for i in cut + 1..nodes.len() {

@@ -5,7 +5,7 @@
 
 use super::given::Given;
 use super::spatial::{Acceleration, Wrench, gradient};
-use super::tree::{Joint, JointTurn, Node};
+use super::tree::{Joint, JointTurn, TreeNode};
 use crate::expr::{Dag, ExprId};
 use crate::kinematics::{
     Kinematics, LinearForm, Motion, Rate, UnknownId, derivative_of, lower_vector, scalar_rate_of,
@@ -16,7 +16,7 @@ use crate::vector::{Algebra, Components, Vector, dot_components};
 
 /// Angular velocity, angular acceleration at y' = 0, acceleration of the origin at y' = 0 less gravity.
 #[derive(Clone, Debug)]
-pub(super) struct State {
+pub(super) struct NodeMotion {
     pub w: Components,
     pub alpha: Components,
     pub acceleration: Acceleration,
@@ -37,11 +37,11 @@ pub(super) fn motions(
     alg: &mut Algebra,
     k: &Kinematics,
     given: &Given,
-    nodes: &[Node],
+    nodes: &[TreeNode],
     cut: usize,
-    base: &State,
-) -> (Vec<Option<State>>, Vec<Option<Moves>>) {
-    let mut states: Vec<Option<State>> = vec![None; nodes.len()];
+    base: &NodeMotion,
+) -> (Vec<Option<NodeMotion>>, Vec<Option<Moves>>) {
+    let mut states: Vec<Option<NodeMotion>> = vec![None; nodes.len()];
     states[cut] = Some(base.clone());
     let mut moves: Vec<Option<Moves>> = nodes.iter().map(|_| None).collect();
     for i in cut + 1..nodes.len() {
@@ -94,7 +94,13 @@ pub(super) fn relative_alpha(dag: &mut Dag, axis: Axis, motion: &Moves, w: &Comp
 }
 
 /// The state of a node from that of its parent.
-fn outwards(alg: &mut Algebra, k: &Kinematics, joint: &Joint, motion: &Moves, inner: &State) -> State {
+fn outwards(
+    alg: &mut Algebra,
+    k: &Kinematics,
+    joint: &Joint,
+    motion: &Moves,
+    inner: &NodeMotion,
+) -> NodeMotion {
     let slide = motion.slide.clone().map(|rate| (rate.value(alg, k), rate.bias));
     let ball = motion
         .ball
@@ -133,7 +139,7 @@ fn outwards(alg: &mut Algebra, k: &Kinematics, joint: &Joint, motion: &Moves, in
         }
     };
     let gradient = gradient(dag, &w, &alpha);
-    State { w, alpha, acceleration: Acceleration { origin, gradient } }
+    NodeMotion { w, alpha, acceleration: Acceleration { origin, gradient } }
 }
 
 /// v . force + w . moment.
@@ -146,11 +152,17 @@ pub(super) fn power(dag: &mut Dag, v: &Components, w: &Components, wrench: &Wren
 /// The node where the tree is cut: its twist as linear forms in the unknowns.
 pub(super) struct Base {
     pub twists: Vec<(UnknownId, Components, Components)>,
-    pub state: State,
+    pub state: NodeMotion,
 }
 
 impl Base {
-    pub(super) fn new(alg: &mut Algebra, model: &Model, k: &Kinematics, given: &Given, node: &Node) -> Self {
+    pub(super) fn new(
+        alg: &mut Algebra,
+        model: &Model,
+        k: &Kinematics,
+        given: &Given,
+        node: &TreeNode,
+    ) -> Self {
         let velocity = derivative_of(alg, k, &node.origin);
         let mut velocity = given.motion(alg, velocity);
         if let Some(gravity) = &model.gravity {
@@ -164,7 +176,7 @@ impl Base {
         let (w, alpha) = (here(alg, &w), here(alg, &angular.bias));
         let origin = here(alg, &velocity.bias);
         let gradient = gradient(&mut alg.dag, &w, &alpha);
-        let state = State { w, alpha, acceleration: Acceleration { origin, gradient } };
+        let state = NodeMotion { w, alpha, acceleration: Acceleration { origin, gradient } };
         let mut unknowns: Vec<UnknownId> =
             velocity.partials.keys().chain(angular.partials.keys()).copied().collect();
         unknowns.sort();

@@ -84,7 +84,7 @@ fn subtract_products(rest: &mut [f64], x: &[f64], y: &[f64]) {
 /// Orthonormal vectors at every sample: those of the rows that were found independent there.
 #[derive(Clone)]
 pub(super) struct Bases {
-    vectors: Vec<Vector>,
+    vectors: Vec<BasisVector>,
     /// By sample: number of vectors that are not zero there.
     ranks: Vec<usize>,
     dimensions: usize,
@@ -100,7 +100,7 @@ pub(super) struct Bases {
 
 /// A vector at every sample: its non-zero columns, and their values column by column.
 #[derive(Clone)]
-struct Vector {
+struct BasisVector {
     columns: Vec<usize>,
     values: Vec<f64>,
 }
@@ -242,7 +242,7 @@ impl Bases {
             let lengths = rest.iter().zip(&self.lengths);
             values.extend(lengths.map(|(x, &length)| if length > least { x / length } else { 0.0 }));
         }
-        self.vectors.push(Vector { columns, values });
+        self.vectors.push(BasisVector { columns, values });
         for (rank, &length) in self.ranks.iter_mut().zip(&self.lengths) {
             *rank += usize::from(length > least);
         }

@@ -18,7 +18,7 @@ use std::collections::{BTreeMap, BTreeSet};
 const AXES: [Axis; 3] = [Axis::X, Axis::Y, Axis::Z];
 
 /// A vector equation, and the triads and vectors on which it is projected.
-struct Equation {
+struct VectorEquation {
     name: String,
     motion: Motion,
     residual: Vector,
@@ -67,7 +67,7 @@ fn rows(alg: &mut Algebra, model: &Model, k: &Kinematics, found: &mut Configurat
                 let place = Place { name: name.clone(), span: constraint.span };
                 found.add_residuals(alg, &residual, &place);
                 let residual = rigid(alg, model, k, residual);
-                rows.extend(project(alg, Equation { name, motion, residual, fixed: None, triads }));
+                rows.extend(project(alg, VectorEquation { name, motion, residual, fixed: None, triads }));
             }
             Value::Scalar(e) => {
                 let rate = rate::scalar_rate(alg, k, e);
@@ -91,7 +91,7 @@ fn rows(alg: &mut Algebra, model: &Model, k: &Kinematics, found: &mut Configurat
                     }
                 }
                 let (name, residual) = (constraint.name.clone(), Vector::zero());
-                rows.extend(project(alg, Equation { name, motion, residual, fixed: None, triads }));
+                rows.extend(project(alg, VectorEquation { name, motion, residual, fixed: None, triads }));
             }
             Value::Scalar(e) => rows.extend(motion_row(alg, k, &constraint.name, e)),
         }
@@ -159,7 +159,7 @@ fn closures(
     k: &Kinematics,
     point: PointId,
     found: &mut Configuration,
-) -> Vec<Equation> {
+) -> Vec<VectorEquation> {
     let declared = &model.points[point];
     let velocity = k.velocities[point].clone();
     let home = velocity.partials.values().flat_map(|v| v.terms.keys()).next().copied();
@@ -193,7 +193,7 @@ fn closures(
         motion.add(&mut alg.dag, minus_one, &rate);
         let triads = BTreeSet::from([TriadId::INERTIAL, home, leg]);
         let name = format!("{} closure {}", declared.name, nth + 1);
-        equations.push(Equation { name, motion, residual, fixed: None, triads });
+        equations.push(VectorEquation { name, motion, residual, fixed: None, triads });
     }
     equations
 }
@@ -205,7 +205,7 @@ fn turning(
     k: &Kinematics,
     frame: FrameId,
     found: &mut Configuration,
-) -> Vec<Equation> {
+) -> Vec<VectorEquation> {
     let triad = k.frame_triad[frame];
     let orthonormal = orientation::orthonormal(alg, triad);
     let mut equations = Vec::new();
@@ -239,7 +239,7 @@ fn turning(
         let name = format!("{} fixed vector {}", model.frames[frame].name, nth + 1);
         let difference = alg.express(&residual, TriadId::INERTIAL);
         found.fixed_vectors.push((Place { name: name.clone(), span: fixed.span }, difference));
-        equations.push(Equation { name, motion, residual, fixed: Some(vector), triads });
+        equations.push(VectorEquation { name, motion, residual, fixed: Some(vector), triads });
     }
     equations
 }
@@ -277,7 +277,7 @@ impl Configuration {
 }
 
 /// Projects an equation on the axes a of its triads and on a x (fixed vector).
-fn project(alg: &mut Algebra, equation: Equation) -> Vec<Row> {
+fn project(alg: &mut Algebra, equation: VectorEquation) -> Vec<Row> {
     let mut rows = Vec::new();
     let mut fixed = equation.fixed.as_ref().map(Resolved::new);
     for &triad in &equation.triads {
@@ -321,7 +321,7 @@ impl<'v> Resolved<'v> {
 /// The projection of the equation on a direction, which `direction` gives in any triad.
 fn projection(
     alg: &mut Algebra,
-    (equation, along): (&Equation, Direction),
+    (equation, along): (&VectorEquation, Direction),
     mut direction: impl FnMut(&mut Algebra, TriadId) -> Components,
 ) -> Option<Row> {
     let mut dot = |alg: &mut Algebra, vector: &Vector| {
