@@ -71,7 +71,7 @@ pub fn with_integrators(program: &Program, scalar: &ScalarType, options: &EmitOp
         if path == "src/lib.rs" {
             *text = text.replace(
                 "pub mod mechanism;\n",
-                "pub mod mechanism;\n/// One step of the equations by any method: `ode::rk4` of an `ode::Driven`.\npub mod ode;\n",
+                "pub mod mechanism;\n// One step of the equations by any method: `ode::rk4` of an `ode::Driven`.\npub mod ode;\n",
             );
         }
     }
