@@ -67,25 +67,32 @@ pub(crate) fn kink(e: &Expr) -> Option<Expr> {
     }
 }
 
-/// What is 0 where an expression may switch in time: the argument of a `sign`, `abs`, `min` or `max`, of the root of an
-/// even power, `y` of an `atan2(y, x)`, whose angle jumps where x < 0, the cosine of the argument of a `tan`, a
-/// divisor.
-pub(crate) fn of_time(e: &Expr) -> Option<Expr> {
-    let switching = match &e.kind {
+/// What is 0 where an expression may have a kink or a jump: the argument of a `sign`, `abs`, `min` or `max`, or of the root
+/// of an even power.
+pub(crate) fn switch(e: &Expr) -> Option<Expr> {
+    let root = || match &e.kind {
+        ExprKind::Call(Function::Sqrt, arguments) => match arguments.first().map(|root| &root.kind) {
+            Some(ExprKind::Power(base, n)) if n % 2 == 0 => Some((**base).clone()),
+            _ => None,
+        },
+        _ => None,
+    };
+    sign(e).or_else(|| kink(e)).or_else(root)
+}
+
+/// What is 0 where an expression may jump although it seldom does: `y` of an `atan2(y, x)`, whose angle jumps where x < 0,
+/// the cosine of the argument of a `tan`, a divisor.
+pub(crate) fn pole(e: &Expr) -> Option<Expr> {
+    match &e.kind {
         ExprKind::Call(Function::Atan2, arguments) => arguments.first().cloned(),
         ExprKind::Call(Function::Tan, arguments) => {
             let kind = ExprKind::Call(Function::Cos, arguments.clone());
             Some(Expr { kind, ..e.clone() })
         }
-        ExprKind::Call(Function::Sqrt, arguments) => match arguments.first().map(|root| &root.kind) {
-            Some(ExprKind::Power(base, n)) if n % 2 == 0 => Some((**base).clone()),
-            _ => None,
-        },
         ExprKind::Divide(_, divisor) => Some((**divisor).clone()),
         ExprKind::Power(base, n) if *n < 0 => Some((**base).clone()),
         _ => None,
-    };
-    sign(e).or_else(|| kink(e)).or(switching)
+    }
 }
 
 /// Those of loads and laws whose arguments depend on speeds.

@@ -127,7 +127,7 @@ impl Observers {
     }
 
     /// A program whose outputs change sign where a function of time alone may have a kink or a jump
-    /// (`jumps::of_time`).
+    /// (`jumps::switch`, `jumps::pole`).
     #[must_use]
     pub fn switches(&self) -> Program {
         self.part(self.before_switches(), self.switches.iter().sum())
@@ -242,7 +242,7 @@ fn closed_forms(model: &Model) -> impl Iterator<Item = Expr> + '_ {
 /// Whether a commanded speed may change at once: what commands it has abs, sign, min or max of the time, or the like.
 #[must_use]
 pub fn may_leap(model: &Model) -> bool {
-    !switches(model).0.is_empty()
+    commands(model).into_iter().any(|(_, read, _)| !kinks_of(model, read).is_empty())
 }
 
 /// A command, the functions of time at whose zeros it may switch, and its values.
@@ -257,7 +257,9 @@ fn switches(model: &Model) -> (Vec<Switching>, Vec<Expr>) {
     });
     let laws = model.laws.iter().map(|(_, law)| law);
     let loads = model.loads.iter().flat_map(|load| load.kind.expressions()).map(|(_, e)| e);
-    (commands.collect(), laws.chain(loads).flat_map(|e| switches_of(model, e)).collect())
+    // Those of coordinates that are commanded, such as end stops, are found while a load acts.
+    let others = laws.chain(loads).flat_map(|e| switches_of(model, e));
+    (commands.collect(), others.filter(|e| mentions(model, e, &is_time)).collect())
 }
 
 /// Everything by which time may move the mechanism: what it is, its expression, its values (none of what gives speeds).
@@ -306,12 +308,31 @@ fn is_vector(model: &Model, e: &Expr) -> bool {
     }
 }
 
-/// The functions of time alone at whose zeros an expression, or a definition that it reads, may switch.
+/// The functions of time alone at whose zeros an expression, or a definition that it reads, may switch. Poles count where
+/// the time itself stands: the geometry that follows commanded coordinates is regular where it can be assembled.
 fn switches_of(model: &Model, expr: &Expr) -> Vec<Expr> {
-    let mut found = Vec::new();
-    visit(model, expr, &mut |e| found.extend(jumps::of_time(e)));
+    let mut found = kinks_of(model, expr);
+    found.extend(of_time(model, expr, jumps::pole).into_iter().filter(|e| mentions(model, e, &is_time)));
+    found
+}
+
+fn is_time(e: &Expr) -> bool {
+    matches!(e.kind, ExprKind::Time)
+}
+
+/// Those of kinks.
+fn kinks_of(model: &Model, expr: &Expr) -> Vec<Expr> {
     let is_time = |e: &Expr| matches!(e.kind, ExprKind::Time | ExprKind::Coordinate(_));
-    found.retain(|e| !mentions(model, e, &|e| is_state(model, e)) && mentions(model, e, &is_time));
+    let mut found = of_time(model, expr, jumps::switch);
+    found.retain(|e| mentions(model, e, &is_time));
+    found
+}
+
+/// Arguments in an expression, and in the definitions that it reads, that are no functions of the state.
+fn of_time(model: &Model, expr: &Expr, argument: fn(&Expr) -> Option<Expr>) -> Vec<Expr> {
+    let mut found = Vec::new();
+    visit(model, expr, &mut |e| found.extend(argument(e)));
+    found.retain(|e| !mentions(model, e, &|e| is_state(model, e)));
     found
 }
 

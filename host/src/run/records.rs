@@ -14,14 +14,11 @@ use crate::plot::{self, Recording, chart, panels};
 use crate::view::film::{Film, Series};
 use crate::view::side::Sides;
 use crate::view::world as stage;
-use crate::world::assembly::{Assembly, Kind, Part, Rigid};
+use crate::world::assembly::{Assembly, Kind, Part};
 use crate::world::engine::{ACCOUNTS, Column, Engine, Event};
 use crate::world::run::Row;
 use crate::{csv, interrupt};
 use std::collections::BTreeMap;
-
-/// Squares of smaller masses (kg) lose digits, then vanish.
-const TINY: f64 = 1e-150;
 
 /// What takes the rows of a run.
 pub(super) struct Records<'a> {
@@ -95,21 +92,6 @@ impl<'a> Records<'a> {
         })
     }
 
-    /// Why an energy may be infinite.
-    fn infinite(&self) -> String {
-        let light = self.assembly.parts.iter().find_map(|part| match &part.kind {
-            Kind::Rigid(Rigid { body: Some(body), .. }) if body.mass < TINY => Some((&part.name, body.mass)),
-            _ => None,
-        });
-        match light {
-            Some((name, mass)) => format!(
-                "the mass of `{name}`, {mass:e} kg, is so small that its square cannot be told from 0; expected at least \
-                 {TINY:e} kg"
-            ),
-            None => "a speed, a length or a mass is too large".to_owned(),
-        }
-    }
-
     /// Opens the files.
     fn begin(&mut self, engine: &mut dyn Engine) -> Result<(), Failure> {
         self.kept.health.differences_of(engine.largest_term());
@@ -134,7 +116,8 @@ impl<'a> Records<'a> {
         }
         let values = values(row);
         if !row.energies.total().is_finite() {
-            let (t, why) = (row.t, self.infinite());
+            let t = row.t;
+            let why = "a speed, a length or a mass is too large";
             return Err(Failure::Wrong(format!("t = {t:.6} s: the energy is not finite; {why}")));
         }
         if let Some(csv) = &mut self.csv {

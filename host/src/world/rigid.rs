@@ -222,7 +222,7 @@ impl Engine for RigidWorld {
             }
         };
         let done = scene.step_watched(&mut self.states, h, &mut memory, (strikes, pieces));
-        let report = done.map_err(message)?;
+        let report = done.map_err(|fault| message(fault, &self.names))?;
         self.impact += report.impact_loss;
         self.friction += report.friction_loss;
         self.forced += usize::from(report.forced);
@@ -325,7 +325,7 @@ pub(super) fn impulsive(steps: &str) -> String {
     )
 }
 
-fn message(fault: Fault) -> String {
+fn message(fault: Fault, names: &[String]) -> String {
     match fault {
         Fault::TooManyContacts => "more contacts at once than the memory allows".to_owned(),
         Fault::WrongSizes => "the lists of the parts have different lengths".to_owned(),
@@ -336,7 +336,8 @@ fn message(fault: Fault) -> String {
         Fault::StepSize => "the step is not a finite time; expected one above 0 s".to_owned(),
         Fault::Gravity => "gravity is not finite".to_owned(),
         Fault::Part(part) => format!(
-            "the mass, inertia or size of part {part} (counted from 0) is out of range, or its state is not finite"
+            "the mass, inertia or size of `{}` is not > 0 and finite, or too small to divide by, or its state is not finite",
+            names.get(part).map_or("", String::as_str)
         ),
     }
 }
