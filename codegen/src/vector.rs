@@ -139,11 +139,11 @@ impl Algebra {
     /// and rounding leave less than 0.
     pub fn square(&mut self, a: &Vector) -> ExprId {
         let candidates: Vec<TriadId> = a.terms.keys().copied().collect();
-        let squares = candidates.into_iter().map(|triad| {
+        let square = |triad| {
             let components = self.express(a, triad);
             dot_components(&mut self.dag, &components, &components)
-        });
-        let squares: Vec<ExprId> = squares.collect();
+        };
+        let squares: Vec<ExprId> = candidates.into_iter().map(square).collect();
         let least = squares.into_iter().min_by_key(|square| self.dag.cone_cost(&[*square]));
         least.unwrap_or_else(|| self.dag.zero())
     }

@@ -12,9 +12,30 @@ pub fn count(n: impl std::fmt::Display, noun: &str) -> String {
     }
 }
 
+/// The first `most` of a list, separated by commas, and how many more there are.
+#[must_use]
+pub fn first_of(list: &[String], most: usize) -> String {
+    match list.split_at_checked(most) {
+        Some((named, others)) if !others.is_empty() => {
+            format!("{} and {} more", named.join(", "), others.len())
+        }
+        _ => list.join(", "),
+    }
+}
+
 #[cfg(test)]
 mod tests {
-    use super::count;
+    use super::{count, first_of};
+
+    #[test]
+    fn long_lists_are_cut() {
+        let list = ["a", "b", "c"].map(str::to_owned);
+        assert_eq!(
+            [1, 2, 3, 4].map(|most| first_of(&list, most)),
+            ["a and 2 more", "a, b and 1 more", "a, b, c", "a, b, c"]
+        );
+        assert_eq!(first_of(&[], 2), "");
+    }
 
     #[test]
     fn nouns_follow_their_numbers() {

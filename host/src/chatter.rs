@@ -5,7 +5,7 @@
 
 use crate::jumps::SMOOTH;
 use crate::observers::Observers;
-use smartbed_codegen::Interpreted;
+use smartbed_codegen::{Interpreted, words};
 use smartbed_runtime::mechanism::{Fault, Mechanism as _};
 use smartbed_runtime::real::Scalar;
 
@@ -73,15 +73,13 @@ impl Chatter {
         let many = self.owners.iter().zip(&self.courses).filter(|(_, course)| course.soon >= MANY);
         let mut found: Vec<&str> = many.map(|(owner, _)| owner.as_str()).collect();
         found.dedup();
-        let named: Vec<String> = found.iter().take(NAMED).map(|name| format!("`{name}`")).collect();
-        let more = found.len().saturating_sub(NAMED);
-        let more = if more > 0 { format!(" and {more} more") } else { String::new() };
+        let named: Vec<String> = found.iter().map(|name| format!("`{name}`")).collect();
         let whose = whose.map_or(String::new(), |part| format!(" of `{part}`"));
         (!named.is_empty()).then(|| {
             format!(
-                "a `sign` of a speed in {}{more}{whose} changed again and again within a few steps: it chatters about rest, and what \
+                "a `sign` of a speed in {}{whose} changed again and again within a few steps: it chatters about rest, and what \
                  it should hold creeps; {SMOOTH}",
-                named.join(", ")
+                words::first_of(&named, NAMED)
             )
         })
     }

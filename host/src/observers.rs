@@ -322,9 +322,10 @@ fn is_time(e: &Expr) -> bool {
 
 /// Those of kinks.
 fn kinks_of(model: &Model, expr: &Expr) -> Vec<Expr> {
-    let is_time = |e: &Expr| matches!(e.kind, ExprKind::Time | ExprKind::Coordinate(_));
+    // A coordinate is one that is commanded: others are state.
+    let moves = |e: &Expr| is_time(e) || matches!(e.kind, ExprKind::Coordinate(_));
     let mut found = of_time(model, expr, jumps::switch);
-    found.retain(|e| mentions(model, e, &is_time));
+    found.retain(|e| mentions(model, e, &moves));
     found
 }
 

@@ -20,6 +20,21 @@ pub fn stdout_is_closed() {
     CLOSED.store(true, Ordering::Relaxed);
 }
 
+/// Refuses two results for standard output, of which one would end within the other: each by its option, and whether it
+/// goes there.
+///
+/// # Errors
+/// [`Failure::Wrong`] names the first two.
+pub fn one_in_standard_output(results: &[(&str, bool)]) -> Result<(), Failure> {
+    let mut there = results.iter().filter(|(_, is_there)| *is_there).map(|(name, _)| *name);
+    match (there.next(), there.next()) {
+        (Some(one), Some(other)) => Err(Failure::Wrong(format!(
+            "{one} and {other}: only one of them can go to standard output; name a file for the other"
+        ))),
+        _ => Ok(()),
+    }
+}
+
 /// Something to write results to.
 pub struct Output {
     to: Box<dyn Write>,

@@ -44,11 +44,8 @@ pub(super) fn run(asked: &Map) -> Result<(), Failure> {
     if !(asked.cycle > 0.0 && asked.cycle.is_finite()) {
         return Err(Failure::Wrong(format!("--cycle {}: expected seconds > 0", asked.cycle)));
     }
-    if asked.json && asked.csv.as_deref() == Some("-") {
-        let what =
-            "--csv - and --json: only one of them can go to standard output; name a file for the other";
-        return Err(Failure::Wrong(what.to_owned()));
-    }
+    let csv_printed = asked.csv.as_deref() == Some("-");
+    output::one_in_standard_output(&[("--csv -", csv_printed), ("--json", asked.json)])?;
     let mapped = read(&asked.file)?;
     let rows = [("sensels", rows(&mapped, asked.cycle))];
     let compared = match &asked.against {
@@ -61,7 +58,7 @@ pub(super) fn run(asked: &Map) -> Result<(), Failure> {
     if let Some(file) = &asked.csv {
         write(file, &csv(&rows))?;
     }
-    if asked.csv.as_deref() == Some("-") {
+    if csv_printed {
         return Ok(());
     }
     if asked.json {

@@ -100,7 +100,10 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     match &arguments.command {
         Command::Run(asked) => {
             let (origin, read) = opened("run", &asked.plan, &asked.set)?;
-            one_in_standard_output(asked)?;
+            let to = |file: &Option<String>| file.as_deref() == Some("-");
+            let results =
+                [("--csv -", to(&asked.csv)), ("--readings -", to(&asked.readings)), ("--json", asked.json)];
+            output::one_in_standard_output(&results)?;
             writable(asked, &read)?;
             let history = history(&read)?;
             let report = RunReport::new(&read, &history);
@@ -122,14 +125,10 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
             })
         }
         Command::Report(asked) => {
+            output::one_in_standard_output(&[("--output -", asked.output == "-"), ("--json", asked.json)])?;
             let (origin, read) = opened("report", &asked.plan, &asked.set)?;
             let history = history(&read)?;
             let report = RunReport::new(&read, &history);
-            if asked.json && asked.output == "-" {
-                return Err(Failure::Wrong(
-                    "--output - and --json: only one can go to standard output".to_owned(),
-                ));
-            }
             write(&asked.output, &page::text(&origin, &read, &history, &report))?;
             output::print(&match asked.json {
                 true => said::json(&origin, Some(&asked.output), &read, &history, &report),
@@ -137,18 +136,6 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
             })
         }
         Command::Map(asked) => map::run(asked),
-    }
-}
-
-/// Refuses two results for standard output, of which one would end within the other.
-fn one_in_standard_output(asked: &Run) -> Result<(), Failure> {
-    let to = |file: &Option<String>| file.as_deref() == Some("-");
-    let asked = [("--csv -", to(&asked.csv)), ("--readings -", to(&asked.readings)), ("--json", asked.json)];
-    match asked.iter().filter(|(_, is_asked)| *is_asked).map(|(name, _)| *name).collect::<Vec<_>>()[..] {
-        [one, other, ..] => Err(Failure::Wrong(format!(
-            "{one} and {other}: only one of them can go to standard output; name a file for the other"
-        ))),
-        _ => Ok(()),
     }
 }
 

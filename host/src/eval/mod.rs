@@ -101,21 +101,10 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         true => Some(Observers::derive(&model, &choice).map_err(|e| model_argument::wrong(&e))?),
         false => None,
     };
+    let (given, wanted) = ((&model, &choice), (&states[..], &asked.requests[..]));
     let text = match arguments.scalar {
-        ScalarKind::F32 => evaluate::<f32>(
-            arguments,
-            (&model, &choice),
-            &program,
-            closed.as_ref(),
-            (&states, &asked.requests),
-        )?,
-        ScalarKind::F64 => evaluate::<f64>(
-            arguments,
-            (&model, &choice),
-            &program,
-            closed.as_ref(),
-            (&states, &asked.requests),
-        )?,
+        ScalarKind::F32 => evaluate::<f32>(arguments, given, &program, closed.as_ref(), wanted)?,
+        ScalarKind::F64 => evaluate::<f64>(arguments, given, &program, closed.as_ref(), wanted)?,
     };
     output::write(&arguments.output, text.as_bytes())?;
     if arguments.json && arguments.output != "-" {

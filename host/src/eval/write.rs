@@ -1,9 +1,9 @@
 //! One evaluated state as JSON, with the names of the program and 17 significant digits.
 
 use crate::number::{json_number, json_object};
-use smartbed_codegen::Program;
 use smartbed_codegen::program::Quantity;
 use smartbed_codegen::program::answer::{Part, Shape};
+use smartbed_codegen::{Program, words};
 
 /// Most outputs that are named; more are counted.
 const NAMED: usize = 4;
@@ -34,7 +34,8 @@ impl Evaluated {
     /// What is said of the first group that contains a NaN or an infinity; outputs are named.
     pub fn not_finite(&self, program: &Program) -> Option<String> {
         let outputs = program.outputs.iter().map(|(name, _)| name.as_str()).zip(&self.outputs);
-        let outputs: Vec<(&str, &f64)> = outputs.filter(|(_, value)| !value.is_finite()).collect();
+        let outputs = outputs.filter(|(_, value)| !value.is_finite());
+        let named: Vec<String> = outputs.map(|(name, value)| format!("`{name}` = {value}")).collect();
         let lists: [(&str, &[f64]); 8] = [
             ("a coordinate in closed form", &self.closed),
             ("q_dot", &self.q_dot),
@@ -50,15 +51,11 @@ impl Evaluated {
                 "{what} is not finite: the configuration is singular, or a number too large"
             ));
         }
-        let more = outputs.len().saturating_sub(NAMED);
-        let named: Vec<String> =
-            outputs.iter().take(NAMED).map(|(name, value)| format!("`{name}` = {value}")).collect();
-        let more = if more > 0 { format!(" and {more} more") } else { String::new() };
         (!named.is_empty()).then(|| {
             format!(
-                "outputs are not finite: {}{more}; something they are divided by is 0, a function has no value there, \
+                "outputs are not finite: {}; something they are divided by is 0, a function has no value there, \
                  or a number is too large",
-                named.join(", ")
+                words::first_of(&named, NAMED)
             )
         })
     }

@@ -4,7 +4,7 @@ use super::outcome::line;
 use crate::csv;
 use crate::failure::Failure;
 use crate::number::{json_object, worst};
-use crate::output::Output;
+use crate::output::{self, Output};
 use crate::world::engine::Engine;
 use std::fmt::Write as _;
 
@@ -26,11 +26,7 @@ impl Rows {
     /// # Errors
     /// If it cannot be created, or if `csv` goes to standard output too.
     pub(super) fn open(file: &str, csv: Option<&str>, engine: &mut dyn Engine) -> Result<Rows, Failure> {
-        if file == "-" && csv == Some("-") {
-            return Err(Failure::Wrong(
-                "--accounts - and --csv -: only one of them can go to standard output; name a file for the other".to_owned(),
-            ));
-        }
+        output::one_in_standard_output(&[("--accounts -", file == "-"), ("--csv -", csv == Some("-"))])?;
         engine.keep_accounts();
         let csv = Output::open(file)?;
         Ok(Rows { csv, start: Vec::new(), last: Vec::new(), imbalance: 0.0, of: String::new() })

@@ -3,6 +3,7 @@
 //! In: coordinates and energies, row by row. Out: one line per kind of finding. It observes; no step is changed.
 
 use crate::number::worst;
+use smartbed_codegen::words;
 use std::collections::BTreeMap;
 
 /// Largest admitted imbalance of the ledger, as a fraction of the energy that moved (kinetic, stored, worked).
@@ -140,15 +141,13 @@ impl Health {
     }
 
     fn not_finite(&self) -> Option<String> {
-        let more = self.infinite.len().saturating_sub(NAMED);
-        let named = self.infinite.iter().take(NAMED);
-        let named = named.map(|(name, (t, value))| format!("`{name}` = {value} first at t = {t:.4} s"));
-        let named: Vec<String> = named.collect();
-        let more = if more > 0 { format!(" and {more} more") } else { String::new() };
+        let first =
+            |(name, (t, value)): (_, &(f64, f64))| format!("`{name}` = {value} first at t = {t:.4} s");
+        let named: Vec<String> = self.infinite.iter().map(first).collect();
         (!named.is_empty()).then(|| {
             format!(
-                "outputs are not finite: {}{more}; something they are divided by is 0, or a number is too large",
-                named.join(", ")
+                "outputs are not finite: {}; something they are divided by is 0, or a number is too large",
+                words::first_of(&named, NAMED)
             )
         })
     }
@@ -169,17 +168,15 @@ impl Health {
     fn left_ranges(&self) -> Option<String> {
         let mut worst: Vec<(&String, &Outside)> = self.outside.iter().collect();
         worst.sort_by(|a, b| b.1.excess.total_cmp(&a.1.excess));
-        let more = worst.len().saturating_sub(NAMED);
-        let named = worst.iter().take(NAMED).filter_map(|(name, found)| {
+        let named = worst.iter().filter_map(|(name, found)| {
             let range = self.ranges.get(*name)?;
             let (unit, factor) = &range.unit;
             let [value, low, high] = [found.value, range.ends.0, range.ends.1].map(|x| x / factor);
             Some(format!("`{name}` = {value:.4} {unit} at t = {:.4} s (range {low} to {high})", found.t))
         });
         let named: Vec<String> = named.collect();
-        let more = if more > 0 { format!(" and {more} more") } else { String::new() };
         (!named.is_empty()).then(|| {
-            format!("the motion left the ranges that the model declares: {}{more}", named.join(", "))
+            format!("the motion left the ranges that the model declares: {}", words::first_of(&named, NAMED))
         })
     }
 
