@@ -55,6 +55,8 @@ pub struct Model {
     pub start_written: Vec<(StartRef, Expr)>,
     /// `[law]`: inputs as expressions of t, q, u and parameters.
     pub laws: Vec<(InputId, Expr)>,
+    /// `[commanded]`: coordinates by quantities that a scene may command in their place.
+    pub commanded: Vec<Commanded>,
     /// `[run]`.
     pub run: Run,
     /// `[view]`.
@@ -176,6 +178,8 @@ pub struct Definition {
     pub name: String,
     /// Scalar or vector expression.
     pub value: Expr,
+    /// Unit as written, such as `mm`, and its value in SI units, where it is stated.
+    pub written_unit: Option<(String, f64)>,
     /// Where it is declared.
     pub span: Span,
 }
@@ -420,6 +424,18 @@ pub struct Configuration {
     pub values: Vec<(CoordinateId, f64)>,
     /// The same as they are written.
     pub written: Vec<(CoordinateId, Expr)>,
+}
+
+/// A coordinate as a function of definitions, such as a height by heave and slopes. It becomes the coordinate's closed
+/// form where a scene commands one of these definitions.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Commanded {
+    /// The coordinate.
+    pub coordinate: CoordinateId,
+    /// Its value.
+    pub value: Expr,
+    /// The same as it is written.
+    pub written: String,
 }
 
 /// A start value's owner.

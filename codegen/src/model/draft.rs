@@ -59,6 +59,7 @@ impl Draft {
             start: Vec::new(),
             start_written: Vec::new(),
             laws: Vec::new(),
+            commanded: Vec::new(),
             run: Run::default(),
             view: View::default(),
         };

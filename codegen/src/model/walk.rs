@@ -49,6 +49,8 @@ pub enum Role {
     Configuration(CoordinateId),
     /// The law of an input.
     Law(InputId),
+    /// A coordinate by what a scene may command in its place.
+    Commanded(CoordinateId),
     /// A force.
     Force,
     /// A torque.
@@ -81,7 +83,7 @@ impl Model {
         #[rustfmt::skip]
         let Self {
             parameters, coordinates, speeds, definitions, frames, points, bodies, configuration_constraints,
-            motion_constraints, gravity, loads, outputs, configurations, start_written, laws,
+            motion_constraints, gravity, loads, outputs, configurations, start_written, laws, commanded,
             source: _, name: _, doc: _, dof: _, inputs: _, ports: _, order: _, start: _, run: _, view,
         } = self;
         let mut all = Vec::new();
@@ -90,7 +92,7 @@ impl Model {
                 parameter;
             all.push((Role::Parameter(id), value));
         }
-        for (id, Definition { value, name: _, span: _ }) in definitions.enumerate() {
+        for (id, Definition { value, name: _, written_unit: _, span: _ }) in definitions.enumerate() {
             all.push((Role::Definition(id), value));
         }
         frames.enumerate().for_each(|(id, frame)| of_frame(id, frame, &mut all));
@@ -124,6 +126,9 @@ impl Model {
             all.extend(written.iter().map(|(id, e)| (Role::Configuration(*id), e)));
         }
         all.extend(laws.iter().map(|(id, e)| (Role::Law(*id), e)));
+        for Commanded { coordinate, value, written: _ } in commanded {
+            all.push((Role::Commanded(*coordinate), value));
+        }
         loads.iter().for_each(|Load { kind, name: _, span: _ }| of_load(kind, &mut all));
         for (n, Output { value, name: _, unit: _, span: _ }) in outputs.iter().enumerate() {
             all.push((Role::Output(n), value));

@@ -89,12 +89,7 @@ const fn figure(number: &'static str, caption: &'static str, recipe: Recipe) -> 
 const UNDAMPED: &[&str] = &["C=0"];
 const DAMPED: &[&str] = &["C=10"];
 /// All tiles at one tilt; the ball's impact needs shorter steps than lifting it.
-const TILTED: &[&str] = &[
-    "parts.tile.command.hA=30_mm",
-    "parts.tile.command.hB=-15_mm",
-    "parts.tile.command.hC=-15_mm",
-    "run.step=0.2_ms",
-];
+const TILTED: &[&str] = &["parts.tile.command={ slope_y = '-0.15' }", "run.step=0.2_ms"];
 
 /// All figures of chapters 2 to 5.
 pub const FIGURES: [Figure; 37] = [

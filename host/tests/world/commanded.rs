@@ -4,7 +4,7 @@ use super::rigid::G;
 use super::support::{fails, find, json, number, rows, scene, times};
 
 /// The numbers of a column.
-fn column((names, rows): &(Vec<String>, Vec<Vec<f64>>), name: &str) -> Vec<f64> {
+pub fn column((names, rows): &(Vec<String>, Vec<Vec<f64>>), name: &str) -> Vec<f64> {
     let at = names.iter().position(|own| own == name).unwrap_or_else(|| panic!("no column {name}"));
     rows.iter().map(|row| row[at]).collect()
 }
@@ -374,9 +374,9 @@ fn a_command_with_a_kink_at_the_start_moves_as_from_then_on() {
     }
     let scenes = find("scenes/tile_with_bladder").expect("a scene");
     let bladder = std::fs::read_to_string(scenes).expect("its text");
-    let own = "hA = \"0.005_m*(1 - cos(2*pi*t/1_s))\"";
+    let own = "heave = \"0.005_m*(1 - cos(2*pi*t/1_s))\"";
     assert!(bladder.contains(own));
-    let kinked = bladder.replace(own, "hA = \"0.1_m/1_s*abs(t)\"") + "start = \"settled\"\n";
+    let kinked = bladder.replace(own, "heave = \"0.1_m/1_s*abs(t)\"") + "start = \"settled\"\n";
     let said = fails(&["run", &scene("from_start_settled", &kinked)]);
     assert!(said.contains("moves as commanded at the start"), "{said}");
 }

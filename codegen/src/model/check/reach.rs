@@ -103,6 +103,7 @@ fn rule(role: Role) -> (&'static str, Reach) {
         Role::MotionConstraint => ("a motion constraint", MOTION),
         Role::Gravity => ("gravity", Reach::CONSTANT),
         Role::ClosedForm(_) => ("a closed form", Reach::COORDINATES | Reach::TIME),
+        Role::Commanded(_) => ("a commanded coordinate", Reach::COORDINATES | Reach::TIME),
         Role::Nominal(_) => ("a nominal value or range", Reach::CONSTANT),
         Role::Speed(_) => ("a speed", CONFIGURATION | Reach::RATES),
         Role::Start(_) => ("a start value", Reach::CONSTANT),

@@ -75,7 +75,7 @@ impl Checker<'_> {
             let mut result = self.infer(&definition.value).ok();
             if let (Some(of), Some(unit)) = (result, draft.units.definitions[id]) {
                 let wanted = Type { vector: of.vector, unit: Some(unit) };
-                self.compare(&definition.value, of, wanted, &definition.name);
+                self.compare(&definition.value, of, wanted, &quoted(&definition.name));
                 result = Some(wanted);
             }
             self.definitions[id.index()] = result;
@@ -118,7 +118,9 @@ impl Checker<'_> {
             Role::Mass(_) => plain(Type::scalar(Unit::MASS), "a mass"),
             Role::Inertia(_) => plain(Type::scalar(Unit::INERTIA), "a moment of inertia"),
             Role::Gravity => plain(Type::vector(Unit::ACCELERATION), "gravity"),
-            Role::ClosedForm(id) | Role::Nominal(id) | Role::Configuration(id) => of_coordinate(id),
+            Role::ClosedForm(id) | Role::Nominal(id) | Role::Configuration(id) | Role::Commanded(id) => {
+                of_coordinate(id)
+            }
             Role::Speed(id) => (Type::scalar(units.speeds[id].unit), quoted(&model.speeds[id].name)),
             Role::Start(StartRef::Coordinate(id)) => {
                 plain(Type::scalar(units.coordinates[id].unit), "this start value")

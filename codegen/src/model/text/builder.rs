@@ -125,6 +125,7 @@ impl<'a> Builder<'a> {
             "torques",
             "springs",
             "ports",
+            "commanded",
             "outputs",
             "constraints.configuration",
             "constraints.motion",
@@ -225,35 +226,38 @@ impl<'a> Builder<'a> {
     }
 
     /// A bare expression, or a table with `value` and perhaps `unit`; `None` if the table cannot be read.
-    fn stated_value(&mut self, key: &'a Key, value: &'a Value) -> Option<(Expr, Option<Unit>)> {
+    fn stated_value(&mut self, key: &'a Key, value: &'a Value) -> Option<(Expr, Option<(String, Scale)>)> {
         if !matches!(value, Value::Table(_)) {
             return Some((self.expression(value), None));
         }
         let fields = Fields::new(key, value, self.found)?;
         fields.doc(self.found);
-        let (_, scale) = self.unit(&fields);
+        let (unit, scale) = self.unit(&fields);
         let value = fields.need("value", "\"...\"", self.found);
         let value = match (value, scale) {
             (Some(value), Some(scale)) => self.quantity(value, scale),
             (Some(value), None) => self.expression(value),
             (None, _) => unreadable(key.span),
         };
+        let stated = scale.map(|scale| (Self::written_unit(&fields, &unit), scale));
         fields.finish(self.found);
-        Some((value, scale.map(|s| s.unit)))
+        Some((value, stated))
     }
 
     pub(super) fn definitions(&mut self) {
         for (key, value) in self.entries("definitions") {
             let Some((value, unit)) = self.stated_value(key, value) else { continue };
-            self.draft.units.definitions.push(unit);
-            self.draft.model.definitions.push(Definition { name: key.name.clone(), value, span: key.span });
+            self.draft.units.definitions.push(unit.as_ref().map(|(_, scale)| scale.unit));
+            let written_unit = unit.map(|(written, scale)| (written, scale.factor));
+            let definition = Definition { name: key.name.clone(), value, written_unit, span: key.span };
+            self.draft.model.definitions.push(definition);
         }
     }
 
     pub(super) fn outputs(&mut self) {
         for (key, value) in self.entries("outputs") {
             let Some((value, unit)) = self.stated_value(key, value) else { continue };
-            self.draft.units.outputs.push(unit);
+            self.draft.units.outputs.push(unit.map(|(_, scale)| scale.unit));
             let output = Output { name: key.name.clone(), value, unit: String::new(), span: key.span };
             self.draft.model.outputs.push(output);
         }

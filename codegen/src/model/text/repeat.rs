@@ -41,7 +41,7 @@ impl Sections {
 }
 
 /// Sections that are tables of named entries.
-pub const SECTIONS: [&str; 20] = [
+pub const SECTIONS: [&str; 21] = [
     "parameters",
     "joints",
     "coordinates",
@@ -60,6 +60,7 @@ pub const SECTIONS: [&str; 20] = [
     "outputs",
     "start",
     "law",
+    "commanded",
     "view.shapes",
     "view.colours",
 ];

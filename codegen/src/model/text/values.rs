@@ -1,4 +1,4 @@
-//! The sections of numbers: configurations, start values, laws of the inputs, settings of a run.
+//! The sections of values: configurations, start values, laws of the inputs, what may be commanded, settings of a run.
 
 use super::builder::{Builder, si};
 use super::document::wrong_kind;
@@ -17,7 +17,7 @@ fn known(scale: Option<&Scale>) -> Scale {
 }
 
 impl Builder<'_> {
-    /// Configurations, start values, laws and the run.
+    /// Configurations, start values, laws, what scenes may command, and the run.
     pub(super) fn values(&mut self) {
         for table in &self.sections.configurations {
             let fields = Fields::of("configuration", table.span, table);
@@ -35,6 +35,7 @@ impl Builder<'_> {
         }
         self.start();
         self.laws();
+        self.commanded();
         self.run();
     }
 
@@ -65,6 +66,19 @@ impl Builder<'_> {
                 }
                 _ => self.unknown_key(key, "input", |b| matches!(b, Binding::Input(_))),
             }
+        }
+    }
+
+    fn commanded(&mut self) {
+        for (key, value) in self.entries("commanded") {
+            let Some(coordinate) = self.coordinate_named(key) else { continue };
+            let Value::Text(text) = value else {
+                self.found.push(wrong_kind(&key.name, "an expression of definitions in quotes", value));
+                continue;
+            };
+            let written = text.text.clone();
+            let value = self.expression(value);
+            self.draft.model.commanded.push(Commanded { coordinate, value, written });
         }
     }
 

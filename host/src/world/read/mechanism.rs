@@ -1,13 +1,14 @@
 //! Reads a mechanism: a model, commands of the scene, and the position of its origin.
 //!
-//! Commanded coordinates become functions of time in a model that extends the one named, so that prescribed motion,
-//! units and places in messages are those of models.
+//! What a scene changes is written as a model that extends the one named, so that prescribed motion, units and places in
+//! messages are those of models.
 
-use super::value::{list, one_of};
+use super::command;
+use super::value::{list, refuse_without_unit};
 use crate::world::assembly::Mechanism;
 use smartbed_codegen::diagnostic::{Diagnostic, Diagnostics, Severity};
-use smartbed_codegen::model::document::{Key, Value, wrong_kind};
-use smartbed_codegen::model::{self, Fields, Model, RESERVED, Speed, SpeedMeaning, is_keyword, is_plain};
+use smartbed_codegen::model::document::{Value, wrong_kind};
+use smartbed_codegen::model::{self, Fields, Model, RESERVED, SpeedMeaning, is_keyword};
 use smartbed_codegen::source::Span;
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
@@ -58,24 +59,8 @@ pub(super) fn read(
 /// Text of the sections that override those of the model.
 fn changes(fields: &Fields<'_>, base: &Model, found: &mut Diagnostics) -> Option<String> {
     let (mut text, mut commanded) = (String::new(), 0);
-    let known: Vec<&str> = base.coordinates.iter().map(|c| c.name.as_str()).collect();
     if let Some(table) = fields.table("command", found) {
-        text += "[coordinates]\n";
-        for (key, value) in &table.entries {
-            let name = one_of(&key.name, key.span, ("coordinate", &known), found)?;
-            let coordinate = base.coordinates.iter().find(|c| c.name == name)?;
-            let Value::Text(law) = value else {
-                let error = wrong_kind(name, "an expression of the time t in quotes", value);
-                found.push(error.help("for example \"0.005_m*(1 - cos(2*pi*t/20_s))\""));
-                return None;
-            };
-            refuse_without_unit(name, value, &coordinate.written_unit, found);
-            let speed = own_speed((fields.name, key), base, found)?;
-            commanded += usize::from(coordinate.independent);
-            let _ = writeln!(text, "{name} = {{ closed_form = {:?}, independent = false{speed} }}", law.text);
-        }
-        let is_commanded = |name: &str| table.entries.iter().any(|(key, _)| key.name == name);
-        text += &still_independent(base, is_commanded);
+        (text, commanded) = command::sections(fields.name, table, base, found)?;
     }
     for section in ["parameters", "law", "start"] {
         let table = match section {
@@ -130,76 +115,6 @@ fn unit_of(base: &Model, section: &str, name: &str) -> Option<(String, f64)> {
         },
     };
     Some(unit.clone())
-}
-
-/// Refuses a number without unit where the model would read it in another unit than the scene.
-fn refuse_without_unit(name: &str, value: &Value, (unit, factor): &(String, f64), found: &mut Diagnostics) {
-    let is_zero = |text: &str| text.trim().parse() == Ok(0.0);
-    let (is_plain, shown) = match value {
-        Value::Number(number, _) => (*number != 0.0, number.to_string()),
-        Value::Text(text) => (is_plain(&text.text) && !is_zero(&text.text), text.text.trim().to_owned()),
-        _ => return,
-    };
-    if is_plain && *factor != 1.0 {
-        let error = Diagnostic::error(format!(
-            "`{name}` needs a unit: numbers of a scene are in SI units, those of its model in {unit}"
-        ));
-        let example = match unit.chars().all(char::is_alphabetic) {
-            true => format!("for example \"{shown}_{unit}\""),
-            false => "give it in quotes with its units, as in \"0.2_N*1_s/1_m\"".to_owned(),
-        };
-        found.push(error.label(value.span(), "without unit").help(example));
-    }
-}
-
-/// The field `speed` of a commanded coordinate, whose rate is not free any more. Refuses one whose rate the model
-/// states by other speeds: no speed of it can be given up.
-fn own_speed((part, key): (&str, &Key), base: &Model, found: &mut Diagnostics) -> Option<String> {
-    let name = &key.name;
-    let own =
-        |s: &&Speed| matches!(s.meaning, SpeedMeaning::RateOf(id) if base.coordinates[id].name == *name);
-    let coordinate = base.coordinates.iter().find(|c| c.name == *name)?;
-    let why = match base.speeds.iter().find(own) {
-        Some(speed) if speed.independent => {
-            return Some(format!(", speed = {{ name = {:?}, independent = false }}", speed.name));
-        }
-        // What is dependent for another reason than a motion constraint is left to the model's own checks.
-        Some(_) if !coordinate.independent => return Some(String::new()),
-        None if coordinate.closed_form.is_some() => return Some(String::new()),
-        Some(_) => "motion constraints, such as rolling, state its rate",
-        None => "it has no speed of its own",
-    };
-    let free = base.speeds.iter().filter(|speed| speed.independent);
-    let free = free.filter_map(|speed| match speed.meaning {
-        SpeedMeaning::RateOf(id) => Some(base.coordinates[id].name.as_str()),
-        SpeedMeaning::Combination(_) => None,
-    });
-    let free: Vec<&str> = free.collect();
-    let help = match free.as_slice() {
-        [] => "the model has none that can; give it joints that turn or slide about one axis".to_owned(),
-        free => format!("those that can are {}", free.join(", ")),
-    };
-    let error = Diagnostic::error(format!("`{name}` of `{part}` cannot be commanded: {why}"));
-    found.push(error.label(key.span, "this coordinate").help(help));
-    None
-}
-
-/// Marks what remains independent beside commanded coordinates: in a model without constraints all coordinates are
-/// so without a mark, in one with a closed form none is.
-fn still_independent(base: &Model, is_commanded: impl Fn(&str) -> bool) -> String {
-    let mut text = String::new();
-    for coordinate in base.coordinates.iter().filter(|c| c.independent && !is_commanded(&c.name)) {
-        let _ = writeln!(text, "{} = {{ independent = true }}", coordinate.name);
-    }
-    let of_its_own = |s: &&Speed| s.independent && matches!(s.meaning, SpeedMeaning::Combination(_));
-    let speeds: Vec<&Speed> = base.speeds.iter().filter(of_its_own).collect();
-    if !speeds.is_empty() {
-        text += "[speeds]\n";
-    }
-    for speed in speeds {
-        let _ = writeln!(text, "{} = {{ independent = true }}", speed.name);
-    }
-    text
 }
 
 /// The name of a part's own model: the part's, but names of models follow Rust and those of parts need not.

@@ -4,6 +4,7 @@
 //! part each, `join` attachments and contacts, `view` the options of pictures; `names` checks that rows can tell
 //! parts and pairs apart, `overlap` the initial positions of rigid parts.
 
+mod command;
 mod controller;
 mod flexible;
 mod join;

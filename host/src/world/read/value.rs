@@ -5,7 +5,7 @@
 use smartbed_codegen::diagnostic::{Diagnostic, Diagnostics};
 use smartbed_codegen::model::document::{Table, Text, Value, wrong_kind};
 use smartbed_codegen::model::unit::{self, Unit};
-use smartbed_codegen::model::{Fields, quantity};
+use smartbed_codegen::model::{Fields, is_plain, quantity};
 use smartbed_codegen::source::Span;
 
 /// A condition on a number.
@@ -220,4 +220,29 @@ pub(crate) fn one_of<'k>(
         );
     }
     hit.copied()
+}
+
+/// Refuses a number without unit where the model would read it in another unit than the scene.
+pub(super) fn refuse_without_unit(
+    name: &str,
+    value: &Value,
+    (unit, factor): &(String, f64),
+    found: &mut Diagnostics,
+) {
+    let is_zero = |text: &str| text.trim().parse() == Ok(0.0);
+    let (is_plain, shown) = match value {
+        Value::Number(number, _) => (*number != 0.0, number.to_string()),
+        Value::Text(text) => (is_plain(&text.text) && !is_zero(&text.text), text.text.trim().to_owned()),
+        _ => return,
+    };
+    if is_plain && *factor != 1.0 {
+        let error = Diagnostic::error(format!(
+            "`{name}` needs a unit: numbers of a scene are in SI units, those of its model in {unit}"
+        ));
+        let example = match unit.chars().all(char::is_alphabetic) {
+            true => format!("for example \"{shown}_{unit}\""),
+            false => "give it in quotes with its units, as in \"0.2_N*1_s/1_m\"".to_owned(),
+        };
+        found.push(error.label(value.span(), "without unit").help(example));
+    }
 }
