@@ -1,10 +1,14 @@
 //! The data of a model: what each section states, with names resolved to ids and every place in the text kept.
 
-use super::expression::{Axis, Expr};
+use super::expression::Expr;
 use super::ids::*;
 use super::unit::Unit;
 use crate::id::IdVec;
 use crate::source::{Source, Span};
+
+pub use super::frame::*;
+pub use super::load::*;
+pub use super::picture::*;
 
 /// The contents of a model file.
 #[derive(Clone, PartialEq, Debug)]
@@ -184,101 +188,6 @@ pub struct Definition {
     pub span: Span,
 }
 
-/// A reference frame.
-#[derive(Clone, PartialEq, Debug)]
-pub struct Frame {
-    /// Its name.
-    pub name: String,
-    /// How it is oriented.
-    pub orientation: Orientation,
-    /// Vectors stated to be constant in this frame: (vector, its x, y, z components here). A consequence of the
-    /// constraints that the derivation may use; checked at the sampled configurations.
-    pub fixed_vectors: Vec<FixedVector>,
-    /// Where it is declared.
-    pub span: Span,
-}
-
-/// `vector` has the constant components `components` in the frame that states it.
-#[derive(Clone, PartialEq, Debug)]
-pub struct FixedVector {
-    /// The vector, given in other frames.
-    pub vector: Expr,
-    /// Its components here: expressions of parameters only.
-    pub components: [Expr; 3],
-    /// Where it is stated.
-    pub span: Span,
-}
-
-/// Orientation of a frame.
-#[derive(Clone, PartialEq, Debug)]
-pub enum Orientation {
-    /// The inertial frame.
-    Inertial,
-    /// Successive simple rotations from the parent, each about an axis of the frame reached so far (rad).
-    Rotations {
-        /// The frame to start from.
-        parent: FrameId,
-        /// (axis, angle) in order.
-        rotations: Vec<(Axis, Expr)>,
-    },
-    /// Unit vectors given as vector expressions of other frames. Two are enough (the third is
-    /// their cross product); they are orthonormal wherever the constraints hold. Angular velocity by Kane's definition.
-    Directions {
-        /// x, y, z.
-        axes: [Option<Expr>; 3],
-    },
-    /// Euler parameters of the turn from the parent: cos(angle/2) and axis sin(angle/2), of unit length.
-    Euler {
-        /// The frame to start from.
-        parent: FrameId,
-        /// e0, e1, e2, e3.
-        parameters: Box<[Expr; 4]>,
-    },
-}
-
-/// The role of an expression of an [`Orientation`]: a number without unit, or a vector of such.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub struct OrientationPart {
-    /// In words.
-    pub what: &'static str,
-    /// A vector?
-    pub is_vector: bool,
-}
-
-impl OrientationPart {
-    const ANGLE: Self = Self { what: "an angle of rotation", is_vector: false };
-    const EULER: Self = Self { what: "an Euler parameter", is_vector: false };
-    const DIRECTION: Self = Self { what: "a unit vector", is_vector: true };
-}
-
-impl Orientation {
-    /// The frame from which the rotations start, whatever frames the expressions name.
-    #[must_use]
-    pub fn parent(&self) -> Option<FrameId> {
-        match self {
-            Self::Rotations { parent, .. } | Self::Euler { parent, .. } => Some(*parent),
-            Self::Inertial | Self::Directions { .. } => None,
-        }
-    }
-
-    /// Its expressions. Checks and walks go through these alone: they know of no kind of orientation.
-    #[must_use]
-    pub fn expressions(&self) -> Vec<(OrientationPart, &Expr)> {
-        match self {
-            Self::Inertial => Vec::new(),
-            Self::Rotations { rotations, .. } => {
-                rotations.iter().map(|(_, angle)| (OrientationPart::ANGLE, angle)).collect()
-            }
-            Self::Euler { parameters, .. } => {
-                parameters.iter().map(|e| (OrientationPart::EULER, e)).collect()
-            }
-            Self::Directions { axes } => {
-                axes.iter().flatten().map(|axis| (OrientationPart::DIRECTION, axis)).collect()
-            }
-        }
-    }
-}
-
 /// A point.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Point {
@@ -327,77 +236,6 @@ pub struct Constraint {
     pub expression: Expr,
     /// What it is measured in, once units have been checked.
     pub unit: Unit,
-    /// Where it is declared.
-    pub span: Span,
-}
-
-/// Something that does work on the mechanism.
-#[derive(Clone, PartialEq, Debug)]
-pub struct Load {
-    /// Its name.
-    pub name: String,
-    /// Its kind, and where it acts.
-    pub kind: LoadKind,
-    /// Where it is declared.
-    pub span: Span,
-}
-
-/// Kinds of loads.
-#[derive(Clone, PartialEq, Debug)]
-pub enum LoadKind {
-    /// Force vector (N) at a point; the reaction acts on `reaction` if given, else on the ground.
-    Force {
-        /// Point of application.
-        point: PointId,
-        /// Force.
-        force: Expr,
-        /// Point that feels the reaction.
-        reaction: Option<PointId>,
-    },
-    /// Torque vector (N m) on a frame's body; the reaction on `reaction` if given, else on the ground.
-    Torque {
-        /// Frame it acts on.
-        frame: FrameId,
-        /// Torque.
-        torque: Expr,
-        /// Frame that feels the reaction.
-        reaction: Option<FrameId>,
-    },
-    /// Linear spring-damper between two points. Tension = stiffness (length - rest_length) + damping length_rate.
-    Spring {
-        /// The two ends.
-        ends: [PointId; 2],
-        /// Stiffness (N/m).
-        stiffness: Expr,
-        /// Rest length (m).
-        rest_length: Expr,
-        /// Damping (N s/m).
-        damping: Option<Expr>,
-    },
-    /// Spring-damper on a coordinate: generalised force -stiffness (q - rest) - damping q_dot.
-    CoordinateSpring {
-        /// The coordinate.
-        coordinate: CoordinateId,
-        /// Stiffness (unit of force per unit of q).
-        stiffness: Expr,
-        /// Value without force.
-        rest: Expr,
-        /// Damping.
-        damping: Option<Expr>,
-    },
-}
-
-/// A frame with a point at which other parts attach: they follow its pose and push it with a wrench.
-#[derive(Clone, PartialEq, Debug)]
-pub struct Port {
-    /// Its name.
-    pub name: String,
-    /// Description.
-    pub doc: String,
-    /// The frame that attached parts turn with.
-    pub frame: FrameId,
-    /// The point that they move with; moments are about it.
-    pub point: PointId,
     /// Where it is declared.
     pub span: Span,
 }
@@ -464,52 +302,4 @@ impl Default for Run {
     fn default() -> Self {
         Self { seconds: 1.0, step: 1e-3, method: "rk4".to_owned(), every: 1 }
     }
-}
-
-/// `[view]`: options of pictures. No equation depends on it.
-#[derive(Clone, PartialEq, Default, Debug)]
-pub struct View {
-    /// Shapes in place of inertia ellipsoids.
-    pub shapes: Vec<(BodyId, Shape)>,
-    /// Colours (red, green, blue).
-    pub colours: Vec<(Shown, [u8; 3])>,
-    /// Items that are left out.
-    pub hidden: Vec<Shown>,
-    /// Rods between points; `None` for those that the points' expressions suggest.
-    pub links: Option<Vec<[PointId; 2]>>,
-}
-
-/// An item of a picture.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Shown {
-    /// A body.
-    Body(BodyId),
-    /// A point.
-    Point(PointId),
-    /// A spring, by its index among the loads.
-    Spring(usize),
-}
-
-/// The shape of a body, along the axes of its frame.
-#[derive(Clone, PartialEq, Debug)]
-pub struct Shape {
-    /// Its kind.
-    pub kind: ShapeKind,
-    /// Its lengths (m), in the order of [`ShapeKind`].
-    pub sizes: Vec<Expr>,
-    /// Axis of a cylinder.
-    pub axis: Axis,
-    /// Its middle, if that is not the mass centre.
-    pub at: Option<PointId>,
-}
-
-/// Kinds of shapes.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum ShapeKind {
-    /// Edges along x, y, z.
-    Box,
-    /// Radius, length.
-    Cylinder,
-    /// Radius.
-    Ball,
 }
