@@ -66,7 +66,7 @@ fn a_joint_is_a_row_of_one_table() {
 #[test]
 fn an_orientation_kind_is_named_by_three_files() {
     let sources = sources();
-    let three = ["kinematics/orientation.rs", "model/data.rs", "model/text/mechanics.rs"];
+    let three = ["kinematics/orientation.rs", "model/frame.rs", "model/text/mechanics.rs"];
     for kind in ["Directions", "Euler"] {
         let pieces = [format!("Orientation::{kind}"), format!("Self::{kind}")];
         let pieces: Vec<&str> = pieces.iter().map(String::as_str).collect();
