@@ -3,15 +3,14 @@
 use super::drawing::Color;
 
 /// The thesis' colours (chapter 5) in the palette of Okabe & Ito; darker ones for quantities that it does not draw.
-const COLORS: [(&str, Color); 14] = [
+const COLORS: [(&str, Color); 13] = [
     ("kinetic", [230, 159, 0]),
     ("gravity", [204, 121, 167]),
     ("spring", [213, 94, 0]),
     ("potential", [0, 158, 115]),
     ("total", [0, 114, 178]),
     ("pressure", [86, 180, 233]),
-    ("gas", [86, 180, 233]),
-    ("actuator", [86, 180, 233]),
+    ("actuator", [120, 94, 240]),
     ("damping", [110, 110, 110]),
     ("drive", [120, 60, 20]),
     ("external", [0, 0, 0]),

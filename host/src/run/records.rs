@@ -197,9 +197,10 @@ impl Kept {
         self.rows += 1;
         self.total = [row.start, energies.total()];
         self.imbalance = worst(self.imbalance, imbalance);
-        let stored = [energies.kinetic, energies.gravity, energies.spring, energies.gas];
+        let stored = [energies.kinetic, energies.gravity, energies.spring, energies.pressure];
         let change = self.total[1] - self.total[0];
-        let moved = [energies.damping, energies.impact, energies.friction, energies.drive, change];
+        let lost = [energies.damping, energies.drag, energies.impact, energies.friction];
+        let moved = [&lost[..], &[energies.actuator, change]].concat();
         for &place in &self.ranged {
             self.health.place(&columns[place].name, row.state[place], row.t);
         }
@@ -227,7 +228,7 @@ fn ranges(assembly: &Assembly) -> BTreeMap<String, Range> {
 fn series(columns: &[Column]) -> Vec<Series> {
     let own = columns.iter().filter(|c| c.by_default).map(|c| (c.name.clone(), panels::label(&c.unit)));
     let accounts = ACCOUNTS.iter().map(|name| {
-        let is_account = ["damping", "impact", "friction", "drive", "imbalance"].contains(name);
+        let is_account = ["damping", "drag", "impact", "friction", "actuator", "imbalance"].contains(name);
         ((*name).to_owned(), if is_account { "ledger".to_owned() } else { panels::label("J") })
     });
     own.chain(accounts).map(|(name, group)| Series { name, group, factor: 1.0 }).collect()

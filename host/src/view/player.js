@@ -2,7 +2,7 @@
 const COLORS = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#e69f00", "#000000"];
 // Marks on a curve.
 const MARKS = 5;
-const ENERGY = { kinetic: "#e69f00", gravity: "#cc79a7", spring: "#d55e00", pressure: "#56b4e9", gas: "#56b4e9", potential: "#009e73", total: "#0072b2" };
+const ENERGY = { kinetic: "#e69f00", gravity: "#cc79a7", spring: "#d55e00", pressure: "#56b4e9", potential: "#009e73", total: "#0072b2" };
 // Without WebGL nothing can be drawn: say so, and stop.
 const stage = (() => {
   try { return new Stage(element("stage")); } catch (error) { element("fault").textContent = "this browser draws nothing in 3-D (no WebGL)"; throw error; }

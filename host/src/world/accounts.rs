@@ -2,7 +2,7 @@
 //!
 //! In: what an engine has booked. Out: columns and their values; each part and each seam closes by itself:
 //! ```text
-//! part   total - start + damping + impact - drive - seams = imbalance
+//! part   total - start + damping + impact - actuator - seams = imbalance
 //! seam   to one + to the other + impact + friction        = imbalance
 //! ```
 //! A seam is an attachment, `bladder@tile.platform`, or a pair of contacts, `ball-bladder`. Sums over all parts and
@@ -20,7 +20,7 @@ pub struct Part {
     /// Lost inside it in impacts; negative where energy compensation gives energy back along its springs.
     pub impact: f64,
     /// Work of its drives and actuators, and of flow of gas.
-    pub drive: f64,
+    pub actuator: f64,
     /// Work of its seams on it.
     pub seams: f64,
 }
@@ -66,7 +66,7 @@ impl Part {
     /// What no account explains since the start, when the stored energy was `start`.
     #[must_use]
     pub fn imbalance(&self, start: f64) -> f64 {
-        self.total() - start + self.damping + self.impact - self.drive - self.seams
+        self.total() - start + self.damping + self.impact - self.actuator - self.seams
     }
 }
 
@@ -104,15 +104,15 @@ impl Accounts {
     pub fn columns(&self, start: &[f64]) -> Vec<(String, f64)> {
         let mut columns = Vec::new();
         for (part, start) in self.parts.iter().zip(start) {
-            let [kinetic, gravity, spring, gas] = part.stored;
+            let [kinetic, gravity, spring, pressure] = part.stored;
             let own = [
                 ("kinetic", kinetic),
                 ("gravity", gravity),
                 ("spring", spring),
-                ("gas", gas),
+                ("pressure", pressure),
                 ("damping", part.damping),
                 ("impact", part.impact),
-                ("drive", part.drive),
+                ("actuator", part.actuator),
                 ("seams", part.seams),
                 ("total", part.total()),
                 ("imbalance", part.imbalance(*start)),

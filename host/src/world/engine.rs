@@ -27,50 +27,61 @@ pub struct Energies {
     pub gravity: f64,
     /// Potential energy of springs, in mechanisms and flexible bodies.
     pub spring: f64,
-    /// Internal energy of gas.
-    pub gas: f64,
-    /// Dissipated by damping and drag.
+    /// Potential energy of gas.
+    pub pressure: f64,
+    /// Dissipated by dampers.
     pub damping: f64,
+    /// Dissipated by air drag.
+    pub drag: f64,
     /// Dissipated by impacts.
     pub impact: f64,
     /// Dissipated by friction between impacts.
     pub friction: f64,
-    /// Work of drives and actuators.
-    pub drive: f64,
+    /// Work of drives and actuators, and of gas that flows in.
+    pub actuator: f64,
 }
 
 /// Names of the accounts, in the order in which they follow the state in a row.
-pub const ACCOUNTS: [&str; 10] =
-    ["kinetic", "gravity", "spring", "gas", "damping", "impact", "friction", "drive", "total", "imbalance"];
+pub const ACCOUNTS: [&str; 11] = [
+    "kinetic",
+    "gravity",
+    "spring",
+    "pressure",
+    "damping",
+    "drag",
+    "impact",
+    "friction",
+    "actuator",
+    "total",
+    "imbalance",
+];
 
 impl Energies {
     /// Total stored energy.
     #[must_use]
     pub fn total(&self) -> f64 {
-        self.kinetic + self.gravity + self.spring + self.gas
+        self.kinetic + self.gravity + self.spring + self.pressure
     }
 
     /// The energy imbalance: what no account explains since the start, when the energy was `start`.
     #[must_use]
     pub fn imbalance(&self, start: f64) -> f64 {
-        self.total() - start - self.drive + self.damping + self.impact + self.friction
+        self.total() - start - self.actuator + self.damping + self.drag + self.impact + self.friction
     }
 
     /// In the order of [`ACCOUNTS`].
     #[must_use]
-    pub fn numbers(&self, start: f64) -> [f64; 10] {
-        let stored = [self.kinetic, self.gravity, self.spring, self.gas];
-        let [kinetic, gravity, spring, gas] = stored;
-        let (damping, impact) = (self.damping, self.impact);
+    pub fn numbers(&self, start: f64) -> [f64; 11] {
         [
-            kinetic,
-            gravity,
-            spring,
-            gas,
-            damping,
-            impact,
+            self.kinetic,
+            self.gravity,
+            self.spring,
+            self.pressure,
+            self.damping,
+            self.drag,
+            self.impact,
             self.friction,
-            self.drive,
+            self.actuator,
             self.total(),
             self.imbalance(start),
         ]

@@ -85,8 +85,8 @@ fn flow_beside_motion_is_of_order_two_and_the_accounts_close() {
         let open = "parts.bladder.gas.supply.opening=1";
         let done = json(&[&scene("order", &text), "--step", step, "--set", open]);
         let last = |name: &str| number(&done["last"][format!("bladder.{name}")]);
-        assert!(number(&done["last"]["drive"]) < 0.0, "gas that flows in lowers its potential");
-        ([last("gauge"), last("top")], number(&done["imbalance"]), number(&done["last"]["drive"]))
+        assert!(number(&done["last"]["actuator"]) < 0.0, "gas that flows in lowers its potential");
+        ([last("gauge"), last("top")], number(&done["imbalance"]), number(&done["last"]["actuator"]))
     };
     let [a, b, c] = ["2.5e-4", "1.25e-4", "6.25e-5"].map(run);
     for k in 0..2 {
@@ -212,4 +212,33 @@ fn what_controllers_and_lines_cannot_do_is_refused_by_name() {
     says(&["--set", "parts.bladder.gas.sealed=false"], "supply");
     let chip = fails(&["firmware", &file]);
     assert!(chip.contains("without lines of gas and controllers"), "{chip}");
+}
+
+/// A cube without load flies through air: its velocity falls by exp(-c t/m) of a node, and all that it loses is drag.
+#[test]
+fn drag_is_an_account_of_its_own() {
+    let (mass, drag, speed, seconds) = (0.1_f64, 0.02_f64, 3.0_f64, 0.2_f64);
+    let cube = "format = 2\ngravity = [0, 0, 0]\n[parts.cube]\nshape = \"cube\"\nside = 0.1\nmass = 0.1\nK = 500\n\
+                C = 0.3\nair_drag = 0.02\nstart = { velocity = [3, 0, 0], position = [0, 0, 1] }\n";
+    let ground = "[parts.ground]\nrigid = \"half_space\"\n[[contacts]]\nbetween = [\"cube\", \"ground\"]\nimpact = \"LAW\"\n";
+    let start = 0.5 * mass * speed * speed;
+    let lost = start * (1.0 - (-2.0 * drag * seconds / (mass / 8.0)).exp());
+    let contacts = [(String::new(), ["rk4", "verlet", "energy_momentum"])]
+        .into_iter()
+        .chain(["plastic"].map(|law| (ground.replace("LAW", law), ["rk4", "verlet", "verlet"])))
+        .chain(["moreau"].map(|law| (ground.replace("LAW", law), ["moreau"; 3])));
+    for (n, (contact, methods)) in contacts.enumerate() {
+        for method in methods {
+            let run = format!("[run]\nseconds = {seconds}\nstep = 0.0005\nmethod = \"{method}\"\n");
+            let file = scene(&format!("drag_{n}_{method}"), &format!("{cube}{contact}{run}"));
+            let done = json(&[&file]);
+            let [seen, damping, imbalance] =
+                ["drag", "damping", "imbalance"].map(|name| number(&done["last"][name]));
+            assert!((seen - lost).abs() < 1e-4 * lost, "{n}, {method}: {seen} is not {lost}");
+            assert!(
+                damping.abs() < 1e-9 && imbalance.abs() < 1e-4 * lost,
+                "{n}, {method}: {damping} {imbalance}"
+            );
+        }
+    }
 }

@@ -109,7 +109,7 @@ fn an_impact_on_a_mechanism_commanded_in_part_books_the_work_of_its_drive() {
     assert!(number(&done["imbalance"]).abs() < 2e-5, "{}", done["imbalance"]);
     let (time, impulse) = (times(&done)[0], number(&done["events"][0]["impulse"]));
     let work = -impulse * 0.5_f64.sin() * 0.5_f64.cos() * (0.3 + 0.3 * (6.0 * time).cos());
-    let drive = column(&rows(&[&file]), "drive");
+    let drive = column(&rows(&[&file]), "actuator");
     let (at, change) = ((time / 1e-3) as usize, |n: usize| drive[n + 1] - drive[n]);
     let jump = change(at) - 0.5 * (change(at - 1) + change(at + 1));
     assert!(work < -0.6 && (jump - work).abs() < 5e-3, "{jump} {work}");
@@ -138,7 +138,7 @@ fn loads_on_a_mechanism_commanded_in_part_book_the_work_of_its_drive() {
         let imbalance = |step: &str| {
             let method: Vec<&str> = method.iter().flat_map(|method| ["--method", method]).collect();
             let done = json(&[&[file, "--step", step][..], &method].concat());
-            assert!(number(&done["last"]["drive"]) < -1.0, "{file}: {}", done["last"]["drive"]);
+            assert!(number(&done["last"]["actuator"]) < -1.0, "{file}: {}", done["last"]["actuator"]);
             number(&done["imbalance"]).abs()
         };
         let (coarse, fine) = (imbalance("2e-3"), imbalance("1e-3"));
@@ -331,7 +331,7 @@ fn a_kink_of_the_motion_acts_alike_in_a_world() {
     let motion = "[constraints.motion]\nd = \"u_x - 0.7_m/1_s*sign(t - 0.1003_s)\"";
     let last = |file: String| {
         let last = json(&[&file])["last"].clone();
-        ["hung.q", "hung.u_q", "drive", "imbalance"].map(|name| number(&last[name]))
+        ["hung.q", "hung.u_q", "actuator", "imbalance"].map(|name| number(&last[name]))
     };
     let expected = last(hung("closed", form, "x*N.x", ""));
     for file in [
@@ -365,7 +365,7 @@ fn a_command_with_a_kink_at_the_start_moves_as_from_then_on() {
             let file = pole(&format!("from_start_{}", n + 1), command, run);
             let least = if more.contains(&"f32") { 1e-6 } else { 1e-14 };
             let found = rows(&[&[file.as_str()], &more[..]].concat());
-            for name in ["m.q", "m.u_q", "m.x", "kinetic", "drive"] {
+            for name in ["m.q", "m.u_q", "m.x", "kinetic", "actuator"] {
                 let pairs = column(&found, name).into_iter().zip(column(&smooth, name));
                 let off = pairs.map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
                 assert!(off < least, "{command}, {more:?}: {name} differs by {off}");
@@ -388,7 +388,7 @@ fn a_row_at_the_time_of_a_kink_shows_the_motion_behind_it() {
         let run = format!("seconds = 0.25\nstep = 0.00390625\nmethod = \"{method}\"");
         let found = rows(&[&pole(&format!("at_row_{method}"), "0.5_m/1_s*abs(t - 0.25_s)", &run)]);
         let last = |name: &str| *column(&found, name).last().expect("a row");
-        let off = [last("m.u_q") + 2.5, last("kinetic") - 0.15, last("drive"), last("imbalance")];
+        let off = [last("m.u_q") + 2.5, last("kinetic") - 0.15, last("actuator"), last("imbalance")];
         assert!(off.iter().all(|off| off.abs() < 1e-12), "{method}: {off:?}");
     }
 }

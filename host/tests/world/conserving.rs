@@ -4,10 +4,10 @@ use super::support::{self, fails, json, number};
 
 const SCENES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../models/scenes");
 
-/// The largest imbalance of a run, and its last accounts: impact, friction, damping, drive (J).
+/// The largest imbalance of a run, and its last accounts: impact, friction, damping, actuator (J).
 fn books(arguments: &[&str]) -> (f64, [f64; 4]) {
     let done = json(&[arguments, &["--method", "energy_momentum"]].concat());
-    let accounts = ["impact", "friction", "damping", "drive"].map(|name| number(&done["last"][name]));
+    let accounts = ["impact", "friction", "damping", "actuator"].map(|name| number(&done["last"][name]));
     println!("{arguments:?}: imbalance {:e}, {accounts:?}", number(&done["imbalance"]));
     (number(&done["imbalance"]).abs(), accounts)
 }

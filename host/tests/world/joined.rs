@@ -61,7 +61,7 @@ fn a_commanded_joint_moves_as_a_closed_form_by_hand() {
     let start = "start = { q = \"50_deg\" }";
     let joined = part("words", JOINED, &format!("command = {{ z = \"{LAW}\" }}\n{start}"));
     let hand = part("hand", &BY_HAND.replace("LAW", LAW), start);
-    for name in ["m.z", "m.q", "m.u_q", "drive", "kinetic"] {
+    for name in ["m.z", "m.q", "m.u_q", "actuator", "kinetic"] {
         let [found, expected] = [&joined, &hand].map(|file| column(file, name));
         let apart = found.iter().zip(&expected).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
         let size = expected.iter().fold(0.0, |most: f64, x| most.max(x.abs()));

@@ -169,7 +169,7 @@ fn the_bed_carries_a_ball() {
     let [a, b] = ["bladder[6,0].top", "bladder[6,3].top"].map(last);
     assert!((a - b).abs() < 1e-9, "{a} {b}");
     // What the drives give moves tiles, bladders and ball; a step of order 1 at its touches misses little of it.
-    let (missed, given) = (number(&done["imbalance"]), last("drive"));
+    let (missed, given) = (number(&done["imbalance"]), last("actuator"));
     assert!(given > 1.0 && missed.abs() < 1e-3 * given, "{missed} of {given}");
 }
 

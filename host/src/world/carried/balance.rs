@@ -79,7 +79,7 @@ impl<S: Scalar> CarriedWorld<S> {
             match place {
                 Place::Carrier(number, _) if !matches!(self.carriers[*number], HostCarrier::Still(_)) => {
                     own.stored = stored[*number];
-                    (own.damping, own.drive) = (books.carrier_damped[*number], books.driven[*number]);
+                    (own.damping, own.actuator) = (books.carrier_damped[*number], books.driven[*number]);
                 }
                 Place::Nodes(nodes, _, cell) => {
                     let springs = &self.fixed.springs;
@@ -95,7 +95,7 @@ impl<S: Scalar> CarriedWorld<S> {
                     own.damping = books.damped[nodes.clone()].iter().sum();
                     own.impact = -books.restored[nodes.clone()].iter().sum::<f64>();
                     let airs = self.airs.iter().zip(&books.flows).filter(|(air, _)| air.part == part);
-                    own.drive = airs.map(|(_, flow)| flow).sum();
+                    own.actuator = airs.map(|(_, flow)| flow).sum();
                 }
                 _ => continue,
             }

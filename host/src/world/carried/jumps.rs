@@ -25,11 +25,11 @@ impl<S: Scalar> CarriedWorld<S> {
             return self.move_smoothly(h, found);
         }
         let saved = (self.x.clone(), self.low.clone(), self.books.clone());
-        let works = [self.drive, self.damping, self.impact, self.friction];
+        let works = [self.actuator, self.damping, self.drag, self.impact, self.friction];
         let done = self.move_past_kinks((end, h), found);
         if done.is_err() {
             (self.x, self.low, self.books) = saved;
-            [self.drive, self.damping, self.impact, self.friction] = works;
+            [self.actuator, self.damping, self.drag, self.impact, self.friction] = works;
             self.t = start;
         }
         done
@@ -124,7 +124,7 @@ impl<S: Scalar> CarriedWorld<S> {
         for (number, new, work) in changes {
             let first = self.split() + self.carriers[..number].iter().map(Carrier::n_u).sum::<usize>();
             self.x[first..first + new.len()].copy_from_slice(&new);
-            self.drive += work;
+            self.actuator += work;
             if let Some(books) = &mut self.books {
                 books.driven[number] += work;
             }

@@ -88,6 +88,7 @@ enum Place<S = f64> {
 struct Powers {
     driven: f64,
     damped: f64,
+    dragged: f64,
 }
 
 /// A world of flexible parts on carriers.
@@ -107,8 +108,9 @@ pub struct CarriedWorld<S: Scalar = f64> {
     /// Commanded frames at the start, with their motion.
     starts: Vec<Frame<S>>,
     t: f64,
-    drive: f64,
+    actuator: f64,
     damping: f64,
+    drag: f64,
     impact: f64,
     friction: f64,
     airs: Vec<air::Air<S>>,
@@ -241,7 +243,10 @@ impl<S: Scalar> CarriedWorld<S> {
         self.book_forces(duration);
         let (mut powers, mut books) = (Powers::default(), self.books.take());
         let forces = self.room.viscous.iter().zip(&self.room.vel);
-        powers.damped = -forces.map(|(force, velocity)| vec3::dot(*force, *velocity).to_f64()).sum::<f64>();
+        let viscous: f64 = forces.map(|(force, velocity)| vec3::dot(*force, *velocity).to_f64()).sum();
+        let squares: f64 = self.room.vel.iter().map(|v| vec3::dot(*v, *v).to_f64()).sum();
+        powers.dragged = self.fixed.air_drag.to_f64() * squares;
+        powers.damped = -viscous - powers.dragged;
         let done = self.each_mechanism(self.of_carriers(x), |number, ported, q, u, wrenches| {
             let account = ported.account(S::from_f64(t), q, u, wrenches)?;
             powers.driven += account.driven.to_f64();

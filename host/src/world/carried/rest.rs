@@ -96,7 +96,7 @@ impl Relaxing for CarriedWorld {
         self.low = vec![0.0; x.len()];
         (self.x, self.t) = (x, 0.0);
         self.forget_volumes();
-        [self.drive, self.damping, self.impact, self.friction] = [0.0; 4];
+        [self.actuator, self.damping, self.drag, self.impact, self.friction] = [0.0; 5];
     }
 }
 

@@ -122,9 +122,10 @@ impl<S: Settle> Engine for CarriedWorld<S> {
             kinetic: island.body.kinetic.to_f64(),
             gravity: island.body.gravity.to_f64(),
             spring: island.body.spring.to_f64(),
-            gas: island.body.pressure.to_f64(),
-            drive: self.drive,
+            pressure: island.body.pressure.to_f64(),
+            actuator: self.actuator,
             damping: self.damping,
+            drag: self.drag,
             impact: self.impact,
             friction: self.friction,
         };
@@ -224,7 +225,7 @@ impl<S: Settle> Engine for CarriedWorld<S> {
     }
 
     fn save(&self) -> Vec<f64> {
-        let accounts = [self.t, self.drive, self.damping, self.impact, self.friction];
+        let accounts = [self.t, self.actuator, self.damping, self.drag, self.impact, self.friction];
         let airs: Vec<f64> = self.airs.iter().flat_map(|air| air.save(&self.fixed.cells)).collect();
         let state: Vec<f64> = self.x.iter().chain(&self.low).map(|x| x.to_f64()).collect();
         [&accounts[..], &state, &airs, self.pushed()].concat()
@@ -232,7 +233,7 @@ impl<S: Settle> Engine for CarriedWorld<S> {
 
     fn load(&mut self, numbers: &[f64]) -> Result<(), String> {
         let n = self.x.len();
-        let air = 5 + 2 * n + SAVED * self.airs.len();
+        let air = 6 + 2 * n + SAVED * self.airs.len();
         if numbers.len() != air + self.pushed().len() {
             return Err(engine::other_world());
         }
@@ -240,9 +241,9 @@ impl<S: Settle> Engine for CarriedWorld<S> {
         if let Some(touching) = &mut self.touching {
             touching.load(pushed);
         }
-        let (accounts, state) = numbers.split_at(5);
-        [self.t, self.drive, self.damping] = [accounts[0], accounts[1], accounts[2]];
-        [self.impact, self.friction] = [accounts[3], accounts[4]];
+        let (accounts, state) = numbers.split_at(6);
+        [self.t, self.actuator, self.damping] = [accounts[0], accounts[1], accounts[2]];
+        [self.drag, self.impact, self.friction] = [accounts[3], accounts[4], accounts[5]];
         for (x, own) in self.x.iter_mut().chain(&mut self.low).zip(state) {
             *x = S::from_f64(*own);
         }

@@ -28,8 +28,9 @@ impl<S: Scalar> CarriedWorld<S> {
             let done = self.step_touching(h, (&mut x, &mut low), false, found);
             (self.x, self.low) = (x, low);
             let accounts = done.map_err(words)?.accounts;
-            self.drive += accounts.drive.to_f64();
-            self.damping += (accounts.damping + accounts.drag).to_f64();
+            self.actuator += accounts.drive.to_f64();
+            self.damping += accounts.damping.to_f64();
+            self.drag += accounts.drag.to_f64();
             self.impact += accounts.impact.to_f64();
             self.friction += accounts.friction.to_f64();
             self.t += h;
@@ -60,8 +61,9 @@ impl<S: Scalar> CarriedWorld<S> {
         let middle: Vec<S> = ends.map(|((a, b), (da, db))| half * (*a + *b) + eighth * (*da - *db)).collect();
         self.rates(t + 0.5 * h, &middle).map_err(words)?;
         let between = self.powers(t + 0.5 * h, &middle, h / 1.5).map_err(words)?;
-        self.drive += h / 6.0 * (first.driven + 4.0 * between.driven + last.driven);
+        self.actuator += h / 6.0 * (first.driven + 4.0 * between.driven + last.driven);
         self.damping += h / 6.0 * (first.damped + 4.0 * between.damped + last.damped);
+        self.drag += h / 6.0 * (first.dragged + 4.0 * between.dragged + last.dragged);
         self.t = t + h;
         Ok(())
     }

@@ -90,7 +90,7 @@ impl Subset {
             }
         }
         own.t = whole.t;
-        [own.drive, own.damping, own.impact, own.friction] = [0.0; 4];
+        [own.actuator, own.damping, own.drag, own.impact, own.friction] = [0.0; 5];
         (own.unsettled, own.forced) = (0, 0);
         own.books.iter_mut().for_each(Books::clear);
     }
@@ -115,8 +115,9 @@ impl Subset {
                 to.pivot = to.pivot.min(own.pivot);
             }
         }
-        whole.drive += own.drive;
+        whole.actuator += own.actuator;
         whole.damping += own.damping;
+        whole.drag += own.drag;
         whole.impact += own.impact;
         whole.friction += own.friction;
         whole.unsettled += own.unsettled;
