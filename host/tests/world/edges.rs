@@ -1,7 +1,7 @@
 //! What slides or rolls off an edge, bounces that die out within the rounding of the gap, and fixed nodes on the
 //! ground.
 
-use super::support::{json, number, scene};
+use super::support::{json, number, rows, scene};
 
 /// A fixed part far away: with it contacts are those of any parts, without it those of rigid parts alone.
 const FAR: &str = "[parts.far]\npoints = [[5, 0, 20], [6, 0, 20]]\nsprings = [[0, 1]]\nfixed = [0, 1]\n";
@@ -119,5 +119,42 @@ fn a_fixed_node_may_lie_on_the_ground() {
         let last = last(&format!("fixed_{friction}"), &text);
         assert_eq!((number(&last["body.x0"]), number(&last["body.x1"])), (-1.0, 0.3));
         assert!((number(&last["body-ground.z"]) - 9.81).abs() < 1e-9, "{}", last["body-ground.z"]);
+    }
+}
+
+/// A bladder upside down, a ball at rest above the flat base, whose normals lean at the rim: it falls freely until it
+/// touches, and is held only then.
+#[test]
+fn a_ball_at_rest_above_the_base_of_a_bladder_falls() {
+    for (law, height) in [("plastic", 5.0_f64), ("stronge", 5.0), ("plastic", 1.0)] {
+        let text = format!(
+            "format = 2\n[parts.block]\nrigid = \"box\"\nsize = [0.01, 0.01, 0.01]\nfixed = true\n\
+             start = {{ position = [0, 0, 0.2], axis = [0, 1, 0], angle = \"180_deg\" }}\n\
+             [parts.bladder]\nshape = \"sheet\"\nrows = 3\ncolumns = 3\nwidth = \"0.2_m\"\ndepth = \"0.2_m\"\nbase = \"30_mm\"\n\
+             mass = \"20_g\"\nK = \"1 kN/m\"\nC = \"0.5 N s/m\"\nstart = {{ position = [0.9, -0.1, 0.1] }}\n\
+             gas = {{ gauge = \"0.5_kPa\", sealed = true }}\n\
+             attach = [{{ nodes = \"rim\", to = \"block\" }}, {{ facets = \"base\", to = \"block\" }}]\n\
+             [parts.ball]\nrigid = \"sphere\"\nradius = \"40_mm\"\nmass = \"0.1_kg\"\n\
+             start = {{ position = [-1, 0, {z}] }}\n[[contacts]]\nbetween = [\"ball\", \"bladder\"]\nimpact = \"{law}\"\n\
+             [run]\nseconds = 0.05\nstep = \"0.5_ms\"\n",
+            z = 0.17 + 1e-3 * height
+        );
+        let (names, found) = rows(&[&scene(&format!("hovers_{law}_{height}"), &text)]);
+        let column = |name: &str| names.iter().position(|own| own == name).expect("a column");
+        let (z, force) = (column("ball.z"), column("ball-bladder.normal"));
+        let lands = (2.0 * 1e-3 * height / 9.81).sqrt();
+        for row in &found {
+            let t = row[0];
+            if t < lands - 1e-4 {
+                let free = 0.17 + 1e-3 * height - 0.5 * 9.81 * t * t;
+                assert!((row[z] - free).abs() < 1e-9 && row[force] == 0.0, "{law}, {t}: {row:?}");
+            }
+        }
+        if law == "plastic" {
+            let last = found.last().expect("a row");
+            // Normals lean towards the rim: it begins to roll from the middle.
+            let (off, force) = (last[z] - 0.17, last[force]);
+            assert!(off.abs() < 3e-4 && (force - 0.981).abs() < 0.01, "{law}: {off}, {force}");
+        }
     }
 }

@@ -446,6 +446,7 @@ impl Scene {
                 pressing: &mut pressing,
                 struck: [one, other],
                 overlaps: false,
+                pressed: &mut vec![false; kinds.len()],
             };
             let start = world.island.energy(0.0, state.x()).expect("energy").total();
             let (mut accounts, mut energy) = (Accounts::empty(), start);

@@ -327,6 +327,7 @@ impl<S: Scalar> Touching<S> {
             pressing: &mut own.pressing,
             struck: [struck, lifts],
             overlaps: own.overlaps,
+            pressed: &mut self.active,
         };
         let mut world = World { island, things: &self.things, pairs: &self.pairs };
         let pressing = world.press_located((t, h), state, &mut memory)?;
@@ -377,6 +378,7 @@ impl<S: Scalar> Touching<S> {
                 pressing: &mut own.pressing,
                 struck: [struck, lifts],
                 overlaps: own.overlaps,
+                pressed: &mut self.active,
             };
             let report =
                 world.step_located(&own.kinds, own.method, (t, h), state, &mut memory, &mut watch)?;

@@ -52,6 +52,9 @@ pub struct LocatedMemory<'a, S> {
     pub struck: [&'a mut [Struck<S>]; 2],
     /// Whether a step that used up its splits has left overlaps. False at the start; kept from step to step.
     pub overlaps: bool,
+    /// By pair: whether it pressed at the end of the last step. False at the start; kept from step to step. Only what
+    /// has pressed may be off a facet and still touch it, because it slides on a smooth surface through the nodes.
+    pub pressed: &'a mut [bool],
 }
 
 /// Diagnostics of a step.
@@ -106,6 +109,8 @@ struct PartialStep<'w, 'm, S> {
     pressing: &'w mut [Pressing<S>],
     struck: [&'w mut [Struck<S>]; 2],
     overlaps: &'w mut bool,
+    /// By pair: whether it has pressed in the last piece.
+    pressed: &'w mut [bool],
     /// Number of contacts at the start of the piece, and how many of them push.
     known: usize,
     held: usize,
@@ -139,6 +144,7 @@ impl<'m, S: Scalar> LocatedMemory<'m, S> {
             pressing: self.pressing,
             struck: [struck, lifts],
             overlaps: &mut self.overlaps,
+            pressed: &mut *self.pressed,
             known: 0,
             held: 0,
             h,
@@ -172,6 +178,16 @@ impl<'m, S: Scalar> PartialStep<'_, 'm, S> {
         list.iter().any(|own| own.slip.is_some() && own.held.contact.friction > S::ZERO)
     }
 
+    /// Keeps which pairs press at the end of a piece.
+    fn note_pressed(&mut self) {
+        self.pressed.fill(false);
+        for own in self.pressing.iter().take(self.held).filter(|own| own.held.contact.impulse[0] > S::ZERO) {
+            if let Some(pressed) = self.pressed.get_mut(own.pair) {
+                *pressed = true;
+            }
+        }
+    }
+
     /// The contacts at the start of the piece.
     fn touches(&self) -> &[Touch<S>] {
         self.memory.touches[0].get(..self.known).unwrap_or_default()
@@ -183,7 +199,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
     /// compensation e is the square root of its share).
     ///
     /// # Errors
-    /// Those of [`World::step`]; [`Fault::Shape`] if `kinds` has not one entry per pair; the method's faults. The state
+    /// Those of [`World::step`]; [`Fault::Shape`] if `kinds` or `pressed` has not one entry per pair; the method's faults. The state
     /// is then unchanged.
     pub fn step_located(
         &mut self,
@@ -195,7 +211,8 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         watch: &mut impl Observer<S>,
     ) -> Result<LocatedReport<S>, Fault> {
         self.check(h)?;
-        if state.x().len() != self.island.n_x() || kinds.len() != self.pairs.len() {
+        let n_pairs = self.pairs.len();
+        if state.x().len() != self.island.n_x() || kinds.len() != n_pairs || memory.pressed.len() != n_pairs {
             return Err(Fault::Shape);
         }
         let mut report = LocatedReport {
@@ -226,6 +243,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
             for (now, trial) in way.now.iter_mut().zip(&way.trial) {
                 now.iter_mut().zip(trial.iter()).for_each(|(to, from)| *to = *from);
             }
+            way.note_pressed();
             (report.pieces, report.pressing) = (report.pieces + 1, way.held);
             left = if length < left { left - length } else { S::ZERO };
             if left <= S::ZERO {
@@ -235,6 +253,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         if left > S::ZERO {
             (report.forced, report.pressing) = (true, 0);
             *way.overlaps = true;
+            way.pressed.fill(false);
             way.memory.counts = [0; 2];
             let rest = self.finish((t + (h - left), left), way, watch)?;
             report.accounts = report.accounts.plus(&rest);
@@ -361,7 +380,8 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         let found = now.get_mut(..found).unwrap_or_default();
         let count = keep_only(found, 0, |_, touch, _| {
             touch.start = touch.contact.relative(twists);
-            touch.gap <= way.rounding.gap || touch.start[0].abs() <= way.rounding.still
+            let rides = way.pressed.get(touch.pair).is_some_and(|own| *own);
+            touch.gap <= way.rounding.gap || rides && touch.start[0].abs() <= way.rounding.still
         });
         (counts[0], way.known) = (count, count);
         Ok(())
