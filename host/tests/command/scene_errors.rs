@@ -85,6 +85,12 @@ fn every_refusal_of_a_scene_has_its_cause_and_cure() {
         "[parts.a]\nmechanism = \"tyle\"".to_owned(),
         "[parts.arm]\nmechanism = \"pendulum\"\nset = { l = 0.4 }".to_owned(),
         format!("{TILE}command = {{ hA = \"1_kg\" }}"),
+        format!("{TILE}command = {{ hA = \"1_mm\", heave = \"1_mm\" }}"),
+        format!("{TILE}command = {{ hA = \"1_mm\" }}\nstart = {{ hA = \"2_mm\" }}"),
+        format!(
+            "{TILE}[parts.deck]\nrigid = \"sphere\"\nradius = 1\non = \"tile.platform\"\n{SHEET}attach = [{{ nodes = \"rim\", to = \"deck\" }}]"
+        ),
+        rigid("size = [1, 1, 1]\nstart = { axis = [0, 1, 0] }"),
         format!("{SHEET}corners = 3"),
         format!("{SHEET}K = true"),
         format!("{SHEET}gas = {{ gauge = \"4_kPa\" }}"),

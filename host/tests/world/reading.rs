@@ -54,6 +54,23 @@ fn what_is_wrong_in_a_world_is_said_with_its_place() {
             13,
         ),
         (
+            format!("{TILE}command = {{ heave = \"1_mm\" }}\nstart = {{ u_hB = \"2 mm/s\" }}"),
+            "`u_hB` starts as `hB` is commanded",
+            5,
+        ),
+        (
+            format!(
+                "{TILE}{SHEET}attach = [{{ nodes = \"rim\", to = \"deck\" }}]\n[parts.deck]\nrigid = \"sphere\"\nradius = 1\non = \"tile.platform\""
+            ),
+            "`deck` is the shape of `tile.platform`: it has no frame of its own",
+            9,
+        ),
+        (
+            format!("{GROUND}{BALL}start = {{ height = 1, axis = [1, 0, 0] }}"),
+            "`axis` without `angle` turns nothing",
+            8,
+        ),
+        (
             format!("{GROUND}{BALL}start = {{ height = 1, spin = [0, 0, 1] }}\n[run]\nstart = \"settled\""),
             "`velocity` and `spin` have no effect with start = \"settled\"",
             4,

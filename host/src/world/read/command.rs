@@ -21,14 +21,13 @@ struct Law<'a> {
     key: &'a Key,
 }
 
-/// The sections as text, and how many independent coordinates are commanded. None if something is wrong, which has been
-/// reported.
+/// The sections as text, and the coordinates that are commanded. None if something is wrong, which has been reported.
 pub(super) fn sections(
     part: &str,
     table: &Table,
     base: &Model,
     found: &mut Diagnostics,
-) -> Option<(String, usize)> {
+) -> Option<(String, Vec<String>)> {
     let quantities = quantities(base);
     let mut known: Vec<&str> = base.coordinates.iter().map(|c| c.name.as_str()).collect();
     known.extend(quantities.iter().map(|(_, quantity)| quantity.name.as_str()));
@@ -68,8 +67,7 @@ pub(super) fn sections(
     }
     let is_commanded = |name: &str| laws.iter().any(|law| law.coordinate == name);
     text += &still_independent(base, is_commanded);
-    let commanded = base.coordinates.iter().filter(|c| c.independent && is_commanded(&c.name)).count();
-    Some((text, commanded))
+    Some((text, laws.iter().map(|law| law.coordinate.to_owned()).collect()))
 }
 
 /// What a scene may command beside coordinates: the definitions of a plain number that `[commanded]` mentions.

@@ -1,7 +1,7 @@
 //! Reads the connections of parts: attachments of nodes to ports and bodies, and contacts with their laws.
 
 use super::value::{Bound, number, one_of};
-use crate::world::assembly::{Attachment, Contact, Kind, Law, Part};
+use crate::world::assembly::{Attachment, Contact, Kind, Law, Part, Rigid};
 use smartbed_codegen::diagnostic::{Diagnostic, Diagnostics};
 use smartbed_codegen::model::Fields;
 use smartbed_codegen::model::document::{Table, Text, Value, wrong_kind};
@@ -204,6 +204,12 @@ fn target(
                     .label(text.span, "a port is missing")
                     .help(format!("write {name}.PORT; its ports are: {}", known.join(", "))),
             );
+        }
+        (Kind::Rigid(Rigid { on: Some((carrier, port)), .. }), None) => {
+            let port = format!("{}.{port}", parts[*carrier].name);
+            let error =
+                Diagnostic::error(format!("`{name}` is the shape of `{port}`: it has no frame of its own"));
+            found.push(error.label(text.span, "expected that port").help(format!("write to = \"{port}\"")));
         }
         (Kind::Rigid(_), None) => return Some((number, None)),
         (Kind::Rigid(_), Some(_)) => {

@@ -7,7 +7,7 @@ use super::command;
 use super::value::{list, refuse_without_unit};
 use crate::world::assembly::Mechanism;
 use smartbed_codegen::diagnostic::{Diagnostic, Diagnostics, Severity};
-use smartbed_codegen::model::document::{Value, wrong_kind};
+use smartbed_codegen::model::document::{Key, Value, wrong_kind};
 use smartbed_codegen::model::{self, Fields, Model, RESERVED, SpeedMeaning, is_keyword};
 use smartbed_codegen::source::Span;
 use std::fmt::Write as _;
@@ -58,7 +58,7 @@ pub(super) fn read(
 
 /// Text of the sections that override those of the model.
 fn changes(fields: &Fields<'_>, base: &Model, found: &mut Diagnostics) -> Option<String> {
-    let (mut text, mut commanded) = (String::new(), 0);
+    let (mut text, mut commanded) = (String::new(), Vec::new());
     if let Some(table) = fields.table("command", found) {
         (text, commanded) = command::sections(fields.name, table, base, found)?;
     }
@@ -72,6 +72,9 @@ fn changes(fields: &Fields<'_>, base: &Model, found: &mut Diagnostics) -> Option
         let mut lines = String::new();
         // The position of the whole mechanism is not a coordinate of the model.
         for (key, value) in entries.filter(|(key, _)| section != "start" || key.name != PLACE) {
+            if section == "start" {
+                refuse_start(key, base, &commanded, found)?;
+            }
             if let Some(unit) = unit_of(base, section, &key.name) {
                 refuse_without_unit(&key.name, value, &unit, found);
             }
@@ -92,9 +95,25 @@ fn changes(fields: &Fields<'_>, base: &Model, found: &mut Diagnostics) -> Option
             let _ = write!(text, "[{section}]\n{lines}");
         }
     }
-    let dof = base.dof.map(|(dof, _)| dof).filter(|_| commanded > 0);
-    let dof = dof.map_or(String::new(), |dof| format!("dof = {}\n", dof.saturating_sub(commanded)));
+    let freed = base.coordinates.iter().filter(|c| c.independent && commanded.contains(&c.name)).count();
+    let dof = base.dof.map(|(dof, _)| dof).filter(|_| freed > 0);
+    let dof = dof.map_or(String::new(), |dof| format!("dof = {}\n", dof.saturating_sub(freed)));
     Some(if text.is_empty() { text } else { dof + &text })
+}
+
+/// Refuses the start of a commanded coordinate, or of its rate.
+fn refuse_start(key: &Key, base: &Model, commanded: &[String], found: &mut Diagnostics) -> Option<()> {
+    let rate = base.speeds.iter().find(|s| s.name == key.name).and_then(|s| match s.meaning {
+        SpeedMeaning::RateOf(id) => Some(&base.coordinates[id].name),
+        SpeedMeaning::Combination(_) => None,
+    });
+    let coordinate = rate.unwrap_or(&key.name);
+    if !commanded.contains(coordinate) {
+        return Some(());
+    }
+    let error = Diagnostic::error(format!("`{}` starts as `{coordinate}` is commanded", key.name));
+    found.push(error.label(key.span, "no other start").help("leave it out, or change the command"));
+    None
 }
 
 /// The unit in which a model reads plain numbers of a parameter, an input's law, or the start of a coordinate or its

@@ -111,9 +111,11 @@ fn read(
     let title = scene.text("title", found).map_or_else(|| path.to_owned(), |text| text.text.clone());
     let gravity = vector(&scene, "gravity", "m/s^2", found).unwrap_or([0.0, 0.0, -9.81]);
     let named = scene.table("parts", found);
-    let (parts, attached) = parts(named.map_or(&[][..], |t| &t.entries), find, found);
+    let (parts, mut attached) = parts(named.map_or(&[][..], |t| &t.entries), find, found);
     let mut parts = parts?;
     let mut attachments = Vec::new();
+    // Shapes on ports first: nothing is attached to them.
+    attached.sort_by_key(|(number, _)| !matches!(parts[*number].kind, Kind::Rigid(_)));
     for (number, value) in attached {
         match parts[number].kind {
             Kind::Rigid(_) => join::on(&value, number, &mut parts, found),

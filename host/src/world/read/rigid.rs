@@ -133,8 +133,16 @@ fn start(
     if let Some(position) = vector(&fields, "position", "m", found) {
         state.position = position;
     }
-    let axis = vector(&fields, "axis", "", found).unwrap_or([0.0, 0.0, 1.0]);
-    let angle = number(&fields, "angle", "rad", Bound::Any, found).unwrap_or(0.0);
+    let axis = vector(&fields, "axis", "", found);
+    let angle = number(&fields, "angle", "rad", Bound::Any, found);
+    if let (Some(_), None, Some(value)) =
+        (axis, angle, table.get("axis").filter(|_| table.get("angle").is_none()))
+    {
+        let error = Diagnostic::error("`axis` without `angle` turns nothing");
+        found.push(error.label(value.span(), "by no angle").help("add for example angle = \"30_deg\""));
+        return None;
+    }
+    let (axis, angle) = (axis.unwrap_or([0.0, 0.0, 1.0]), angle.unwrap_or(0.0));
     let largest = axis.into_iter().map(f64::abs).fold(0.0, f64::max);
     if largest <= 0.0 {
         let error = Diagnostic::error("`axis` has no direction");
