@@ -55,9 +55,9 @@ pub(crate) fn check(
     };
     let implied_motions = rank::implied_motions(alg, model, &k, table);
     let k = Kinematics { implied_motions, ..k };
-    for place in k.needless_motions(model) {
+    for (place, whole) in rank::needless_motions(alg, model, &k, table) {
         let holds = "at every sampled configuration it holds where the others do".to_owned();
-        warnings.push(dropped(place, true, holds));
+        warnings.push(dropped(&place, whole, holds));
     }
     Ok((k, warnings))
 }

@@ -6,7 +6,7 @@ use super::linear_form::LinearForm;
 use super::unknowns::{UnknownId, Unknowns};
 use crate::expr::{Dag, ExprId, SymbolId};
 use crate::id::IdVec;
-use crate::model::{Axis, CoordinateId, DefinitionId, FrameId, InputId, Model, ParameterId, PointId};
+use crate::model::{Axis, CoordinateId, DefinitionId, FrameId, InputId, ParameterId, PointId};
 use crate::source::Span;
 use crate::vector::{Components, TriadId, Vector};
 use rustc_hash::FxHashMap as HashMap;
@@ -158,14 +158,6 @@ impl Kinematics {
     pub(crate) fn sampled(&self) -> Vec<Sample> {
         let samples = self.samples.iter().zip(&self.sample_times);
         samples.map(|(q, &t)| Sample { q: q.clone(), t }).collect()
-    }
-
-    /// Motion constraints that the others make needless. A component of a vector is none of them, as rolling has one
-    /// wherever a wheel is kept on the ground; nor is what restates a closed form, for a shorter row.
-    pub(crate) fn needless_motions(&self, model: &Model) -> impl Iterator<Item = &Place> {
-        let is_closed = model.coordinates.iter().any(|c| c.closed_form.is_some());
-        let whole = self.implied_motions.iter().filter(move |(_, whole)| *whole && !is_closed);
-        whole.map(|(place, _)| place)
     }
 
     /// Symbol of a coordinate; `None` for a closed form.

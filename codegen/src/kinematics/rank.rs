@@ -8,7 +8,7 @@ use super::sampling;
 use super::unknowns::UnknownId;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::expr::tape::SampleTable;
-use crate::model::Model;
+use crate::model::{Model, Speed, SpeedMeaning};
 use crate::vector::Algebra;
 use crate::words::count;
 use rustc_hash::FxHashMap as HashMap;
@@ -34,11 +34,50 @@ pub(super) fn ranks(
 
 /// The motion constraints that follow from the configuration constraints and the motion constraints before them, at
 /// every sample: their names, and whether they follow as a whole or in a component only.
+///
+/// A component of a vector that is 0 whatever the speeds are is no equation. One that is the rate of configuration
+/// constraints whatever the parameters are, as rolling has where a wheel is kept on the ground, is needed for the vector
+/// to be written. Rates of closed forms are not among the others: a constraint that says the same takes their place.
 pub(super) fn implied_motions(
     alg: &Algebra,
     model: &Model,
     k: &Kinematics,
     table: &mut SampleTable,
+) -> Vec<(Place, bool)> {
+    let mut implied = dependent_motions(alg, model, k, table, true);
+    if implied.iter().any(|(_, whole)| !whole) {
+        let other = at_other_parameters(alg, k);
+        let mut table = sampling::sample_table(alg, model, &other);
+        let rates = dependent_motions(alg, model, &other, &mut table, false);
+        implied.retain(|found| found.1 || !rates.contains(found));
+    }
+    implied
+}
+
+/// Those of them that are worth a warning: not what the configuration constraints say already, beside closed forms that
+/// solve these, as it is stated for its shorter row.
+pub(super) fn needless_motions(
+    alg: &Algebra,
+    model: &Model,
+    k: &Kinematics,
+    table: &mut SampleTable,
+) -> Vec<(Place, bool)> {
+    let mut needless = k.implied_motions.clone();
+    if !needless.is_empty() && model.coordinates.iter().any(|c| c.closed_form.is_some()) {
+        let restated = dependent_motions(alg, model, k, table, false);
+        needless.retain(|found| !restated.contains(found));
+    }
+    needless
+}
+
+/// [`implied_motions`] by numbers; of those from the configuration constraints alone, if motion constraints do not
+/// count.
+fn dependent_motions(
+    alg: &Algebra,
+    model: &Model,
+    k: &Kinematics,
+    table: &mut SampleTable,
+    motions_count: bool,
 ) -> Vec<(Place, bool)> {
     if model.motion_constraints.is_empty() {
         return Vec::new();
@@ -51,23 +90,51 @@ pub(super) fn implied_motions(
         let row = NumericRow::new(&alg.dag, table, row, &column);
         bases.extend_where_independent(&alg.dag, &row, DEPENDENT);
     };
-    let is_motion = |row: &&Row| model.motion_constraints.iter().any(|c| c.name == row.name);
-    let mut bases = empty.clone();
-    k.rows.iter().filter(|row| !is_motion(row)).for_each(|row| add(&mut bases, row));
+    let is_other = |row: &&Row| {
+        let is_motion = model.motion_constraints.iter().any(|c| c.name == row.name);
+        !is_motion && !is_rate_of_closed_form(model, k, row)
+    };
+    let mut others = empty.clone();
+    k.rows.iter().filter(is_other).for_each(|row| add(&mut others, row));
     let mut implied = Vec::new();
     for constraint in &model.motion_constraints {
-        let (before, mut alone) = (bases.ranks().to_vec(), empty.clone());
+        let (mut bases, mut alone) = (others.clone(), empty.clone());
         for row in k.rows.iter().filter(|row| row.name == constraint.name) {
             add(&mut bases, row);
             add(&mut alone, row);
         }
-        let added: Vec<usize> = bases.ranks().iter().zip(&before).map(|(now, before)| now - before).collect();
+        let ranks = bases.ranks().iter().zip(others.ranks());
+        let added: Vec<usize> = ranks.map(|(now, before)| now - before).collect();
         if added.iter().zip(alone.ranks()).all(|(added, own)| added < own) {
             let place = Place { name: constraint.name.clone(), span: constraint.span };
             implied.push((place, added.iter().all(|&added| added == 0)));
         }
+        if motions_count {
+            others = bases;
+        }
     }
     implied
+}
+
+/// The same kinematics at the same configurations with every tunable parameter changed, each by another share.
+fn at_other_parameters(alg: &Algebra, k: &Kinematics) -> Kinematics {
+    /// Fractional parts of its multiples cover the unit interval evenly (golden section).
+    const GOLDEN: f64 = 0.618_033_988_749_894_9;
+    let mut other = k.clone();
+    for (nth, (id, &expr)) in k.parameters.enumerate().enumerate() {
+        let value = k.parameter_values[id];
+        let size = if value == 0.0 { 1.0 } else { value };
+        if alg.dag.as_symbol(expr).is_some() {
+            other.parameter_values[id] = value + 0.1 * size * (0.5 + (GOLDEN * (1 + nth) as f64).fract());
+        }
+    }
+    other
+}
+
+/// Does the row say what the speed of a coordinate in closed form is?
+fn is_rate_of_closed_form(model: &Model, k: &Kinematics, row: &Row) -> bool {
+    let of = |s: &Speed| matches!(s.meaning, SpeedMeaning::RateOf(c) if !k.is_state[c]);
+    model.speeds.iter().any(|s| s.name == row.name && of(s))
 }
 
 /// Do the rows determine every dependent unknown, at every sample?

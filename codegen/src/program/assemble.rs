@@ -11,6 +11,8 @@ use crate::id::Id;
 use crate::kinematics::eliminate::{self, Pivot, Solution};
 use crate::kinematics::{self, Algebra, Assembly, Kinematics, Row, projection, redundant};
 use crate::model::{CoordinateId, Model, Speed, SpeedMeaning};
+use crate::vector::TriadId;
+use std::collections::BTreeMap;
 
 /// The solution of the constraints, with the algebra, kinematics and samples to which it refers.
 pub(super) type Solved = (Algebra, Kinematics, SampleTable, Solution);
@@ -142,13 +144,18 @@ fn needless_motions(
     (solution, table): (&Solution, &mut SampleTable),
     size: f64,
 ) -> Vec<ExprId> {
-    if k.needless_motions(model).next().is_none() || !solution.ties.is_empty() {
+    if k.implied_motions.is_empty() || !solution.ties.is_empty() {
         return Vec::new();
     }
-    let is_solved = |row: &&Row| solution.rows.iter().any(|solved| solved.name == row.name);
+    let is_vector = |row: &&Row| row.along.is_some();
+    let (vectors, scalars): (Vec<&Row>, Vec<&Row>) = k.rows.iter().partition(is_vector);
+    let mut rows: Vec<&Row> = scalars.into_iter().filter(|row| !is_solved(solution, row)).collect();
+    for constraint in &model.motion_constraints {
+        rows.extend(not_solved(solution, vectors.iter().copied().filter(|row| row.name == constraint.name)));
+    }
     let n = solution.partials.values().next().map_or(0, Vec::len);
     let mut left = Vec::new();
-    for row in k.rows.iter().filter(|row| row.along.is_none() && !is_solved(row)) {
+    for row in rows {
         let column = |alg: &mut Algebra, j: usize| -> Vec<ExprId> {
             let terms = row.coefficients.iter().map(|(unknown, &c)| (c, solution.partials[unknown][j]));
             terms.map(|(c, partial)| alg.dag.mul(c, partial)).collect()
@@ -164,6 +171,28 @@ fn needless_motions(
     }
     left.retain(|&e| !alg.dag.is_zero(e));
     left
+}
+
+fn is_solved(solution: &Solution, row: &Row) -> bool {
+    solution.rows.iter().any(|solved| solved.name == row.name && solved.along == row.along)
+}
+
+/// The components of a vector equation that were not solved, in the triad in which they are fewest.
+fn not_solved<'r>(solution: &Solution, rows: impl Iterator<Item = &'r Row>) -> Vec<&'r Row> {
+    let mut by_triad: BTreeMap<TriadId, Vec<&Row>> = BTreeMap::new();
+    for row in rows {
+        let Some(along) = row.along else { continue };
+        let components = by_triad.entry(along.triad).or_default();
+        // A component is listed once for the equation and once for its rate.
+        if components.iter().all(|other| other.along != row.along) {
+            components.push(row);
+        }
+    }
+    let left = by_triad.into_values().map(|mut components| {
+        components.retain(|row| !is_solved(solution, row));
+        components
+    });
+    left.min_by_key(Vec::len).unwrap_or_default()
 }
 
 fn largest(dag: &mut Dag, residuals: &[ExprId]) -> ExprId {
