@@ -167,6 +167,29 @@ fn the_mass_matrix_is_that_of_the_kinetic_energy() {
     }
 }
 
+/// M u' + bias = forces of the inputs, those of a port's wrench included, and a given wrench is a load on the others.
+#[test]
+fn no_input_is_part_of_the_bias() {
+    for (name, port) in [("tile", "port:platform"), ("arm6", "port:tool")] {
+        let mut asking = Asking::new(name, &["mass_matrix", "bias", "forcing", "inverse_dynamics", port]);
+        let mut free = asking.state.clone();
+        free.inputs.iter_mut().for_each(|x| *x = 0.0);
+        let mut loaded = free.clone();
+        let own = loaded.inputs.len() - 6;
+        loaded.inputs[own..].copy_from_slice(&[3.0, -5.0, 20.0, 1.0, 2.0, -0.5]);
+        assert_eq!(asking.part(&free, "bias", "bias"), asking.part(&loaded, "bias", "bias"), "{name}");
+        let forcing = [&free, &loaded].map(|state| asking.part(state, "forcing", "forcing"));
+        let needed =
+            [&free, &loaded].map(|state| asking.part(state, "inverse_dynamics", "generalised_force"));
+        let of_wrench: Vec<f64> =
+            forcing[1].iter().zip(&forcing[0]).map(|(with, without)| with - without).collect();
+        let carried: Vec<f64> =
+            needed[0].iter().zip(&needed[1]).map(|(without, with)| without - with).collect();
+        assert!(of_wrench.iter().any(|f| f.abs() > 1.0), "{of_wrench:?}");
+        close(&carried, &of_wrench, 1e-10, name);
+    }
+}
+
 #[test]
 fn inverse_dynamics_undoes_forward_dynamics() {
     let mut with_inputs = Vec::new();

@@ -17,7 +17,7 @@ pub(super) fn mass_matrix(stages: &mut Stages, _: &Target) -> Parts {
 }
 
 pub(super) fn bias(stages: &mut Stages, _: &Target) -> Parts {
-    let forcing = without_inputs(stages);
+    let forcing = without(stages, stages.k.inputs.len());
     let bias = forcing.into_iter().map(|f| stages.alg.dag.negate(f)).collect();
     let doc = "gyroscopic terms, weight, springs and all other forces but those of the inputs, on the left-hand side";
     Ok(vec![Part::list("bias", doc, stages.speed_names(), bias)])
@@ -28,27 +28,29 @@ pub(super) fn forcing(stages: &mut Stages, _: &Target) -> Parts {
     Ok(vec![Part::list("forcing", doc, stages.speed_names(), stages.dynamics.forcing.clone())])
 }
 
-/// The forcing with the model's own inputs at 0.
-fn without_inputs(stages: &mut Stages) -> Vec<ExprId> {
-    let off = inputs_off(stages);
+/// The forcing with the first `count` inputs at 0.
+fn without(stages: &mut Stages, count: usize) -> Vec<ExprId> {
+    let off = inputs_off(stages, count);
     let forcing = stages.dynamics.forcing.clone();
     stages.alg.dag.substitute(&forcing, &off)
 }
 
-/// Sets each of the model's own inputs to 0.
-fn inputs_off(stages: &mut Stages) -> HashMap<SymbolId, ExprId> {
+/// Sets each of the first `count` inputs to 0: those of the model, then those of wrenches.
+fn inputs_off(stages: &mut Stages, count: usize) -> HashMap<SymbolId, ExprId> {
     let zero = stages.alg.dag.zero();
-    stages.input_symbols().into_iter().map(|s| (s, zero)).collect()
+    let inputs = stages.k.inputs.iter().take(count);
+    inputs.filter_map(|&input| Some((stages.alg.dag.as_symbol(input)?, zero))).collect()
 }
 
-/// Generalised forces that the given accelerations need with the inputs at 0, through the mass matrix or by the
-/// Newton-Euler recursion, whichever takes fewer operations.
+/// Generalised forces that the given accelerations need with the model's own inputs at 0, the wrenches of ports given,
+/// through the mass matrix or by the Newton-Euler recursion, whichever takes fewer operations.
 fn needed(stages: &mut Stages) -> Vec<ExprId> {
-    let forcing = without_inputs(stages);
+    let own = stages.own_inputs;
+    let forcing = without(stages, own);
     let u_dot = stages.u_dot.clone();
     let by_matrix = dynamics::forces_for(&mut stages.alg.dag, &stages.dynamics.mass_matrix, &forcing, &u_dot);
     let recursive = recursive(stages);
-    let off = inputs_off(stages);
+    let off = inputs_off(stages, own);
     let recursive = stages.alg.dag.substitute(&recursive, &off);
     let cost = |forces: &[ExprId]| stages.alg.dag.state_cost(forces);
     if cost(&recursive) < cost(&by_matrix) { recursive } else { by_matrix }
@@ -114,8 +116,7 @@ fn frame_of<'m>(stages: &Stages<'m>, direction: Direction) -> Option<&'m str> {
 
 pub(super) fn inverse_dynamics(stages: &mut Stages, _: &Target) -> Parts {
     let force = needed(stages);
-    let doc =
-        "what the inputs have to supply on each independent speed for u' to be as given (power over speed)";
+    let doc = "what the model's inputs have to supply on each independent speed for u' to be as given, against the given wrench of a port too (power over speed)";
     let mut parts = vec![Part::list("generalised_force", doc, stages.speed_names(), force.clone())];
     let inputs = stages.input_symbols();
     let map = stages.dynamics.forcing.clone();
