@@ -45,7 +45,6 @@ pub mod light;
 pub mod limits;
 pub mod model_argument;
 pub mod observers;
-pub mod speeds;
 pub mod switches;
 
 pub mod plot;

@@ -45,11 +45,11 @@ pub const OUTPUT_NAMES: [&str; 0usize] = [];
 /// Places of the coordinates in `q`.
 #[allow(dead_code, non_upper_case_globals, reason = "names are the model's")]
 pub mod q {
-    /// Q1 (rad), -3.1 to 3.1, fourbar.toml:25.
+    /// The coordinate `q1` (rad), -3.1 to 3.1, fourbar.toml:25.
     pub const q1: usize = 0;
-    /// Q2 (rad), -3.1 to 3.1, fourbar.toml:26.
+    /// The coordinate `q2` (rad), -3.1 to 3.1, fourbar.toml:26.
     pub const q2: usize = 1;
-    /// Q3 (rad), -3.1 to 3.1, fourbar.toml:27.
+    /// The coordinate `q3` (rad), -3.1 to 3.1, fourbar.toml:27.
     pub const q3: usize = 2;
 }
 /// Places of the speeds in `u`.
@@ -95,19 +95,19 @@ pub struct Parameters {
     pub l3: S,
     /// Ground (m), fourbar.toml:12.
     pub l4: S,
-    /// M1 (kg), fourbar.toml:13.
+    /// The parameter `m1` (kg), fourbar.toml:13.
     pub m1: S,
-    /// M2 (kg), fourbar.toml:14.
+    /// The parameter `m2` (kg), fourbar.toml:14.
     pub m2: S,
-    /// M3 (kg), fourbar.toml:15.
+    /// The parameter `m3` (kg), fourbar.toml:15.
     pub m3: S,
     /// About the mass centre (kg m^2), fourbar.toml:16.
     pub I1: S,
-    /// I2 (kg m^2), fourbar.toml:17.
+    /// The parameter `I2` (kg m^2), fourbar.toml:17.
     pub I2: S,
-    /// I3 (kg m^2), fourbar.toml:18.
+    /// The parameter `I3` (kg m^2), fourbar.toml:18.
     pub I3: S,
-    /// G (m/s^2), fourbar.toml:19.
+    /// The parameter `g` (m/s^2), fourbar.toml:19.
     pub g: S,
 }
 impl Default for Parameters {

@@ -98,11 +98,11 @@ pub mod inputs {
 /// Places of the outputs in what `outputs` returns.
 #[allow(dead_code, non_upper_case_globals, reason = "names are the model's")]
 pub mod outputs {
-    /// Gx (m), tile.toml:127.
+    /// The output `Gx` (m), tile.toml:127.
     pub const Gx: usize = 0;
-    /// Gy (m), tile.toml:128.
+    /// The output `Gy` (m), tile.toml:128.
     pub const Gy: usize = 1;
-    /// Gz (m), tile.toml:129.
+    /// The output `Gz` (m), tile.toml:129.
     pub const Gz: usize = 2;
 }
 /// Indices of the coordinates that the projection corrects.

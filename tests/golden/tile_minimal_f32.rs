@@ -93,29 +93,29 @@ pub mod inputs {
 /// Places of the outputs in what `outputs` returns.
 #[allow(dead_code, non_upper_case_globals, reason = "names are the model's")]
 pub mod outputs {
-    /// Gx (m), tile.toml:127.
+    /// The output `Gx` (m), tile.toml:127.
     pub const Gx: usize = 0;
-    /// Gy (m), tile.toml:128.
+    /// The output `Gy` (m), tile.toml:128.
     pub const Gy: usize = 1;
-    /// Gz (m), tile.toml:129.
+    /// The output `Gz` (m), tile.toml:129.
     pub const Gz: usize = 2;
-    /// PsiA (1), tile_minimal.toml:48.
+    /// The output `psiA` (1), tile_minimal.toml:48.
     pub const psiA: usize = 3;
-    /// ThA (1), tile_minimal.toml:49.
+    /// The output `thA` (1), tile_minimal.toml:49.
     pub const thA: usize = 4;
-    /// SA (m), tile_minimal.toml:50.
+    /// The output `sA` (m), tile_minimal.toml:50.
     pub const sA: usize = 5;
-    /// PsiB (1), tile_minimal.toml:48.
+    /// The output `psiB` (1), tile_minimal.toml:48.
     pub const psiB: usize = 6;
-    /// ThB (1), tile_minimal.toml:49.
+    /// The output `thB` (1), tile_minimal.toml:49.
     pub const thB: usize = 7;
-    /// SB (m), tile_minimal.toml:50.
+    /// The output `sB` (m), tile_minimal.toml:50.
     pub const sB: usize = 8;
-    /// PsiC (1), tile_minimal.toml:48.
+    /// The output `psiC` (1), tile_minimal.toml:48.
     pub const psiC: usize = 9;
-    /// ThC (1), tile_minimal.toml:49.
+    /// The output `thC` (1), tile_minimal.toml:49.
     pub const thC: usize = 10;
-    /// SC (m), tile_minimal.toml:50.
+    /// The output `sC` (m), tile_minimal.toml:50.
     pub const sC: usize = 11;
 }
 /// Indices of the coordinates that the projection corrects.

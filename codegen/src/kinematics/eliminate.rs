@@ -19,7 +19,8 @@ use crate::expr::tape::SampleTable;
 use crate::expr::{Dag, ExprId};
 use crate::model::Model;
 use crate::sorted::Sorted;
-use crate::vector::Algebra;
+use crate::vector::{Algebra, TriadId};
+use std::collections::BTreeMap;
 
 /// A row whose terms cancel to this share of their size is a consequence of the rows taken.
 const CONSEQUENCE: f64 = 1e-7;
@@ -55,6 +56,32 @@ pub struct Solution {
     pub rows: Vec<Row>,
     /// Rows between the independent speeds, if these are redundant (`redundant`); otherwise empty.
     pub ties: Vec<Row>,
+}
+
+impl Solution {
+    /// The rows that were not solved: those of scalars, and components of vector motion constraints, in the triad in
+    /// which they are fewest.
+    pub(crate) fn not_solved<'k>(&self, model: &Model, k: &'k Kinematics) -> Vec<&'k Row> {
+        let mut left: Vec<&Row> = Vec::new();
+        left.extend(k.rows.iter().filter(|row| row.along.is_none() && !self.has_solved(row)));
+        for constraint in &model.motion_constraints {
+            let mut by_triad: BTreeMap<TriadId, Vec<&Row>> = BTreeMap::new();
+            for row in k.rows.iter().filter(|row| row.name == constraint.name) {
+                let Some(along) = row.along else { continue };
+                let components = by_triad.entry(along.triad).or_default();
+                // A component is listed for the equation and once more for its rate.
+                if !self.has_solved(row) && components.iter().all(|other| other.along != row.along) {
+                    components.push(row);
+                }
+            }
+            left.extend(by_triad.into_values().min_by_key(Vec::len).unwrap_or_default());
+        }
+        left
+    }
+
+    fn has_solved(&self, row: &Row) -> bool {
+        self.rows.iter().any(|solved| solved.name == row.name && solved.along == row.along)
+    }
 }
 
 /// A dependent unknown in terms of unknowns eliminated after it and of independent ones: `y = sum coefficients[z] z`,

@@ -9,10 +9,8 @@ use crate::expr::tape::SampleTable;
 use crate::expr::{Binary, Dag, ExprId, Node, Unary};
 use crate::id::Id;
 use crate::kinematics::eliminate::{self, Pivot, Solution};
-use crate::kinematics::{self, Algebra, Assembly, Kinematics, Row, projection, redundant};
-use crate::model::{CoordinateId, Model, Speed, SpeedMeaning};
-use crate::vector::TriadId;
-use std::collections::BTreeMap;
+use crate::kinematics::{self, Algebra, Assembly, Kinematics, projection, redundant};
+use crate::model::{CoordinateId, Model, Speed, SpeedId, SpeedMeaning};
 
 /// The solution of the constraints, with the algebra, kinematics and samples to which it refers.
 pub(super) type Solved = (Algebra, Kinematics, SampleTable, Solution);
@@ -99,6 +97,7 @@ pub(super) fn assemble(
         n_samples: k.samples.len(),
         assembly,
         nominal: k.samples[0].clone(),
+        is_independent: state_speeds(model, &k).map(|(_, speed)| speed.independent).collect(),
         stated_start: start::stated(model),
         warnings: Diagnostics::default(),
         dag: alg.dag,
@@ -147,15 +146,9 @@ fn needless_motions(
     if k.implied_motions.is_empty() || !solution.ties.is_empty() {
         return Vec::new();
     }
-    let is_vector = |row: &&Row| row.along.is_some();
-    let (vectors, scalars): (Vec<&Row>, Vec<&Row>) = k.rows.iter().partition(is_vector);
-    let mut rows: Vec<&Row> = scalars.into_iter().filter(|row| !is_solved(solution, row)).collect();
-    for constraint in &model.motion_constraints {
-        rows.extend(not_solved(solution, vectors.iter().copied().filter(|row| row.name == constraint.name)));
-    }
     let n = solution.partials.values().next().map_or(0, Vec::len);
     let mut left = Vec::new();
-    for row in rows {
+    for row in solution.not_solved(model, k) {
         let column = |alg: &mut Algebra, j: usize| -> Vec<ExprId> {
             let terms = row.coefficients.iter().map(|(unknown, &c)| (c, solution.partials[unknown][j]));
             terms.map(|(c, partial)| alg.dag.mul(c, partial)).collect()
@@ -171,28 +164,6 @@ fn needless_motions(
     }
     left.retain(|&e| !alg.dag.is_zero(e));
     left
-}
-
-fn is_solved(solution: &Solution, row: &Row) -> bool {
-    solution.rows.iter().any(|solved| solved.name == row.name && solved.along == row.along)
-}
-
-/// The components of a vector equation that were not solved, in the triad in which they are fewest.
-fn not_solved<'r>(solution: &Solution, rows: impl Iterator<Item = &'r Row>) -> Vec<&'r Row> {
-    let mut by_triad: BTreeMap<TriadId, Vec<&Row>> = BTreeMap::new();
-    for row in rows {
-        let Some(along) = row.along else { continue };
-        let components = by_triad.entry(along.triad).or_default();
-        // A component is listed once for the equation and once for its rate.
-        if components.iter().all(|other| other.along != row.along) {
-            components.push(row);
-        }
-    }
-    let left = by_triad.into_values().map(|mut components| {
-        components.retain(|row| !is_solved(solution, row));
-        components
-    });
-    left.min_by_key(Vec::len).unwrap_or_default()
 }
 
 fn largest(dag: &mut Dag, residuals: &[ExprId]) -> ExprId {
@@ -229,13 +200,17 @@ fn correction(
     corrections
 }
 
+/// The speeds that are state.
+fn state_speeds<'m>(model: &'m Model, k: &'m Kinematics) -> impl Iterator<Item = (SpeedId, &'m Speed)> {
+    model.speeds.enumerate().filter(|(id, _)| k.unknowns.is_independent(*id))
+}
+
 /// The range of a quantity for which none is stated.
 const ANY: (f64, f64) = (f64::NEG_INFINITY, f64::INFINITY);
 
 /// Given derivatives of the independent speeds, in their order.
 fn given_accelerations(alg: &Algebra, model: &Model, k: &Kinematics, symbols: &[ExprId]) -> Vec<Quantity> {
-    let independent = model.speeds.enumerate().filter(|(id, _)| k.unknowns.is_independent(*id));
-    let speeds = independent.map(|(_, speed)| speed).zip(symbols);
+    let speeds = state_speeds(model, k).map(|(_, speed)| speed).zip(symbols);
     let quantity = |(speed, &expr): (&Speed, &ExprId)| {
         let symbol = alg.dag.as_symbol(expr)?;
         Some(Quantity {
@@ -276,10 +251,7 @@ fn quantities(alg: &Algebra, model: &Model, k: &Kinematics, state: &[CoordinateI
             Some(Quantity { range, ..found })
         })
         .collect();
-    let u = model
-        .speeds
-        .enumerate()
-        .filter(|(id, _)| k.unknowns.is_independent(*id))
+    let u = state_speeds(model, k)
         .filter_map(|(id, s)| {
             let doc = match s.meaning {
                 SpeedMeaning::RateOf(c) => format!("rate of {}", model.coordinates[c].name),

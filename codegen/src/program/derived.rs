@@ -71,6 +71,8 @@ pub struct Program {
     pub assembly: Assembly,
     /// The nominal configuration.
     pub nominal: Vec<f64>,
+    /// Which of the speeds the model declares independent: all, unless all speeds are state.
+    pub is_independent: Vec<bool>,
     /// Names and values of `[start]`; [`Program::start`] turns them into a state.
     pub stated_start: Vec<(String, f64)>,
     /// Warnings that only numbers show, such as redundant constraints that were dropped.

@@ -17,6 +17,7 @@ mod relative;
 mod reorder;
 mod roots;
 mod shorten;
+pub mod speeds;
 pub mod stage;
 mod start;
 

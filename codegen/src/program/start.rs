@@ -1,10 +1,12 @@
 //! The start of a motion: the model's `[start]` as coordinates and speeds.
 //!
 //! In: what `[start]` states. Out: a configuration that satisfies the constraints, on the branch of the nominal one,
-//! and the independent speeds. Coordinates that are not stated are nominal, speeds 0. A warning names what is stated
+//! and the speeds: independent ones, or all, where all are state, as `run` completes them. Coordinates that are not
+//! stated are nominal, independent speeds 0. A warning names what is stated
 //! although it follows from the rest.
 
 use super::derived::Program;
+use super::speeds;
 use crate::diagnostic::Diagnostic;
 use crate::model::{Model, StartRef};
 
@@ -45,8 +47,7 @@ impl Program {
     /// The model's start.
     ///
     /// # Errors
-    /// The configuration cannot be assembled, `[start]` states what follows from the rest, or only some of several
-    /// speeds that the constraints tie.
+    /// The configuration cannot be assembled, or `[start]` states what follows from the rest.
     pub fn start(&self) -> Result<Start, String> {
         if let Some(name) = self.stated_in_vain() {
             return Err(format!(
@@ -55,19 +56,18 @@ impl Program {
         }
         let stated =
             |name: &str| self.stated_start.iter().find(|(of, _)| of == name).map(|(_, value)| *value);
-        let u: Vec<f64> = self.u.iter().map(|speed| stated(&speed.name).unwrap_or(0.0)).collect();
-        if self.is_redundant() && u.iter().any(|speed| *speed != 0.0) {
-            return Err("all speeds are state and [start] states some of them".to_owned());
-        }
         let wanted = self.q.iter().zip(&self.nominal);
         let mut wanted: Vec<f64> = wanted.map(|(q, nominal)| stated(&q.name).unwrap_or(*nominal)).collect();
         self.assembly.to_unit_length(&mut wanted, |i| stated(&self.q[i].name).is_some());
-        if wanted == self.nominal {
-            return Ok(Start { q: wanted, u });
-        }
-        match self.assembly.clone().continue_to(&self.nominal, &wanted) {
-            Ok(q) => Ok(Start { q, u }),
-            Err(unreachable) => Err(format!("[start] cannot be assembled: {unreachable}")),
-        }
+        let q = match wanted == self.nominal {
+            true => wanted,
+            false => (self.assembly.clone().continue_to(&self.nominal, &wanted))
+                .map_err(|unreachable| format!("[start] cannot be assembled: {unreachable}"))?,
+        };
+        let given: Vec<Option<f64>> = self.u.iter().map(|speed| stated(&speed.name)).collect();
+        let parameters: Vec<f64> = self.parameters.iter().map(|parameter| parameter.value).collect();
+        let u = speeds::complete(self, (0.0, &q, &parameters), &given)
+            .map_err(|fault| format!("[start] has no speeds: {fault}"))?;
+        Ok(Start { q, u })
     }
 }

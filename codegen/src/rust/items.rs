@@ -84,8 +84,8 @@ fn numbers(name: &str, doc: &str, values: &[f64], scalar: &ScalarType) -> String
 pub(super) fn parameters(program: &Program, names: &[String], scalar: &ScalarType, runtime: &str) -> String {
     let named = || program.parameters.iter().zip(names);
     let fields = named().map(|(p, name)| {
-        let what = name::sentence(&p.doc, &p.name);
-        let doc = escape::markdown(&layout::text(format_args!("{what} ({}), {}.", p.unit, p.place)));
+        let rest = layout::text(format_args!("({}), {}.", p.unit, p.place));
+        let doc = name::documented(("parameter", p.name.as_str()), &p.doc, &rest);
         ["/// ", &doc, "\n    pub ", name, ": S"].concat()
     });
     let defaults = named().map(|(p, name)| [name, ": ", &scalar.literal(p.value)].concat());

@@ -4,6 +4,7 @@
 //! the values of a function, the types of the file. It starts with the names that the emitted text itself uses there
 //! and gives out every name once, so that no two can collide, whatever the model contains.
 
+use crate::escape;
 use crate::program::Program;
 use rustc_hash::FxHashSet as HashSet;
 use std::borrow::Cow;
@@ -133,6 +134,18 @@ pub(super) fn type_name(name: &str) -> String {
 pub(super) fn fields(program: &Program) -> Vec<String> {
     let mut fields = Scope::default();
     program.parameters.iter().map(|p| fields.unique(&p.name)).collect()
+}
+
+/// Documentation of something that the model names: its description, or what it is and its name as written, then the
+/// rest of the sentence.
+#[must_use]
+pub(super) fn documented((kind, name): (&str, &str), doc: &str, rest: &str) -> String {
+    let is_plain = name.bytes().all(|byte| byte.is_ascii_alphanumeric() || byte == b'_');
+    match doc.is_empty() {
+        true if is_plain => format!("The {kind} `{name}` {}", escape::markdown(rest)),
+        true => escape::markdown(&format!("The {kind} {name} {rest}")),
+        false => escape::markdown(&format!("{} {rest}", sentence(doc, name))),
+    }
 }
 
 /// The description, capitalised, or the name if there is none.

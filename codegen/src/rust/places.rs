@@ -5,30 +5,30 @@
 
 use super::layout;
 use super::name::{self, Scope};
-use crate::escape;
 use crate::program::{Program, Quantity};
 
 /// The four modules.
 pub(super) fn modules(program: &Program) -> String {
     let outputs = program.outputs.iter().zip(&program.output_facts);
-    let outputs =
-        outputs.map(|((name, _), [unit, place])| (name.as_str(), sentence("", name, unit, "", place)));
+    let outputs = outputs.map(|((name, _), [unit, place])| {
+        (name.as_str(), sentence(("output", name.as_str()), "", unit, "", place))
+    });
     [
-        module("q", "Places of the coordinates in `q`.", described(&program.q)),
-        module("u", "Places of the speeds in `u`.", described(&program.u)),
-        module("inputs", "Places of the inputs in `inputs`.", described(&program.inputs)),
+        module("q", "Places of the coordinates in `q`.", described("coordinate", &program.q)),
+        module("u", "Places of the speeds in `u`.", described("speed", &program.u)),
+        module("inputs", "Places of the inputs in `inputs`.", described("input", &program.inputs)),
         module("outputs", "Places of the outputs in what `outputs` returns.", outputs),
     ]
     .concat()
 }
 
-fn described(list: &[Quantity]) -> impl Iterator<Item = (&str, String)> {
-    list.iter().map(|x| {
+fn described<'p>(kind: &'static str, list: &'p [Quantity]) -> impl Iterator<Item = (&'p str, String)> {
+    list.iter().map(move |x| {
         let range = match x.range.0.is_finite() || x.range.1.is_finite() {
             true => format!(", {} to {}", short(x.range.0), short(x.range.1)),
             false => String::new(),
         };
-        (x.name.as_str(), sentence(&x.doc, &x.name, &x.unit, &range, &x.place))
+        (x.name.as_str(), sentence((kind, x.name.as_str()), &x.doc, &x.unit, &range, &x.place))
     })
 }
 
@@ -38,9 +38,8 @@ fn short(x: f64) -> f64 {
 }
 
 /// `Height of screw A (m), 0 to 0.2, tile.toml:30.`
-fn sentence(doc: &str, name: &str, unit: &str, range: &str, place: &str) -> String {
-    let what = name::sentence(doc, name);
-    escape::markdown(&layout::text(format_args!("{what} ({unit}){range}, {place}.")))
+fn sentence(named: (&str, &str), doc: &str, unit: &str, range: &str, place: &str) -> String {
+    name::documented(named, doc, &layout::text(format_args!("({unit}){range}, {place}.")))
 }
 
 fn module<'p>(module: &str, doc: &str, entries: impl Iterator<Item = (&'p str, String)>) -> String {

@@ -92,6 +92,28 @@ fn closed_in_its_pin() -> String {
     text.replace(pin, "B = { position = \"A + l*rod.x\", closures = [\"S\"] }")
 }
 
+/// One speed determines the others, whichever is stated, as in a run; two that contradict are met as closely as possible.
+#[test]
+fn the_start_has_all_speeds_where_all_are_state() {
+    for stated in ["u_q = 3", "u_x = -0.25", "u_q = 3\nu_b = 0"] {
+        let text = slider_crank().replace("u_q = 20", stated);
+        let program = derived_from(&text);
+        let start = program.start().expect("it can be assembled");
+        let [q, b, x] = [start.u[0], start.u[1], start.u[2]];
+        let [sin, cos] = [start.q[0].sin(), start.q[0].cos()];
+        let left =
+            [x + 0.1 * sin * q + 0.3 * start.q[1].sin() * b, 0.1 * cos * q + 0.3 * start.q[1].cos() * b];
+        assert!(left.iter().all(|r| r.abs() < 1e-15), "{stated}: {left:?}");
+        let [_, moving, _] = follow(start.q[0], 1.0, 0.0);
+        let as_stated = match stated {
+            "u_q = 3" => (q - 3.0).abs() < 1e-12 && (b - 3.0 * moving[1]).abs() < 1e-12,
+            "u_x = -0.25" => (x + 0.25).abs() < 1e-12 && (q + 0.25 / moving[2]).abs() < 1e-12,
+            _ => q < 3.0 && b < 0.0,
+        };
+        assert!(as_stated, "{stated}: {start:?}");
+    }
+}
+
 #[test]
 fn a_slider_crank_moves_through_the_dead_points_of_its_slider() {
     moves_as_its_crank_says(&slider_crank());

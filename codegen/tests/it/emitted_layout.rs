@@ -193,6 +193,19 @@ fn a_start_that_follows_from_the_rest_is_warned_of_and_not_emitted() {
     assert!(emitted(&program, ScalarType::F64).contains("START_U: [f64; 1usize] = [2f64]"));
 }
 
+/// What the model does not describe is called what it is, by its name as written, with its unit and line.
+#[test]
+fn what_has_no_description_is_documented_by_its_name() {
+    let text = emitted(&tied("u_x = 2", "[0.1, 10]"), ScalarType::F64);
+    for said in [
+        "/// The parameter `m` (kg), test.toml:4.",
+        "/// The coordinate `x` (m), test.toml:6.",
+        "/// Rate of x (m/s), test.toml:6.",
+    ] {
+        assert!(text.contains(said), "{said}: {text}");
+    }
+}
+
 #[test]
 fn ranges_beyond_single_precision_end_with_it() {
     let text = emitted(&tied("u_x = 2", "[1e-60, 1e300]"), ScalarType::F32);

@@ -14,11 +14,11 @@ use crate::limits::{Angles, check_numbers, less_turns};
 use crate::number::fewest_digits;
 use crate::observers::Observers;
 use crate::progress::{Progress, Waiting};
-use crate::{answers, model_argument, output, speeds};
+use crate::{answers, model_argument, output};
 use conditions::{Conditions, FOLLOWS};
 use smartbed_codegen::diagnostic::{Diagnostics, Severity};
 use smartbed_codegen::model::Model;
-use smartbed_codegen::program::answer;
+use smartbed_codegen::program::{answer, speeds};
 use smartbed_codegen::{Asked, Function, Interpreted, ParameterChoice, Program, Request, Settings, program};
 use states::State;
 use std::collections::BTreeSet;
@@ -153,7 +153,7 @@ fn evaluate<S: EngineScalar>(
             ))
         })?;
         solved_for(number, &given.q, &q, program);
-        let u = complete_speeds(model, program, (state.t, &q, &given.parameters), &given.u)
+        let u = complete_speeds(program, (state.t, &q, &given.parameters), &given.u)
             .map_err(|fault| at(explain(fault).to_owned()))?;
         masses.check(number, &given.parameters).map_err(at)?;
         let parameters = rounded::<S>(&given.parameters);
@@ -326,15 +326,13 @@ fn agree(names: &[(String, String)], given: &[Option<f64>], values: &[f64]) -> R
 
 /// Completes the speeds of a state; a complete list is taken as it is.
 fn complete_speeds(
-    model: &Model,
     program: &Program,
     at: (f64, &[f64], &[f64]),
     given: &[Option<f64>],
 ) -> Result<Vec<f64>, smartbed_runtime::mechanism::Fault> {
-    let independent = |i: usize| model.speeds.iter().any(|s| s.independent && s.name == program.u[i].name);
     match given.iter().copied().collect::<Option<Vec<f64>>>() {
         Some(u) => Ok(u),
-        None => speeds::complete(program, at, given, &independent),
+        None => speeds::complete(program, at, given),
     }
 }
 

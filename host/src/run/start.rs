@@ -3,12 +3,12 @@
 use super::settings::Settings;
 use crate::configuration::Configurations;
 use crate::failure::Failure;
-use crate::{model_argument, output, speeds};
+use crate::{model_argument, output};
 use smartbed_codegen::Program;
 use smartbed_codegen::diagnostic::{Diagnostic, Diagnostics};
 use smartbed_codegen::kinematics::Unreachable;
 use smartbed_codegen::model::{Model, StartRef};
-use smartbed_codegen::program::Quantity;
+use smartbed_codegen::program::{Quantity, speeds};
 
 /// A given dependent value counts as replaced if the solution differs by more than this, relative to it.
 const REPLACED: f64 = 1e-6;
@@ -87,8 +87,7 @@ fn start_speeds(
         )));
     }
     let given: Vec<Option<f64>> = program.u.iter().map(|u| settings.start.get(&u.name).copied()).collect();
-    let independent = |i: usize| model.speeds.iter().any(|s| s.independent && s.name == program.u[i].name);
-    let speeds = speeds::complete(program, (0.0, q, parameters), &given, &independent)
+    let speeds = speeds::complete(program, (0.0, q, parameters), &given)
         .map_err(|fault| Failure::Wrong(format!("the start: {fault}")))?;
     let why = "the constraints and the other start values do not allow it";
     note_replaced(&program.u, &given, &speeds, why);

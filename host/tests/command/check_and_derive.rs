@@ -365,6 +365,42 @@ fn a_derived_crate_with_an_integrator_steps_its_mechanism() {
     assert!(done.status == 1 && done.err.contains("only the form that gives u'"), "{done:?}");
 }
 
+/// A program that starts on the constraints of a slider-crank, by the constants of its crate.
+const STARTED: &str = "
+use slide::{START_Q, START_U, q, u};
+#[test]
+fn the_start_is_a_motion() {
+    let [speed_q, speed_b, speed_x] = [START_U[u::u_q], START_U[u::u_b], START_U[u::u_x]];
+    assert!((speed_q - 3.0).abs() < 1e-12, \"{START_U:?}\");
+    let across = 0.1 * START_Q[q::q].cos() * speed_q + 0.3 * START_Q[q::b].cos() * speed_b;
+    let along = 0.1 * START_Q[q::q].sin() * speed_q + 0.3 * START_Q[q::b].sin() * speed_b + speed_x;
+    assert!(across.abs() < 1e-14 && along.abs() < 1e-14, \"{across} {along}\");
+}
+";
+
+/// Also where all speeds are state and one of them is stated.
+#[test]
+fn a_derived_crate_has_the_start_of_its_model() {
+    let text = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/../models/slider_crank.toml"));
+    let text = text.expect("it is shipped");
+    let model = text
+        .replace("independent = true, nominal = \"60*deg\"", "nominal = \"60*deg\"")
+        .replace("x = { unit = \"m\", nominal", "x = { unit = \"m\", independent = true, nominal")
+        .replace("u_q = 20", "u_q = 3")
+        .replace("\"slider_crank\"", "\"slide\"");
+    let (model, folder) = (written("slide.toml", &model), file("slide"));
+    let done = smartbed(&["derive", &model, "--crate", &folder.display().to_string()]);
+    assert_eq!(done.status, 0, "{done:?}");
+    std::fs::create_dir_all(folder.join("tests")).expect("a folder");
+    std::fs::write(folder.join("tests/started.rs"), STARTED).expect("written");
+    lock(&folder);
+    let mut cargo = Command::new(env!("CARGO"));
+    cargo.args(["test", "--quiet", "--test", "started", "--target-dir"]).arg(builds("derived"));
+    cargo.current_dir(&folder);
+    let done = finish(cargo);
+    assert_eq!(done.status, 0, "{done:?}");
+}
+
 #[test]
 fn a_derived_crate_compiles_in_half_a_second_of_processor_time() {
     // The numbers of the runtime, which stand beside the equations, are compiled with them.

@@ -4,8 +4,9 @@
 //! out. Redundant ones (the motion passes dead points of the independent speeds) must satisfy the constraints J u = -j:
 //! those given are met as closely as possible, the others are as small as possible.
 
-use smartbed_codegen::kinematics::linear;
-use smartbed_codegen::{Interpreted, Program};
+use super::derived::Program;
+use super::interpreter::Interpreted;
+use crate::kinematics::linear;
 use smartbed_runtime::mechanism::{Fault, Mechanism};
 
 /// A relative residual below this means that the equations are consistent.
@@ -19,12 +20,12 @@ pub fn complete(
     program: &Program,
     (t, q, parameters): (f64, &[f64], &[f64]),
     given: &[Option<f64>],
-    is_independent: &dyn Fn(usize) -> bool,
 ) -> Result<Vec<f64>, Fault> {
     let zeros = given.iter().map(|speed| speed.unwrap_or(0.0)).collect();
     if !program.is_redundant() {
         return Ok(zeros);
     }
+    let is_independent = |i: usize| program.is_independent[i];
     // If a dependent speed is given, it determines the motion: left-out independent ones are then not 0.
     let by_others = given.iter().enumerate().any(|(i, speed)| speed.is_some() && !is_independent(i));
     let given = given.iter().enumerate();
