@@ -1,10 +1,10 @@
 //! Signs in loads and laws, where the equations jump; and kinks of loads, where their slopes do.
 //!
 //! In: a model. Out: each `sign` that a load or a law reads, directly or through definitions, with its argument; each
-//! `abs`, `min` and `max` that a load reads, with what is 0 at its kink; for signs of speeds, as dry friction is
+//! `abs`, `min` and `max` that a load reads, and what else is an absolute value, with what is 0 at its kink; for signs of speeds, as dry friction is
 //! written, a warning: in steps of fixed size friction chatters about rest, and what sticks creeps.
 
-use crate::reads::{is_speed, mentions, visit};
+use crate::reads::{is_speed, is_vector, mentions, visit};
 use smartbed_codegen::diagnostic::Diagnostic;
 use smartbed_codegen::id::Id;
 use smartbed_codegen::model::Model;
@@ -29,19 +29,19 @@ pub struct Jump {
 /// Each `sign` of the loads.
 #[must_use]
 pub fn of_loads(model: &Model) -> Vec<Jump> {
-    in_loads(model, sign)
+    in_loads(model, &|e| sign(e).into_iter().collect())
 }
 
-/// Each `abs`, `min` and `max` of the loads.
+/// Each `abs`, `min` and `max` of the loads, and each root of squares and norm of a vector that keeps its direction.
 #[must_use]
 pub fn kinks_of_loads(model: &Model) -> Vec<Jump> {
-    in_loads(model, kink)
+    in_loads(model, &|e| kink(e).into_iter().chain(folds(model, e)).collect())
 }
 
-fn in_loads(model: &Model, argument: fn(&Expr) -> Option<Expr>) -> Vec<Jump> {
+fn in_loads(model: &Model, arguments: &dyn Fn(&Expr) -> Vec<Expr>) -> Vec<Jump> {
     let all = model.loads.iter().flat_map(|load| {
         let expressions = load.kind.expressions().into_iter().map(|(_, e)| e);
-        found(model, &load.name, expressions, argument)
+        found(model, &load.name, expressions, arguments)
     });
     all.collect()
 }
@@ -67,17 +67,61 @@ pub(crate) fn kink(e: &Expr) -> Option<Expr> {
     }
 }
 
-/// What is 0 where an expression may have a kink or a jump: the argument of a `sign`, `abs`, `min` or `max`, or of the root
-/// of an even power.
-pub(crate) fn switch(e: &Expr) -> Option<Expr> {
-    let root = || match &e.kind {
-        ExprKind::Call(Function::Sqrt, arguments) => match arguments.first().map(|root| &root.kind) {
-            Some(ExprKind::Power(base, n)) if n % 2 == 0 => Some((**base).clone()),
-            _ => None,
-        },
-        _ => None,
+/// What is 0 where an expression may have a kink or a jump: the argument of a `sign`, `abs`, `min` or `max`, or what
+/// [`folds`].
+pub(crate) fn switch(model: &Model, e: &Expr) -> Vec<Expr> {
+    sign(e).into_iter().chain(kink(e)).chain(folds(model, e)).collect()
+}
+
+/// What is 0 at the kink of a root of squares, or of the norm of a vector that keeps its direction: both are absolute
+/// values.
+fn folds(model: &Model, e: &Expr) -> Vec<Expr> {
+    match &e.kind {
+        ExprKind::Call(Function::Sqrt, arguments) => {
+            arguments.first().map_or_else(Vec::new, |root| squared(model, root))
+        }
+        ExprKind::Norm(vector) => along(model, vector),
+        _ => Vec::new(),
+    }
+}
+
+/// The factors that an expression has as squares or other even powers.
+fn squared(model: &Model, e: &Expr) -> Vec<Expr> {
+    match &e.kind {
+        ExprKind::Power(base, n) if n % 2 == 0 => vec![(**base).clone()],
+        ExprKind::Multiply(a, b) if same(a, b) => vec![(**a).clone()],
+        ExprKind::Multiply(a, b) => [squared(model, a), squared(model, b)].concat(),
+        ExprKind::Divide(a, _) => squared(model, a),
+        ExprKind::Dot(a, b) if same(a, b) => along(model, a),
+        ExprKind::Definition(id) => squared(model, &model.definitions[*id].value),
+        _ => Vec::new(),
+    }
+}
+
+/// The scalar factors of a vector.
+fn along(model: &Model, vector: &Expr) -> Vec<Expr> {
+    match &vector.kind {
+        ExprKind::Multiply(a, b) => {
+            let (scalar, vector) = if is_vector(model, a) { (b, a) } else { (a, b) };
+            [vec![(**scalar).clone()], along(model, vector)].concat()
+        }
+        ExprKind::Negate(a) | ExprKind::Divide(a, _) => along(model, a),
+        ExprKind::Definition(id) => along(model, &model.definitions[*id].value),
+        ExprKind::Point(id) => along(model, &model.points[*id].position),
+        _ => Vec::new(),
+    }
+}
+
+/// Do two expressions say the same, wherever they stand?
+fn same(a: &Expr, b: &Expr) -> bool {
+    let (parts, others) = (a.parts(), b.parts());
+    let alike = match (&a.kind, &b.kind) {
+        (ExprKind::Power(_, m), ExprKind::Power(_, n)) => m == n,
+        (ExprKind::Call(f, _), ExprKind::Call(g, _)) => f == g,
+        (x, y) if parts.is_empty() => x == y,
+        (x, y) => std::mem::discriminant(x) == std::mem::discriminant(y),
     };
-    sign(e).or_else(|| kink(e)).or_else(root)
+    alike && parts.len() == others.len() && parts.iter().zip(others).all(|(a, b)| same(a, b))
 }
 
 /// What is 0 where an expression may jump although it seldom does: `y` of an `atan2(y, x)`, whose angle jumps where x < 0,
@@ -100,7 +144,7 @@ pub(crate) fn pole(e: &Expr) -> Option<Expr> {
 pub fn of_speeds(model: &Model) -> Vec<Jump> {
     let laws = model.laws.iter().flat_map(|(input, law)| {
         let name = model.inputs.iter().nth(input.index()).map_or("", |input| input.name.as_str());
-        found(model, name, std::iter::once(law), sign)
+        found(model, name, std::iter::once(law), &|e| sign(e).into_iter().collect())
     });
     let mut all: Vec<Jump> = of_loads(model).into_iter().chain(laws).collect();
     all.retain(|jump| mentions(model, &jump.argument, &is_speed));
@@ -124,14 +168,13 @@ fn found<'m>(
     model: &'m Model,
     owner: &str,
     expressions: impl Iterator<Item = &'m Expr>,
-    argument: fn(&Expr) -> Option<Expr>,
+    arguments: &dyn Fn(&Expr) -> Vec<Expr>,
 ) -> Vec<Jump> {
     let mut found: Vec<Jump> = Vec::new();
     let mut look = |e: &Expr| {
-        if let Some(argument) = argument(e)
-            && found.iter().all(|known| known.span != e.span)
-        {
-            found.push(Jump { owner: owner.to_owned(), span: e.span, argument });
+        if found.iter().all(|known| known.span != e.span) {
+            let jump = |argument| Jump { owner: owner.to_owned(), span: e.span, argument };
+            found.extend(arguments(e).into_iter().map(jump));
         }
     };
     expressions.for_each(|e| visit(model, e, &mut look));

@@ -9,11 +9,11 @@
 
 use crate::columns::told_apart;
 use crate::jumps;
-use crate::reads::{is_speed, mentions, visit};
+use crate::reads::{is_speed, is_vector, mentions, visit};
 use smartbed_codegen::id::Id;
 use smartbed_codegen::model::expression::{Expr, ExprKind};
 use smartbed_codegen::model::unit::Unit;
-use smartbed_codegen::model::{Axis, FrameId, Load, LoadKind, Model, Output};
+use smartbed_codegen::model::{Axis, FrameId, Load, LoadKind, Model, Output, SpeedMeaning};
 use smartbed_codegen::source::Span;
 use smartbed_codegen::{Diagnostics, ParameterChoice, Program, program};
 
@@ -44,7 +44,7 @@ pub struct Observers {
 }
 
 /// Where time moves the mechanism through functions that switch: a coordinate in closed form, a position, an
-/// orientation or a constraint that reads the time.
+/// orientation, a speed or a constraint that reads the time.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Command {
     /// What it is, in words before its name.
@@ -279,11 +279,19 @@ fn commands(model: &Model) -> Vec<(Command, &Expr, Vec<Expr>)> {
     for frame in model.frames.iter() {
         let parts = frame.orientation.expressions().into_iter();
         found.extend(parts.map(|(_, e)| (named("the orientation of", &frame.name), e, all(e))));
+        let fixed = frame.fixed_vectors.iter().map(|fixed| &fixed.vector);
+        found.extend(fixed.map(|e| (named("a fixed vector of", &frame.name), e, all(e))));
     }
     for point in model.points.iter() {
         let places = std::iter::once(&point.position).chain(&point.closures);
         found.extend(places.map(|e| (named("the position of", &point.name), e, all(e))));
         found.extend(point.velocity.iter().map(|e| (named("the velocity of", &point.name), e, Vec::new())));
+    }
+    // A state of such a speed says what the rates are: these must not jump.
+    for speed in model.speeds.iter() {
+        if let SpeedMeaning::Combination(e) = &speed.meaning {
+            found.push((named("the speed", &speed.name), e, rates_in(e)));
+        }
     }
     for constraint in &model.configuration_constraints {
         let e = &constraint.expression;
@@ -295,24 +303,26 @@ fn commands(model: &Model) -> Vec<(Command, &Expr, Vec<Expr>)> {
     found
 }
 
-fn is_vector(model: &Model, e: &Expr) -> bool {
-    use ExprKind::{
-        Add, AngularVelocity, Axis, Cross, Definition, Divide, Multiply, Negate, Point, Subtract, Velocity,
-    };
-    match &e.kind {
-        Point(_) | Velocity(_) | AngularVelocity(_) | Axis(..) | Cross(..) => true,
-        Negate(a) | Divide(a, _) => is_vector(model, a),
-        Add(a, b) | Subtract(a, b) | Multiply(a, b) => is_vector(model, a) || is_vector(model, b),
-        Definition(id) => is_vector(model, &model.definitions[*id].value),
-        _ => false,
-    }
+/// The rates of coordinates in a combination.
+fn rates_in(combination: &Expr) -> Vec<Expr> {
+    let mut rates: Vec<Expr> = Vec::new();
+    combination.visit(&mut |e| {
+        if let ExprKind::Rate(id) = e.kind {
+            rates.push(node(ExprKind::Rate(id)));
+        }
+    });
+    rates
 }
 
 /// The functions of time alone at whose zeros an expression, or a definition that it reads, may switch. Poles count where
 /// the time itself stands: the geometry that follows commanded coordinates is regular where it can be assembled.
 fn switches_of(model: &Model, expr: &Expr) -> Vec<Expr> {
     let mut found = kinks_of(model, expr);
-    found.extend(of_time(model, expr, jumps::pole).into_iter().filter(|e| mentions(model, e, &is_time)));
+    found.extend(
+        of_time(model, expr, &|e| jumps::pole(e).into_iter().collect())
+            .into_iter()
+            .filter(|e| mentions(model, e, &is_time)),
+    );
     found
 }
 
@@ -324,15 +334,15 @@ fn is_time(e: &Expr) -> bool {
 fn kinks_of(model: &Model, expr: &Expr) -> Vec<Expr> {
     // A coordinate is one that is commanded: others are state.
     let moves = |e: &Expr| is_time(e) || matches!(e.kind, ExprKind::Coordinate(_));
-    let mut found = of_time(model, expr, jumps::switch);
+    let mut found = of_time(model, expr, &|e| jumps::switch(model, e));
     found.retain(|e| mentions(model, e, &moves));
     found
 }
 
 /// Arguments in an expression, and in the definitions that it reads, that are no functions of the state.
-fn of_time(model: &Model, expr: &Expr, argument: fn(&Expr) -> Option<Expr>) -> Vec<Expr> {
+fn of_time(model: &Model, expr: &Expr, arguments: &dyn Fn(&Expr) -> Vec<Expr>) -> Vec<Expr> {
     let mut found = Vec::new();
-    visit(model, expr, &mut |e| found.extend(argument(e)));
+    visit(model, expr, &mut |e| found.extend(arguments(e)));
     found.retain(|e| !mentions(model, e, &|e| is_state(model, e)));
     found
 }

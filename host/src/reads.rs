@@ -11,6 +11,20 @@ pub(crate) fn is_speed(e: &Expr) -> bool {
     matches!(e.kind, Speed(_) | Rate(_) | Velocity(_) | AngularVelocity(_))
 }
 
+/// Is it a vector?
+pub(crate) fn is_vector(model: &Model, e: &Expr) -> bool {
+    use ExprKind::{
+        Add, AngularVelocity, Axis, Cross, Definition, Divide, Multiply, Negate, Point, Subtract, Velocity,
+    };
+    match &e.kind {
+        Point(_) | Velocity(_) | AngularVelocity(_) | Axis(..) | Cross(..) => true,
+        Negate(a) | Divide(a, _) => is_vector(model, a),
+        Add(a, b) | Subtract(a, b) | Multiply(a, b) => is_vector(model, a) || is_vector(model, b),
+        Definition(id) => is_vector(model, &model.definitions[*id].value),
+        _ => false,
+    }
+}
+
 /// Shows every node of an expression and of the definitions that it reads, each of these once.
 pub(crate) fn visit(model: &Model, root: &Expr, show: &mut dyn FnMut(&Expr)) {
     let (mut definitions, mut next, mut expr) = (Vec::new(), 0, root);

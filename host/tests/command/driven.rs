@@ -310,6 +310,8 @@ fn a_kink_of_the_motion_acts_alike_however_it_is_written() {
     for (name, x, a, more) in [
         ("quotient", FOLLOWS, "x*N.x", "[constraints.motion]\nd = \"u_x - v*(t - 1_s)/abs(t - 1_s)\""),
         ("root", "", "v*sqrt((t - 1_s).powi(2))*N.x", ""),
+        ("product", "", "v*sqrt((t - 1_s)*(t - 1_s))*N.x", ""),
+        ("norm", "", "norm(v*(t - 1_s)*N.y)*N.x", ""),
     ] {
         let path = hung(name, x, a, more);
         for method in ["rk4", "dormand-prince"] {
@@ -329,6 +331,27 @@ fn a_kink_of_the_motion_acts_alike_however_it_is_written() {
         refused.message().contains("may change its speed at once, where the chip cuts no step"),
         "{refused:?}"
     );
+}
+
+/// A particle that nothing pushes keeps its velocity, whatever its speed multiplies it with.
+#[test]
+fn however_a_speed_reads_the_time_its_kinks_are_steps_ends_and_its_jumps_refused() {
+    let with = |name: &str, factor: &str| {
+        let text = format!(
+            "format = 1\nname = \"free\"\n[coordinates]\nx = {{ unit = \"m\", independent = true, speed = false }}\n\
+             [speeds]\nw = {{ unit = \"m/s\", independent = true, value = \"q_dot(x)*({factor})\" }}\n\
+             [points]\nP = \"x*N.x\"\n[bodies]\nb = {{ centre = \"P\", mass = 1 }}\n\
+             [start]\nw = 0.5\n[run]\nseconds = 2\n"
+        );
+        written(name, &text)
+    };
+    let kink = with("kink.toml", "1 + abs(t/1_s - 1)");
+    let (row, _) = last(&["run", &kink, "--json", "--method", "rk4", "--step", "0.03"]);
+    let number = |name: &str| row[name].as_f64().expect("a number");
+    assert!((number("x") - 0.5).abs() < 1e-8 && (number("w") - 0.5).abs() < 1e-8, "{row}");
+    let jump = with("jump.toml", "2 + sign(t - 1_s)");
+    let refused = smartbed(&["run", &jump]);
+    assert!(refused.message().contains("the speed `w` jumps at t = 1.0"), "{refused:?}");
 }
 
 #[test]

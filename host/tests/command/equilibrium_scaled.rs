@@ -242,7 +242,12 @@ fn no_stability_is_claimed_at_a_kink() {
         asked(&[&[&*model(name, &text)], options].concat())
     };
     // A push to the left goes on to the left; slopes of the right side alone would draw it back.
-    for (name, force) in [("abs", "40_N/1_m*abs(x)"), ("max", "max(40_N/1_m*x, -10_N/1_m*x)")] {
+    for (name, force) in [
+        ("abs", "40_N/1_m*abs(x)"),
+        ("max", "max(40_N/1_m*x, -10_N/1_m*x)"),
+        ("sqrt", "40_N/1_m*sqrt(x*x)"),
+        ("norm", "40_N/1_m*norm(x*N.x)"),
+    ] {
         let done = pulled(name, force, &[]);
         assert_eq!(done.status, 0, "{done:?}");
         let said = done.err.replace("\n", " ");
