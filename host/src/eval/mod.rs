@@ -29,6 +29,9 @@ use write::Evaluated;
 const VIOLATED: f64 = 1e-4;
 /// A residual above this share is more than the rounding of numbers given to six decimals.
 const ROUGH: f64 = 1e-6;
+/// Where more than this share of the accelerations may be wrong, not one digit is certain.
+const NO_DIGIT: f64 = 0.1;
+const NEARLY: &str = "the configuration is singular or nearly so";
 
 /// Evaluate a model's equations of motion at given states.
 #[derive(clap::Args, Clone, Debug)]
@@ -195,8 +198,17 @@ fn evaluate<S: EngineScalar>(
             return Err(at(what));
         }
         let violation = configurations.violation(state.t, &given.parameters, &q);
-        let is_solved = given.q.iter().any(Option::is_none);
-        warn::<S>(number, &evaluated, (program, &configurations), (violation, is_solved));
+        let share = violation.as_ref().map_or(0.0, |(.., share)| *share);
+        let solved = given.q.iter().any(Option::is_none).then_some(share);
+        let lost = lost::<S>(evaluated.pivot.abs(), solved);
+        if lost > NO_DIGIT && answers.iter().any(|name| gives_accelerations(name)) {
+            return Err(at(format!(
+                "{NEARLY}: the smallest pivot is {:.1e} of its nominal size, and not one digit of the accelerations is \
+                 certain; expected a configuration away from it, or other independent coordinates",
+                evaluated.pivot.abs()
+            )));
+        }
+        warn::<S>(number, &evaluated, (program, &configurations), (violation, lost));
         text.push_str(if number == 0 { "\n" } else { ",\n" });
         evaluated.write(program, names, &answers, &mut text);
     }
@@ -256,9 +268,8 @@ fn warn<S: EngineScalar>(
     number: usize,
     evaluated: &Evaluated,
     (program, configurations): (&Program, &Configurations),
-    (violation, is_solved): (Option<(String, f64, f64)>, bool),
+    (violation, lost): (Option<(String, f64, f64)>, f64),
 ) {
-    let share = violation.as_ref().map_or(0.0, |(.., share)| *share);
     let long = configurations.unit_vectors().iter().find_map(|places| {
         let length = places.iter().map(|&i| evaluated.q[i]).fold(0.0, f64::hypot);
         let names: Vec<&str> = places.iter().map(|&i| program.q[i].name.as_str()).collect();
@@ -290,20 +301,31 @@ fn warn<S: EngineScalar>(
             speed.name
         ));
     }
-    let pivot = evaluated.pivot.abs();
-    let nearly = "the configuration is singular or nearly so";
-    if pivot < S::ROOT_EPSILON.to_f64() {
+    if lost > S::ROOT_EPSILON.to_f64() {
+        let certain = match lost > NO_DIGIT {
+            true => "not one digit is".to_owned(),
+            false => format!("some {} digits are", (-lost.log10()).floor()),
+        };
         output::say(&format!(
-            "warning: states[{number}]: {nearly}: the smallest pivot is {pivot:.1e} of its nominal size, and half of the \
-             digits or more are lost; `run` refuses to step from it"
-        ));
-    } else if is_solved && pivot * pivot * f64::EPSILON.sqrt() < share.max(f64::EPSILON) {
-        // What is left of the constraints is divided by the pivot twice: in the coordinates, then in the accelerations.
-        output::say(&format!(
-            "warning: states[{number}]: {nearly}: the smallest pivot is {pivot:.1e} of its nominal size, so that the \
-             coordinates solved for are inexact, and half of the digits of the accelerations or more are lost"
+            "warning: states[{number}]: {NEARLY}: the smallest pivot is {:.1e} of its nominal size, and of the accelerations \
+             {certain} certain; `run` refuses to step from where half of them are lost by the pivot alone",
+            evaluated.pivot.abs()
         ));
     }
+}
+
+/// Does an answer rest on the accelerations?
+fn gives_accelerations(name: &str) -> bool {
+    let kind = name.split(':').next().unwrap_or(name);
+    let mut needing = answer::CATALOGUE.iter().filter(|own| own.needs == answer::Needs::Accelerations);
+    needing.any(|own| own.name == kind)
+}
+
+/// The share of the accelerations that may be wrong: rounding is divided by the pivot, and what is left of the
+/// constraints, as a share of their terms, twice where coordinates were solved for: in these, then in the accelerations.
+fn lost<S: EngineScalar>(pivot: f64, solved: Option<f64>) -> f64 {
+    let by_coordinates = solved.map_or(0.0, |share| share.max(f64::EPSILON) / (pivot * pivot));
+    by_coordinates.max(S::EPSILON.to_f64() / pivot)
 }
 
 /// Checks that given values of coordinates in closed form agree with the form.
