@@ -1,8 +1,9 @@
 //! Signs in loads and laws, where the equations jump; and kinks of loads, where their slopes do.
 //!
 //! In: a model. Out: each `sign` that a load or a law reads, directly or through definitions, with its argument; each
-//! `abs`, `min` and `max` that a load reads, and what else is an absolute value, with what is 0 at its kink; for signs of speeds, as dry friction is
-//! written, a warning: in steps of fixed size friction chatters about rest, and what sticks creeps.
+//! `abs`, `min` and `max` that a load reads, and what else is an absolute value, with what is 0 at its kink; for signs
+//! of speeds, as dry friction is written, a warning: in steps of fixed size friction chatters about rest, and what
+//! sticks creeps.
 
 use crate::reads::{is_speed, is_vector, mentions, visit};
 use smartbed_codegen::diagnostic::Diagnostic;

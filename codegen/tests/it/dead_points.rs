@@ -92,7 +92,8 @@ fn closed_in_its_pin() -> String {
     text.replace(pin, "B = { position = \"A + l*rod.x\", closures = [\"S\"] }")
 }
 
-/// One speed determines the others, whichever is stated, as in a run; two that contradict are met as closely as possible.
+/// One speed determines the others, whichever is stated, as in a run; two that contradict are met as closely as
+/// possible.
 #[test]
 fn the_start_has_all_speeds_where_all_are_state() {
     for stated in ["u_q = 3", "u_x = -0.25", "u_q = 3\nu_b = 0"] {

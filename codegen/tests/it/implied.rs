@@ -307,7 +307,8 @@ fn so_is_a_component_of_a_vector_and_what_stands_beside_a_closed_form() {
     let closed = axle_with_closed_form();
     let beside = derived_from(&closed).warnings.to_string();
     assert!(beside.starts_with("warning: `right` follows from the other constraints"), "{beside}");
-    // What restates a closed form takes the place of its derivative. What is 0 however the mechanism moves says nothing.
+    // What restates a closed form takes the place of its derivative. What is 0 however the mechanism moves says
+    // nothing.
     let rate = "\"u_h - u_x*sin(q) - x*cos(q)*u_q\"";
     let restated = closed.replace("\"dot(velocity(B), wheel.y)\"", rate);
     let once = rolling_axle().replace("left = \"dot(velocity(A), car.y)\"\n", "");

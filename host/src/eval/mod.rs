@@ -322,7 +322,8 @@ fn gives_accelerations(name: &str) -> bool {
 }
 
 /// The share of the accelerations that may be wrong: rounding is divided by the pivot, and what is left of the
-/// constraints, as a share of their terms, twice where coordinates were solved for: in these, then in the accelerations.
+/// constraints, as a share of their terms, twice where coordinates were solved for: in these, then in the
+/// accelerations.
 fn lost<S: EngineScalar>(pivot: f64, solved: Option<f64>) -> f64 {
     let by_coordinates = solved.map_or(0.0, |share| share.max(f64::EPSILON) / (pivot * pivot));
     by_coordinates.max(S::EPSILON.to_f64() / pivot)
