@@ -99,6 +99,15 @@ impl Waiting {
         Self::begin("deriving the equations", Some(smartbed_codegen::program::stage::current))
     }
 
+    /// Shows that the parts of a world come to rest.
+    #[must_use]
+    pub fn settling() -> Self {
+        Self::begin(
+            "settle",
+            Some(|| "parts come to rest; one that still swings or creeps keeps all others waiting"),
+        )
+    }
+
     fn begin(what: &str, stage: Option<fn() -> &'static str>) -> Self {
         let is_terminal = std::io::stderr().is_terminal();
         if !is_terminal && stage.is_none() {

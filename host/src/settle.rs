@@ -5,6 +5,7 @@ use crate::file_kind::FileKind;
 use crate::model_argument;
 use crate::number::{json_number, json_object, json_string, short};
 use crate::output;
+use crate::progress::Waiting;
 use crate::world::read::settings::refuse_twice;
 use crate::world::run::engine;
 use std::fmt::Write as _;
@@ -38,7 +39,9 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     refuse_twice(&arguments.set).map_err(Failure::Wrong)?;
     let assembly = model_argument::open_world_to_settle(&path, &arguments.set)?;
     let mut engine = engine(&assembly).map_err(Failure::Wrong)?;
+    let waiting = Waiting::settling();
     let settled = engine.settle().map_err(Failure::Wrong)?;
+    drop(waiting);
     let columns = engine.columns();
     let state = engine.state().map_err(Failure::Wrong)?;
     let energies = engine.energies().map_err(Failure::Wrong)?;

@@ -10,7 +10,7 @@ use crate::engine::{EngineKind, ScalarKind};
 use crate::failure::Failure;
 use crate::number::{json_number, json_object, json_string, six_digits};
 use crate::output;
-use crate::progress::Progress;
+use crate::progress::{Progress, Waiting};
 use crate::world::Assembly;
 use crate::world::engine::Event;
 use crate::world::read::settings::refuse_twice;
@@ -85,11 +85,16 @@ fn record(arguments: &Arguments, assembly: &Assembly) -> Result<Done, Failure> {
     let mut records = Records::open(arguments, assembly, engine.columns())?;
     let mut progress = Progress::new("running");
     let method = engine.method();
+    // The first row comes when all is at rest.
+    let mut settling = (assembly.run.settled && from.is_none()).then(Waiting::settling);
     let done = run::<Failure>(
         assembly,
         engine.as_mut(),
         from.as_ref(),
-        |row, engine| records.push(row, engine),
+        |row, engine| {
+            drop(settling.take());
+            records.push(row, engine)
+        },
         |t| {
             progress.at(t / assembly.run.seconds);
             interrupted(t)
