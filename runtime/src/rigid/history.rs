@@ -13,8 +13,8 @@ pub struct History<S> {
     /// f of the present sweep.
     pub(crate) moved: Vec3<S>,
     /// f and g of the last one.
-    pub(super) change: Vec3<S>,
-    pub(super) end: Vec3<S>,
+    pub(crate) change: Vec3<S>,
+    pub(crate) end: Vec3<S>,
     /// df and dg.
     pub(super) changes: [Vec3<S>; DEPTH],
     pub(super) ends: [Vec3<S>; DEPTH],

@@ -13,6 +13,7 @@ mod accounts;
 mod booking;
 mod carrier;
 mod cell;
+mod conjugate;
 mod conserving;
 mod contacts;
 mod detect;

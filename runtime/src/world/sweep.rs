@@ -15,6 +15,7 @@
 //! Redundant contacts that rub in different directions share their load as if each yielded a little, all alike, as
 //! forces do (`rigid::share`): else the order of the sweeps would decide how a box turns on its four corners.
 
+use super::conjugate::{Task, descend};
 use super::detect::Touch;
 use crate::real::Scalar;
 use crate::rigid::anderson::Anderson;
@@ -37,6 +38,15 @@ const COARSE: f64 = 1e-9;
 /// Change of the speeds by one sweep that is rounding, in rounding units of the speeds of the points in contact.
 const ROUNDING: f64 = 16.0;
 
+/// Sweeps that may be slow before conjugate gradients take turns with them, and the sweeps between two turns.
+const SLOW: [usize; 2] = [100, 8];
+/// Most sweeps and steps over many contacts of rigid parts, which sweeps hand on to one another slowly.
+const STACKED: usize = 800;
+/// Change of the speeds by a sweep at which sweeps and conjugate gradients end, relative to the fastest.
+const CLOSE: f64 = 1e-11;
+/// Most steps of conjugate gradients at a time, for each contact, and in all.
+const TURN: [usize; 2] = [4, 400];
+
 /// Share of what an impulse gives its bodies by which redundant contacts yield to it.
 const YIELDS: f64 = 0.01;
 /// Number of times that they yield, each time from the impulses before, so that what is left falls by that share:
@@ -53,7 +63,7 @@ pub(super) struct Sweeps<S> {
 }
 
 /// The normal velocity w to reach at the end; None where the contact does not act.
-fn wanted<S: Scalar>(touch: &Touch<S>, h: S) -> Option<S> {
+pub(super) fn wanted<S: Scalar>(touch: &Touch<S>, h: S) -> Option<S> {
     if touch.out > S::ZERO {
         return Some(touch.out);
     }
@@ -90,56 +100,111 @@ pub(super) fn sweep<S: Scalar>(
     }
     // Relative speeds of points that move together are known to the rounding of their own.
     let speeds = [fastest, S::from_f64(ROUNDING) * S::EPSILON * moving];
+    let mut slow = SLOW[0];
     if !are_redundant(touches, ports) {
-        return settle(touches, (h, S::ZERO), speeds, inertia, twists);
+        return settle(touches, (h, S::ZERO), speeds, (ports, &mut slow), inertia, twists);
     }
     // Contacts that yield in the end, too, may contradict one another by rounding, which moves the others for ever.
     touches.iter_mut().for_each(|touch| touch.unyielded = vec3::zero());
     let mut sum = Sweeps { number: 0, settled: true, left: S::ZERO };
     for _ in 0..TIMES {
-        let sweeps = settle(touches, (h, S::from_f64(YIELDS)), speeds, inertia, twists);
+        let how = (h, S::from_f64(YIELDS));
+        let sweeps = settle(touches, how, speeds, (ports, &mut slow), inertia, twists);
         sum = Sweeps { number: sum.number + sweeps.number, ..sweeps };
         touches.iter_mut().for_each(|touch| touch.unyielded = touch.contact.impulse);
     }
+    // What yields a little next to a light body yields much next to a heavy one: the rest without yielding.
+    let worst = touches.iter().fold(S::ZERO, |worst, touch| worst.max(missing(touch, h, twists)));
+    if worst > S::from_f64(COARSE).max(S::from_f64(64.0) * S::EPSILON) * fastest {
+        slow = SLOW[1];
+        let sweeps = settle(touches, (h, S::ZERO), speeds, (ports, &mut slow), inertia, twists);
+        sum = Sweeps { number: sum.number + sweeps.number, ..sweeps };
+    }
     sum
+}
+
+/// How far a contact is from its law (m/s), given the impulses of all: the velocity by which its own would change.
+fn missing<S: Scalar>(touch: &Touch<S>, h: S, twists: &[Twist<S>]) -> S {
+    let (k, before) = (&touch.inverse_mass, touch.contact.impulse);
+    let Some(end) = wanted(touch, h).filter(|_| k[0][0] > S::ZERO) else {
+        return touch.weight() * vec3::norm(before);
+    };
+    let [n, x, y] = touch.contact.relative(twists);
+    let normal = (before[0] + (end - n) / k[0][0]).max(S::ZERO);
+    let radius = touch.contact.friction * normal;
+    let [p, q] =
+        if radius > S::ZERO { rubbed(k, [before[1], before[2]], [x, y], radius) } else { [S::ZERO; 2] };
+    touch.weight() * vec3::norm(vec3::sub([normal, p, q], before))
 }
 
 /// Whether impulses fit in more than one way, and which are taken makes a difference: contacts of rigid parts that rub
 /// in different directions.
 fn are_redundant<S: Scalar>(touches: &[Touch<S>], ports: usize) -> bool {
-    let is_rigid = |touch: &Touch<S>| touch.contact.points().all(|(_, point)| point.body < ports);
-    let rubs = |touch: &&Touch<S>| touch.contact.friction > S::ZERO && is_rigid(touch);
+    let rubs = |touch: &&Touch<S>| touch.contact.friction > S::ZERO && is_rigid(touch, ports);
     let slip = |touch: &Touch<S>| {
         vec3::direction(touch.contact.to_inertial([S::ZERO, touch.start[1], touch.start[2]])).0
     };
     touches.iter().filter(rubs).count() >= REDUNDANT && differ(touches.iter().filter(rubs).map(slip))
 }
 
+/// Whether a contact is one of rigid parts alone.
+fn is_rigid<S: Scalar>(touch: &Touch<S>, ports: usize) -> bool {
+    touch.contact.points().all(|(_, point)| point.body < ports)
+}
+
 /// Sweeps until the speeds do not change any more, over contacts that yield to their impulses by a share of what these
-/// give their bodies.
+/// give their bodies. `slow`: sweeps after which they count as slow; then it is less the next time.
 fn settle<S: Scalar>(
     touches: &mut [Touch<S>],
     how: (S, S),
     [fastest, rounding]: [S; 2],
+    (ports, slow): (usize, &mut usize),
     inertia: &impl Inertia<S>,
     twists: &mut [Twist<S>],
 ) -> Sweeps<S> {
     let few = touches.len() <= FEW;
-    let (limit, fine) =
-        if few { (SWEEPS[0], S::from_f64(32.0) * S::EPSILON) } else { (SWEEPS[1], S::from_f64(COARSE)) };
-    let (mut number, mut settled) = (0, false);
+    let turns = few || touches.iter().all(|touch| is_rigid(touch, ports));
+    let (limit, fine) = match (few, turns) {
+        (true, _) => (SWEEPS[0], S::from_f64(32.0) * S::EPSILON),
+        (false, false) => (SWEEPS[1], S::from_f64(COARSE)),
+        (false, true) => (STACKED, S::from_f64(COARSE)),
+    };
+    let (mut number, mut settled, mut since) = (0, false, 0);
+    // What was left before the last turn of conjugate gradients.
+    let mut turned = None;
     let (mut left, mut anderson) = (S::ZERO, Anderson::new());
     while number < limit && !settled {
-        let mut moved = S::ZERO;
+        let (mut moved, mut caused) = (S::ZERO, S::ZERO);
         for touch in touches.iter_mut() {
             let before = touch.contact.impulse;
             moved = moved.max(relax(touch, how, inertia, twists));
             touch.history.moved = vec3::sub(touch.contact.impulse, before);
+            caused = caused.max(touch.weight() * vec3::norm(before));
         }
-        number += 1;
+        (number, since) = (number + 1, since + 1);
         left = moved / fastest;
         settled = left <= fine || moved <= rounding;
-        if number > PLAIN && number < limit && !settled {
+        if let Some(before) = turned.filter(|_| since >= SLOW[1]) {
+            let gains = left <= S::from_f64(0.5) * before;
+            settled |= left <= S::from_f64(if gains { CLOSE } else { CONTRADICTION });
+        }
+        if number >= limit || settled {
+            break;
+        }
+        if turns && since >= *slow {
+            let most = (TURN[0] * touches.len()).min(TURN[1]).min(limit - number);
+            // Redundant impulses may contradict one another: they change little if all yield to a change, if only so
+            // little that the next turn takes that away.
+            let yields = if how.1 > S::ZERO { how.1 } else { S::EPSILON.sqrt() };
+            if how.1 <= S::ZERO {
+                touches.iter_mut().for_each(|touch| touch.unyielded = touch.contact.impulse);
+            }
+            // Large impulses on both sides of a light body cancel but for their rounding.
+            let enough = rounding.max(S::EPSILON * caused).max(fine * fastest) * S::from_f64(0.25);
+            let task = Task { how: (how.0, yields), fastest, rounding: enough };
+            number += descend(touches, task, most, inertia, twists);
+            (since, turned, *slow, anderson) = (0, Some(left), SLOW[1], Anderson::new());
+        } else if since > PLAIN {
             let alike = anderson.record(touches).is_some_and(|apart| apart <= fine * fastest);
             settled = alike && left <= S::from_f64(CONTRADICTION);
             if !settled {

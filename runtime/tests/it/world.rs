@@ -527,3 +527,68 @@ fn held_bodies_oscillate_at_frequencies_of_order_four_and_floating_ones_of_order
         assert!((error / factor - 1.0).abs() < 0.02, "{error:e} of {factor:e}");
     }
 }
+
+/// How far what is at rest moves in so many steps of 1 ms (m), sweeps a step, steps that did not converge.
+fn stirs(mut scene: Scene, steps: u32) -> (f64, usize, usize) {
+    let (mut moved, mut sweeps, mut unsettled) = (0.0_f64, 0, 0);
+    let mut first: Vec<f64> = Vec::new();
+    scene.run(1e-3, steps, |report, _, x| {
+        sweeps += report.sweeps;
+        unsettled += usize::from(!report.settled);
+        if first.is_empty() {
+            first = x.to_vec();
+        }
+        moved = x.iter().zip(&first).fold(moved, |most, (now, then)| most.max((now - then).abs()));
+    });
+    (moved, sweeps / steps as usize, unsettled)
+}
+
+/// Boxes of these masses on one another, at rest; the upper ones are the smaller ones.
+fn stacked(masses: &[f64], friction: f64) -> Scene {
+    let mut scene = Scene { room: 64 + 8 * masses.len(), ..Scene::falling() };
+    let mut below = scene.floor();
+    for (number, mass) in (0..).map(f64::from).zip(masses) {
+        let half = [0.15 - 1e-3 * number, 0.15 - 2e-3 * number, 0.05];
+        let block = scene.cuboid(*mass, half, [0.0, 0.0, 0.05 + 0.1 * number], [0.0; 3]);
+        scene.pair(below, block, friction, 0.0);
+        below = block;
+    }
+    scene
+}
+
+#[test]
+fn a_heavy_plate_rests_on_light_balls() {
+    for mass in [0.2, 0.02, 1e-3, 1e-5] {
+        let mut scene = Scene::falling();
+        let floor = scene.floor();
+        let plate = scene.cuboid(10.0, [0.2, 0.2, 0.01], [0.0, 0.0, 0.05], [0.0; 3]);
+        for [x, y] in [[0.1, 0.1], [-0.1, 0.1], [0.0, -0.12]] {
+            let ball = scene.ball(mass, 0.02, [x, y, 0.02], [0.0; 3]);
+            scene.pair(floor, ball, 0.3, 0.0);
+            scene.pair(ball, plate, 0.3, 0.0);
+        }
+        let (moved, sweeps, unsettled) = stirs(scene, 1000);
+        println!("{mass} kg: moved by {moved:e} m in 1 s, {sweeps} sweeps a step, {unsettled} unsettled");
+        assert!(moved < 1e-6 && unsettled == 0);
+    }
+}
+
+#[test]
+fn a_heavy_box_rests_on_a_light_one() {
+    for friction in [0.0, 0.3] {
+        for mass in [1.0, 0.02, 0.01, 1e-3] {
+            let (moved, sweeps, unsettled) = stirs(stacked(&[mass, 10.0], friction), 500);
+            println!("{mass} kg, mu {friction}: moved by {moved:e}, {sweeps} sweeps, {unsettled} unsettled");
+            assert!(moved < 1e-7 && unsettled == 0);
+        }
+    }
+}
+
+#[test]
+fn a_stack_of_many_boxes_stands() {
+    for number in [10, 20] {
+        let (moved, sweeps, unsettled) = stirs(stacked(&vec![1.0; number], 0.4), 100);
+        println!("{number} boxes: moved by {moved:e}, {sweeps} sweeps, {unsettled} unsettled");
+        assert!(moved < 1e-7 && unsettled == 0);
+    }
+}
