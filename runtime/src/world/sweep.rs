@@ -115,7 +115,7 @@ pub(super) fn sweep<S: Scalar>(
     }
     // What yields a little next to a light body yields much next to a heavy one: the rest without yielding.
     let worst = touches.iter().fold(S::ZERO, |worst, touch| worst.max(missing(touch, h, twists)));
-    if worst > S::from_f64(COARSE).max(S::from_f64(64.0) * S::EPSILON) * fastest {
+    if worst > S::from_f64(CONTRADICTION).max(S::from_f64(64.0) * S::EPSILON) * fastest {
         slow = SLOW[1];
         let sweeps = settle(touches, (h, S::ZERO), speeds, (ports, &mut slow), inertia, twists);
         sum = Sweeps { number: sum.number + sweeps.number, ..sweeps };
@@ -163,7 +163,8 @@ fn settle<S: Scalar>(
     twists: &mut [Twist<S>],
 ) -> Sweeps<S> {
     let few = touches.len() <= FEW;
-    let turns = few || touches.iter().all(|touch| is_rigid(touch, ports));
+    // Sweeps over the nodes of a sheet end soon enough.
+    let turns = touches.iter().all(|touch| is_rigid(touch, ports));
     let (limit, fine) = match (few, turns) {
         (true, _) => (SWEEPS[0], S::from_f64(32.0) * S::EPSILON),
         (false, false) => (SWEEPS[1], S::from_f64(COARSE)),
