@@ -95,3 +95,23 @@ fn a_ball_that_rolls_on_a_shaken_plate_converges() {
     let expected = 2.0 / 7.0 * 0.3 * (1.0 - 5.0_f64.cos());
     assert!((way - expected).abs() < 1e-6, "{way}, expected {expected}");
 }
+
+/// Redundant contacts with friction under a load 500 times as heavy.
+#[test]
+fn a_heavy_plate_stays_on_three_light_balls() {
+    let mut text = "format = 2\n[parts.ground]\nrigid = \"half_space\"\n[parts.plate]\nrigid = \"box\"\n\
+                    size = [0.4, 0.4, 0.02]\nmass = 10\nstart = { position = [0, 0, 0.05] }\n"
+        .to_owned();
+    for (k, [x, y]) in [[0.1, 0.1], [-0.1, 0.1], [0.0, -0.12]].into_iter().enumerate() {
+        text += &format!(
+            "[parts.ball{k}]\nrigid = \"sphere\"\nradius = 0.02\nmass = 0.02\nstart = {{ position = [{x}, {y}, 0.02] }}\n"
+        );
+        for pair in [format!("\"ground\", \"ball{k}\""), format!("\"ball{k}\", \"plate\"")] {
+            text += &format!("[[contacts]]\nbetween = [{pair}]\nimpact = \"moreau\"\nfriction = 0.3\n");
+        }
+    }
+    let file = scene("moreau_plate_on_balls", &(text + "[run]\nseconds = 1\nstep = \"1_ms\"\n"));
+    let done = json(&[&file, "--strict"]);
+    let [y, z] = ["plate.y", "plate.z"].map(|name| number(&done["last"][name]));
+    assert!((z - 0.05).abs() < 1e-9 && y.abs() < 1e-9, "{y} {z}");
+}

@@ -7,8 +7,9 @@
 //! p = r/K + beta p,   P = P + alpha p,   alpha = p.r / p.(G + D) p
 //! ```
 //! Impulses at a bound stay there, so does the friction of contacts that slide; a step that would leave the bounds ends
-//! at the first, which is kept from then on, so that no step adds energy; sweeps say which impulses become free again. Weighed by a mean of K, alike in all directions,
-//! redundant impulses change as those of contacts would that yield a little (`sweep`).
+//! at the first, which is kept from then on, so that no step adds energy; sweeps say which impulses become free again.
+//! Weighed by a mean of K, alike in all directions, redundant impulses change as those of contacts would that yield a
+//! little (`sweep`).
 
 use super::detect::Touch;
 use super::sweep::wanted;
