@@ -156,7 +156,7 @@ const CHANGES: [(&str, Change); 41] = [
 ];
 
 /// Fields that no change of a drawn mechanism reaches, each with a test that fails if it is misread.
-const ELSEWHERE: [(&str, &str, &str); 49] = [
+const ELSEWHERE: [(&str, &str, &str); 50] = [
     ("top level.format", "smartbed-codegen", "rejected_models_have_their_exact_messages"),
     ("top level.name", "smartbed-tests", "emitted_text_equals_the_golden_files"),
     ("top level.doc", "smartbed-tests", "emitted_text_equals_the_golden_files"),
@@ -199,6 +199,7 @@ const ELSEWHERE: [(&str, &str, &str); 49] = [
     ("configurations.name", "smartbed-codegen", "rejected_models_have_their_exact_messages"),
     ("start", "smartbed-codegen", "plain_numbers_are_in_the_unit_of_their_quantity"),
     ("law", "smartbed-codegen", "plain_numbers_are_in_the_unit_of_their_quantity"),
+    ("commanded", "smartbed-codegen", "rejected_models_have_their_exact_messages"),
     ("run.seconds", "smartbed-codegen", "every_model_is_read_without_a_finding"),
     ("run.step", "smartbed-codegen", "every_model_is_read_without_a_finding"),
     ("run.method", "smartbed-codegen", "every_model_is_read_without_a_finding"),

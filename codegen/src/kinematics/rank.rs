@@ -44,11 +44,10 @@ pub(super) fn implied_motions(
     k: &Kinematics,
     table: &mut SampleTable,
 ) -> Vec<(Place, bool)> {
-    let mut implied = dependent_motions(alg, model, k, table, true);
+    let mut implied = dependent_motions(alg, model, k, table, None);
     if implied.iter().any(|(_, whole)| !whole) {
-        let other = at_other_parameters(alg, k);
-        let mut table = sampling::sample_table(alg, model, &other);
-        let rates = dependent_motions(alg, model, &other, &mut table, false);
+        let mut other = at_other_parameters(alg, model, k);
+        let rates = dependent_motions(alg, model, k, &mut other, Some(&implied));
         implied.retain(|found| found.1 || !rates.contains(found));
     }
     implied
@@ -64,20 +63,19 @@ pub(super) fn needless_motions(
 ) -> Vec<(Place, bool)> {
     let mut needless = k.implied_motions.clone();
     if !needless.is_empty() && model.coordinates.iter().any(|c| c.closed_form.is_some()) {
-        let restated = dependent_motions(alg, model, k, table, false);
+        let restated = dependent_motions(alg, model, k, table, Some(&needless));
         needless.retain(|found| !restated.contains(found));
     }
     needless
 }
 
-/// [`implied_motions`] by numbers; of those from the configuration constraints alone, if motion constraints do not
-/// count.
+/// [`implied_motions`] by numbers. Of some of them: those that follow from the configuration constraints alone.
 fn dependent_motions(
     alg: &Algebra,
     model: &Model,
     k: &Kinematics,
     table: &mut SampleTable,
-    motions_count: bool,
+    some: Option<&[(Place, bool)]>,
 ) -> Vec<(Place, bool)> {
     if model.motion_constraints.is_empty() {
         return Vec::new();
@@ -97,38 +95,54 @@ fn dependent_motions(
     let mut others = empty.clone();
     k.rows.iter().filter(is_other).for_each(|row| add(&mut others, row));
     let mut implied = Vec::new();
-    for constraint in &model.motion_constraints {
-        let (mut bases, mut alone) = (others.clone(), empty.clone());
-        for row in k.rows.iter().filter(|row| row.name == constraint.name) {
-            add(&mut bases, row);
-            add(&mut alone, row);
-        }
-        let ranks = bases.ranks().iter().zip(others.ranks());
-        let added: Vec<usize> = ranks.map(|(now, before)| now - before).collect();
-        if added.iter().zip(alone.ranks()).all(|(added, own)| added < own) {
+    let asked = |name: &str| some.is_none_or(|some| some.iter().any(|(place, _)| place.name == name));
+    for constraint in model.motion_constraints.iter().filter(|constraint| asked(&constraint.name)) {
+        let rows: Vec<&Row> = k.rows.iter().filter(|row| row.name == constraint.name).collect();
+        // A vector is written along the axes of several triads: three of them, if independent, say all of it.
+        let most = if rows.iter().any(|row| row.along.is_some()) { 3 } else { 1 };
+        let mut ranks_with = |before: &Bases| {
+            let mut bases = before.clone();
+            let gained = |now: &Bases| -> Vec<usize> {
+                now.ranks().iter().zip(before.ranks()).map(|(now, before)| now - before).collect()
+            };
+            for row in &rows {
+                if gained(&bases).iter().all(|&gained| gained == most) {
+                    break;
+                }
+                add(&mut bases, row);
+            }
+            (gained(&bases), bases)
+        };
+        let (added, bases) = ranks_with(&others);
+        let falls_short = |of: &[usize]| added.iter().zip(of).all(|(added, own)| added < own);
+        if added.iter().all(|&added| added < most) && falls_short(&ranks_with(&empty).0) {
             let place = Place { name: constraint.name.clone(), span: constraint.span };
             implied.push((place, added.iter().all(|&added| added == 0)));
         }
-        if motions_count {
+        if some.is_none() {
             others = bases;
         }
     }
     implied
 }
 
-/// The same kinematics at the same configurations with every tunable parameter changed, each by another share.
-fn at_other_parameters(alg: &Algebra, k: &Kinematics) -> Kinematics {
+/// Values at a few of the configurations with every tunable parameter changed, each by another share.
+fn at_other_parameters(alg: &Algebra, model: &Model, k: &Kinematics) -> SampleTable {
     /// Fractional parts of its multiples cover the unit interval evenly (golden section).
     const GOLDEN: f64 = 0.618_033_988_749_894_9;
-    let mut other = k.clone();
+    /// Ranks at parameters of no particular values need few.
+    const CONFIGURATIONS: usize = 2;
+    let mut values = k.parameter_values.clone();
     for (nth, (id, &expr)) in k.parameters.enumerate().enumerate() {
-        let value = k.parameter_values[id];
+        let value = values[id];
         let size = if value == 0.0 { 1.0 } else { value };
         if alg.dag.as_symbol(expr).is_some() {
-            other.parameter_values[id] = value + 0.1 * size * (0.5 + (GOLDEN * (1 + nth) as f64).fract());
+            values[id] = value + 0.1 * size * (0.5 + (GOLDEN * (1 + nth) as f64).fract());
         }
     }
-    other
+    let mut samples = k.sampled();
+    samples.truncate(CONFIGURATIONS);
+    sampling::table_with(alg, model, k, &samples, &values)
 }
 
 /// Does the row say what the speed of a coordinate in closed form is?

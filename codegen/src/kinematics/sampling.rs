@@ -6,7 +6,8 @@ use super::quantities::{Kinematics, Sample};
 use super::random::Random;
 use crate::expr::tape::SampleTable;
 use crate::expr::{Dag, ExprId, SymbolId};
-use crate::model::Model;
+use crate::id::IdVec;
+use crate::model::{Model, ParameterId};
 use crate::vector::Algebra;
 use rustc_hash::FxHashMap as HashMap;
 
@@ -18,6 +19,17 @@ pub fn sample_table(alg: &Algebra, model: &Model, k: &Kinematics) -> SampleTable
 
 /// [`sample_table`] at other configurations.
 pub(super) fn table_at(alg: &Algebra, model: &Model, k: &Kinematics, samples: &[Sample]) -> SampleTable {
+    table_with(alg, model, k, samples, &k.parameter_values)
+}
+
+/// [`table_at`] other values of the parameters.
+pub(super) fn table_with(
+    alg: &Algebra,
+    model: &Model,
+    k: &Kinematics,
+    samples: &[Sample],
+    parameters: &IdVec<ParameterId, f64>,
+) -> SampleTable {
     let points = samples.len();
     let mut random = Random(0x00C0_FFEE);
     let mut symbols: HashMap<SymbolId, Vec<f64>> = HashMap::default();
@@ -37,7 +49,7 @@ pub(super) fn table_at(alg: &Algebra, model: &Model, k: &Kinematics, samples: &[
         set(&alg.dag, k.q[c], samples.iter().map(|sample| sample.q[i]).collect());
     }
     for (id, &expr) in k.parameters.enumerate() {
-        set(&alg.dag, expr, vec![k.parameter_values[id]; points]);
+        set(&alg.dag, expr, vec![parameters[id]; points]);
     }
     set(&alg.dag, k.time, samples.iter().map(|sample| sample.t).collect());
     for &input in k.inputs.iter() {

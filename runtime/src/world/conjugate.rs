@@ -12,7 +12,6 @@
 //! little (`sweep`).
 
 use super::detect::Touch;
-use super::sweep::wanted;
 use crate::real::Scalar;
 use crate::rigid::contact::{Inertia, Twist, onto_disc, softness};
 use crate::vec3::{self, Vec3};
@@ -94,7 +93,7 @@ pub(super) fn descend<S: Scalar>(
 fn free<S: Scalar>(touch: &Touch<S>, h: S) -> Vec3<S> {
     let [n, x, y] = touch.contact.impulse;
     let radius = touch.contact.friction * n * (S::ONE - S::from_f64(ON_BOUND));
-    let acts = wanted(touch, h).is_some() && touch.inverse_mass[0][0] > S::ZERO && n > S::ZERO;
+    let acts = touch.wanted(h).is_some() && touch.inverse_mass[0][0] > S::ZERO && n > S::ZERO;
     let sticks = acts && x * x + y * y < radius * radius;
     let [normal, rub] = [acts, sticks].map(|is| if is { S::ONE } else { S::ZERO });
     [normal, rub, rub]
@@ -109,7 +108,7 @@ fn lacks<S: Scalar>(touch: &Touch<S>, (h, yields): (S, S), twists: &[Twist<S>]) 
     let soft = softness(yields, &touch.inverse_mass);
     let given = vec3::scale(vec3::sub(touch.contact.impulse, touch.unyielded), soft);
     let [n, x, y] = vec3::add(touch.contact.relative(twists), given);
-    let end = wanted(touch, h).unwrap_or(S::ZERO);
+    let end = touch.wanted(h).unwrap_or(S::ZERO);
     [free[0] * (end - n), -(free[1] * x), -(free[2] * y)]
 }
 

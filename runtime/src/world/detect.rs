@@ -61,6 +61,21 @@ pub struct Touch<S> {
 }
 
 impl<S: Scalar> Touch<S> {
+    /// The normal velocity w (m/s) to reach at the end of a step of h; None where the contact does not act.
+    pub(super) fn wanted(&self, h: S) -> Option<S> {
+        if self.out > S::ZERO {
+            return Some(self.out);
+        }
+        let (came, e) = (self.start[0], self.contact.restitution);
+        let closed = self.gap <= S::ZERO;
+        if e <= S::ZERO {
+            let opening = if closed { S::ZERO } else { self.gap / h };
+            return Some(-(opening.max(came).max(S::ZERO)));
+        }
+        let turned = if came > S::ZERO { -came } else { -(e * came) };
+        closed.then_some(turned)
+    }
+
     /// Relative velocity n, t1, t2 (m/s) at the start of the step, or before an impact.
     #[must_use]
     pub fn velocity(&self) -> Vec3<S> {

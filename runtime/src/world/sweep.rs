@@ -62,21 +62,6 @@ pub(super) struct Sweeps<S> {
     pub(super) left: S,
 }
 
-/// The normal velocity w to reach at the end; None where the contact does not act.
-pub(super) fn wanted<S: Scalar>(touch: &Touch<S>, h: S) -> Option<S> {
-    if touch.out > S::ZERO {
-        return Some(touch.out);
-    }
-    let (came, e) = (touch.start[0], touch.contact.restitution);
-    let closed = touch.gap <= S::ZERO;
-    if e <= S::ZERO {
-        let opening = if closed { S::ZERO } else { touch.gap / h };
-        return Some(-(opening.max(came).max(S::ZERO)));
-    }
-    let turned = if came > S::ZERO { -came } else { -(e * came) };
-    closed.then_some(turned)
-}
-
 /// Computes the impulses, starting from those that the contacts have. `twists`: in, velocities without impulses; out,
 /// with them.
 pub(super) fn sweep<S: Scalar>(
@@ -126,7 +111,7 @@ pub(super) fn sweep<S: Scalar>(
 /// How far a contact is from its law (m/s), given the impulses of all: the velocity by which its own would change.
 fn missing<S: Scalar>(touch: &Touch<S>, h: S, twists: &[Twist<S>]) -> S {
     let (k, before) = (&touch.inverse_mass, touch.contact.impulse);
-    let Some(end) = wanted(touch, h).filter(|_| k[0][0] > S::ZERO) else {
+    let Some(end) = touch.wanted(h).filter(|_| k[0][0] > S::ZERO) else {
         return touch.weight() * vec3::norm(before);
     };
     let [n, x, y] = touch.contact.relative(twists);
@@ -225,7 +210,7 @@ fn relax<S: Scalar>(
 ) -> S {
     let (mut k, before) = (touch.inverse_mass, touch.contact.impulse);
     let size = touch.weight();
-    let Some(end) = wanted(touch, h).filter(|_| k[0][0] > S::ZERO) else {
+    let Some(end) = touch.wanted(h).filter(|_| k[0][0] > S::ZERO) else {
         touch.contact.push(inertia, twists, vec3::scale(before, -S::ONE));
         touch.contact.impulse = vec3::zero();
         return size * vec3::norm(before);
