@@ -7,6 +7,7 @@
 
 use super::linear;
 use super::quantities::{Kinematics, Place};
+use super::random::spread;
 use super::rank;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::expr::rounding::Rounded;
@@ -124,9 +125,7 @@ pub(crate) fn axes_by_numbers(alg: &Algebra, model: &Model, k: &Kinematics) -> V
 
 /// A number between 1/2 and 3/2 for every symbol, unlike those of the others.
 fn elsewhere(symbol: SymbolId) -> f64 {
-    /// Fractional parts of its multiples cover the unit interval evenly (golden section).
-    const GOLDEN: f64 = 0.618_033_988_749_894_9;
-    0.5 + (GOLDEN * (1.0 + symbol.index() as f64)).fract()
+    spread(symbol.index())
 }
 
 /// Residuals and their derivatives with respect to all coordinates, as numbers. Both are divided by the size of the

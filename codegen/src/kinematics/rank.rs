@@ -4,6 +4,7 @@
 
 use super::basis::{Bases, NumericRow, longest_entry};
 use super::quantities::{Kinematics, Place, Row};
+use super::random::spread;
 use super::sampling;
 use super::unknowns::UnknownId;
 use crate::diagnostic::{Diagnostic, Diagnostics};
@@ -128,8 +129,6 @@ fn dependent_motions(
 
 /// Values at a few of the configurations with every tunable parameter changed, each by another share.
 fn at_other_parameters(alg: &Algebra, model: &Model, k: &Kinematics) -> SampleTable {
-    /// Fractional parts of its multiples cover the unit interval evenly (golden section).
-    const GOLDEN: f64 = 0.618_033_988_749_894_9;
     /// Ranks at parameters of no particular values need few.
     const CONFIGURATIONS: usize = 2;
     let mut values = k.parameter_values.clone();
@@ -137,7 +136,7 @@ fn at_other_parameters(alg: &Algebra, model: &Model, k: &Kinematics) -> SampleTa
         let value = values[id];
         let size = if value == 0.0 { 1.0 } else { value };
         if alg.dag.as_symbol(expr).is_some() {
-            values[id] = value + 0.1 * size * (0.5 + (GOLDEN * (1 + nth) as f64).fract());
+            values[id] = value + 0.1 * size * spread(nth);
         }
     }
     let mut samples = k.sampled();

@@ -199,8 +199,8 @@ impl Kept {
         self.imbalance = worst(self.imbalance, imbalance);
         let stored = [energies.kinetic, energies.gravity, energies.spring, energies.pressure];
         let change = self.total[1] - self.total[0];
-        let lost = [energies.damping, energies.drag, energies.impact, energies.friction];
-        let moved = [&lost[..], &[energies.actuator, change]].concat();
+        let [damping, drag, friction] = [energies.damping, energies.drag, energies.friction];
+        let moved = [damping, drag, energies.impact, friction, energies.actuator, change];
         for &place in &self.ranged {
             self.health.place(&columns[place].name, row.state[place], row.t);
         }

@@ -12,6 +12,7 @@ use super::describe::describe;
 use super::read::Scene;
 use super::simulation::Simulation;
 use crate::contact_force::ContactForce;
+use crate::world::engine::ACCOUNTS;
 
 /// A touch or release, for plots of work against impulse and for tests.
 #[derive(Clone, Debug, PartialEq)]
@@ -268,7 +269,7 @@ pub fn csv_header(n: usize) -> String {
     for i in 0..n {
         let _ = write!(line, ",vx{i},vy{i},vz{i}");
     }
-    line + ",kinetic,gravity,spring,pressure,damping,drag,impact,friction,actuator,total,imbalance"
+    line + "," + &ACCOUNTS.join(",")
 }
 
 /// One line of the CSV, 17 significant digits.

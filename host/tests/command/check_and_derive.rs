@@ -3,6 +3,7 @@
 use crate::support::{
     builds, children_seconds, command, file, finish, least_time, lock, model, smartbed, written,
 };
+use std::path::Path;
 use std::process::Command;
 
 #[test]
@@ -342,22 +343,25 @@ fn a_second() {
 }
 ";
 
+/// Runs a test, of this name and text, in a derived crate.
+fn passes(folder: &Path, name: &str, text: &str) {
+    std::fs::create_dir_all(folder.join("tests")).expect("a folder");
+    std::fs::write(folder.join(format!("tests/{name}.rs")), text).expect("written");
+    lock(folder);
+    let mut cargo = Command::new(env!("CARGO"));
+    cargo.args(["test", "--quiet", "--test", name, "--target-dir"]).arg(builds("derived"));
+    cargo.current_dir(folder);
+    let done = finish(cargo);
+    assert_eq!(done.status, 0, "{done:?}");
+}
+
 #[test]
 fn a_derived_crate_with_an_integrator_steps_its_mechanism() {
     let folder = file("fourbar_steps");
     let path = folder.display().to_string();
     let done = smartbed(&["derive", "fourbar", "--crate", &path, "--integrator"]);
     assert_eq!(done.status, 0, "{done:?}");
-    std::fs::create_dir_all(folder.join("tests")).expect("a folder");
-    std::fs::write(folder.join("tests/stepped.rs"), STEPPED).expect("written");
-    lock(&folder);
-    let mut cargo = Command::new(env!("CARGO"));
-    cargo.args(["test", "--quiet", "--test", "stepped", "--target-dir"]).arg(builds("derived"));
-    let done = finish({
-        cargo.current_dir(&folder);
-        cargo
-    });
-    assert_eq!(done.status, 0, "{done:?}");
+    passes(&folder, "stepped", STEPPED);
     // Without a folder there is no crate, and what is not u' cannot be stepped.
     let done = smartbed(&["derive", "fourbar", "--integrator"]);
     assert!(done.status == 1 && done.err.contains("--crate"), "{done:?}");
@@ -391,14 +395,7 @@ fn a_derived_crate_has_the_start_of_its_model() {
     let (model, folder) = (written("slide.toml", &model), file("slide"));
     let done = smartbed(&["derive", &model, "--crate", &folder.display().to_string()]);
     assert_eq!(done.status, 0, "{done:?}");
-    std::fs::create_dir_all(folder.join("tests")).expect("a folder");
-    std::fs::write(folder.join("tests/started.rs"), STARTED).expect("written");
-    lock(&folder);
-    let mut cargo = Command::new(env!("CARGO"));
-    cargo.args(["test", "--quiet", "--test", "started", "--target-dir"]).arg(builds("derived"));
-    cargo.current_dir(&folder);
-    let done = finish(cargo);
-    assert_eq!(done.status, 0, "{done:?}");
+    passes(&folder, "started", STARTED);
 }
 
 #[test]

@@ -53,6 +53,18 @@ impl<S: Scalar> Accounts<S> {
         }
     }
 
+    /// The same numbers in double precision.
+    #[must_use]
+    pub fn to_f64(&self) -> Accounts<f64> {
+        Accounts {
+            damping: self.damping.to_f64(),
+            drag: self.drag.to_f64(),
+            impact: self.impact.to_f64(),
+            friction: self.friction.to_f64(),
+            drive: self.drive.to_f64(),
+        }
+    }
+
     /// Energy that has left the world (J), net of what the drives supplied.
     #[must_use]
     pub fn lost(&self) -> S {

@@ -85,16 +85,18 @@ pub(super) fn sweep<S: Scalar>(
     }
     // Relative speeds of points that move together are known to the rounding of their own.
     let speeds = [fastest, S::from_f64(ROUNDING) * S::EPSILON * moving];
+    // Sweeps over the nodes of a sheet end soon enough.
+    let turns = touches.iter().all(|touch| is_rigid(touch, ports));
     let mut slow = SLOW[0];
     if !are_redundant(touches, ports) {
-        return settle(touches, (h, S::ZERO), speeds, (ports, &mut slow), inertia, twists);
+        return settle(touches, (h, S::ZERO), speeds, (turns, &mut slow), inertia, twists);
     }
     // Contacts that yield in the end, too, may contradict one another by rounding, which moves the others for ever.
     touches.iter_mut().for_each(|touch| touch.unyielded = vec3::zero());
     let mut sum = Sweeps { number: 0, settled: true, left: S::ZERO };
     for _ in 0..TIMES {
         let how = (h, S::from_f64(YIELDS));
-        let sweeps = settle(touches, how, speeds, (ports, &mut slow), inertia, twists);
+        let sweeps = settle(touches, how, speeds, (turns, &mut slow), inertia, twists);
         sum = Sweeps { number: sum.number + sweeps.number, ..sweeps };
         touches.iter_mut().for_each(|touch| touch.unyielded = touch.contact.impulse);
     }
@@ -102,7 +104,7 @@ pub(super) fn sweep<S: Scalar>(
     let worst = touches.iter().fold(S::ZERO, |worst, touch| worst.max(missing(touch, h, twists)));
     if worst > S::from_f64(CONTRADICTION).max(S::from_f64(64.0) * S::EPSILON) * fastest {
         slow = SLOW[1];
-        let sweeps = settle(touches, (h, S::ZERO), speeds, (ports, &mut slow), inertia, twists);
+        let sweeps = settle(touches, (h, S::ZERO), speeds, (turns, &mut slow), inertia, twists);
         sum = Sweeps { number: sum.number + sweeps.number, ..sweeps };
     }
     sum
@@ -138,18 +140,17 @@ fn is_rigid<S: Scalar>(touch: &Touch<S>, ports: usize) -> bool {
 }
 
 /// Sweeps until the speeds do not change any more, over contacts that yield to their impulses by a share of what these
-/// give their bodies. `slow`: sweeps after which they count as slow; then it is less the next time.
+/// give their bodies. Conjugate gradients take turns with them if `turns`; `slow`: sweeps after which they count as
+/// slow; then it is less the next time.
 fn settle<S: Scalar>(
     touches: &mut [Touch<S>],
     how: (S, S),
     [fastest, rounding]: [S; 2],
-    (ports, slow): (usize, &mut usize),
+    (turns, slow): (bool, &mut usize),
     inertia: &impl Inertia<S>,
     twists: &mut [Twist<S>],
 ) -> Sweeps<S> {
     let few = touches.len() <= FEW;
-    // Sweeps over the nodes of a sheet end soon enough.
-    let turns = touches.iter().all(|touch| is_rigid(touch, ports));
     let (limit, fine) = match (few, turns) {
         (true, _) => (SWEEPS[0], S::from_f64(32.0) * S::EPSILON),
         (false, false) => (SWEEPS[1], S::from_f64(COARSE)),

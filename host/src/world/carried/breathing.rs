@@ -25,14 +25,14 @@ impl<S: Scalar> CarriedWorld<S> {
         if self.airs.iter().all(Air::is_closed) {
             return step(self);
         }
-        let before = (self.airs.clone(), self.fixed.cells.clone(), self.actuator);
+        let before = (self.airs.clone(), self.fixed.cells.clone(), self.works.drive);
         let done = self.flow(0.5 * h).and_then(|()| {
             step(self)?;
             self.push().map_err(words)?;
             self.flow(0.5 * h)
         });
         if done.is_err() {
-            (self.airs, self.fixed.cells, self.actuator) = before;
+            (self.airs, self.fixed.cells, self.works.drive) = before;
         }
         done
     }
@@ -72,7 +72,7 @@ impl<S: Scalar> CarriedWorld<S> {
             let stored = chamber.potential(state, air.volume).map_err(fault)?;
             let (new, taken) = chamber.flow(state, air.volume, &open, S::from_f64(h)).map_err(fault)?;
             let gained = (chamber.potential(&new, air.volume).map_err(fault)? - stored).to_f64();
-            self.actuator += gained;
+            self.works.drive += gained;
             if let Some(books) = &mut self.books {
                 books.flows[number] += gained;
             }

@@ -17,7 +17,9 @@ use smartbed_runtime::flexible::{Body, PressureForm};
 use smartbed_runtime::ode::Ode;
 use smartbed_runtime::surface::Frame;
 use smartbed_runtime::vec3;
-use smartbed_runtime::world::{Attachment, Carrier, Cell, Content, Floating, Group, Inertias, Still, Wrench};
+use smartbed_runtime::world::{
+    Accounts as Works, Attachment, Carrier, Cell, Content, Floating, Group, Inertias, Still, Wrench,
+};
 
 impl CarriedWorld {
     /// Builds the world at its start.
@@ -42,11 +44,7 @@ impl CarriedWorld {
             h: assembly.run.step,
             starts: Vec::new(),
             t: 0.0,
-            actuator: 0.0,
-            damping: 0.0,
-            drag: 0.0,
-            impact: 0.0,
-            friction: 0.0,
+            works: Works::empty(),
             airs: Vec::new(),
             touching: None,
             unsettled: 0,

@@ -24,12 +24,10 @@ impl<S: Scalar> CarriedWorld<S> {
         if self.next_kink(end, h).map_err(words)?.is_none() {
             return self.move_smoothly(h, found);
         }
-        let saved = (self.x.clone(), self.low.clone(), self.books.clone());
-        let works = [self.actuator, self.damping, self.drag, self.impact, self.friction];
+        let saved = (self.x.clone(), self.low.clone(), self.books.clone(), self.works);
         let done = self.move_past_kinks((end, h), found);
         if done.is_err() {
-            (self.x, self.low, self.books) = saved;
-            [self.actuator, self.damping, self.drag, self.impact, self.friction] = works;
+            (self.x, self.low, self.books, self.works) = saved;
             self.t = start;
         }
         done
@@ -124,7 +122,7 @@ impl<S: Scalar> CarriedWorld<S> {
         for (number, new, work) in changes {
             let first = self.split() + self.carriers[..number].iter().map(Carrier::n_u).sum::<usize>();
             self.x[first..first + new.len()].copy_from_slice(&new);
-            self.actuator += work;
+            self.works.drive += work;
             if let Some(books) = &mut self.books {
                 books.driven[number] += work;
             }

@@ -40,7 +40,7 @@ use smartbed_runtime::ode::{Method, Ode, State};
 use smartbed_runtime::real::Scalar;
 use smartbed_runtime::surface::{Frame, Shape};
 use smartbed_runtime::vec3::{self, Vec3};
-use smartbed_runtime::world::{Attachment, Carrier, Cell, Group, Island, Memory, Wrench};
+use smartbed_runtime::world::{Accounts as Works, Attachment, Carrier, Cell, Group, Island, Memory, Wrench};
 use std::ops::Range;
 
 /// What never changes.
@@ -83,14 +83,6 @@ enum Place<S = f64> {
     Nodes(Range<usize>, Range<usize>, Option<usize>),
 }
 
-/// Powers (W) at a state.
-#[derive(Clone, Copy, Default, Debug)]
-struct Powers {
-    driven: f64,
-    damped: f64,
-    dragged: f64,
-}
-
 /// A world of flexible parts on carriers.
 #[derive(Clone, Debug)]
 pub struct CarriedWorld<S: Scalar = f64> {
@@ -108,11 +100,8 @@ pub struct CarriedWorld<S: Scalar = f64> {
     /// Commanded frames at the start, with their motion.
     starts: Vec<Frame<S>>,
     t: f64,
-    actuator: f64,
-    damping: f64,
-    drag: f64,
-    impact: f64,
-    friction: f64,
+    /// Work since the start; that of the drives with inputs and flow of gas.
+    works: Works<f64>,
     airs: Vec<air::Air<S>>,
     touching: Option<Touching<S>>,
     /// Warnings of nodes over rims of boxes at the start.
@@ -239,18 +228,18 @@ impl<S: Scalar> CarriedWorld<S> {
     }
 
     /// Powers at the state whose rates were asked for last; the books count them for a duration (s).
-    fn powers(&mut self, t: f64, x: &[S], duration: f64) -> Result<Powers, Fault> {
+    fn powers(&mut self, t: f64, x: &[S], duration: f64) -> Result<Works<f64>, Fault> {
         self.book_forces(duration);
-        let (mut powers, mut books) = (Powers::default(), self.books.take());
+        let (mut powers, mut books) = (Works::empty(), self.books.take());
         let forces = self.room.viscous.iter().zip(&self.room.vel);
         let viscous: f64 = forces.map(|(force, velocity)| vec3::dot(*force, *velocity).to_f64()).sum();
         let squares: f64 = self.room.vel.iter().map(|v| vec3::dot(*v, *v).to_f64()).sum();
-        powers.dragged = self.fixed.air_drag.to_f64() * squares;
-        powers.damped = -viscous - powers.dragged;
+        powers.drag = self.fixed.air_drag.to_f64() * squares;
+        powers.damping = -viscous - powers.drag;
         let done = self.each_mechanism(self.of_carriers(x), |number, ported, q, u, wrenches| {
             let account = ported.account(S::from_f64(t), q, u, wrenches)?;
-            powers.driven += account.driven.to_f64();
-            powers.damped += account.damped.to_f64();
+            powers.drive += account.driven.to_f64();
+            powers.damping += account.damped.to_f64();
             if let Some(books) = &mut books {
                 books.driven[number] += duration * account.driven.to_f64();
                 books.carrier_damped[number] += duration * account.damped.to_f64();

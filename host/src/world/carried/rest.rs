@@ -9,7 +9,7 @@ use smartbed_runtime::mechanism::Fault;
 use smartbed_runtime::ode::{Ode, State};
 use smartbed_runtime::real::Scalar;
 use smartbed_runtime::vec3;
-use smartbed_runtime::world::Carrier;
+use smartbed_runtime::world::{Accounts as Works, Carrier};
 
 /// A scalar in which rest is found or not.
 pub trait Settle: Scalar {
@@ -96,7 +96,7 @@ impl Relaxing for CarriedWorld {
         self.low = vec![0.0; x.len()];
         (self.x, self.t) = (x, 0.0);
         self.forget_volumes();
-        [self.actuator, self.damping, self.drag, self.impact, self.friction] = [0.0; 5];
+        self.works = Works::empty();
     }
 }
 

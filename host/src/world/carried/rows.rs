@@ -11,7 +11,7 @@ use crate::world::picture::Picture;
 use crate::world::pushed::Pushed;
 use crate::world::rounding::{wide, wide_shape};
 use smartbed_runtime::vec3::Vec3;
-use smartbed_runtime::world::{Carrier, Cell, Content};
+use smartbed_runtime::world::{Accounts as Works, Carrier, Cell, Content};
 
 impl<S: Settle> Engine for CarriedWorld<S> {
     fn columns(&self) -> Vec<Column> {
@@ -118,16 +118,17 @@ impl<S: Settle> Engine for CarriedWorld<S> {
     fn energies(&mut self) -> Result<Energies, String> {
         let (t, x) = (S::from_f64(self.t), self.x.clone());
         let island = self.with(|mut island| island.energy(t, &x)).map_err(words)?;
+        let Works { damping, drag, impact, friction, drive } = self.works;
         let mut energies = Energies {
             kinetic: island.body.kinetic.to_f64(),
             gravity: island.body.gravity.to_f64(),
             spring: island.body.spring.to_f64(),
             pressure: island.body.pressure.to_f64(),
-            actuator: self.actuator,
-            damping: self.damping,
-            drag: self.drag,
-            impact: self.impact,
-            friction: self.friction,
+            damping,
+            drag,
+            impact,
+            friction,
+            actuator: drive,
         };
         let mut endless = None;
         self.each_mechanism(self.of_carriers(&x), |carrier, ported, q, u, wrenches| {
@@ -225,7 +226,8 @@ impl<S: Settle> Engine for CarriedWorld<S> {
     }
 
     fn save(&self) -> Vec<f64> {
-        let accounts = [self.t, self.actuator, self.damping, self.drag, self.impact, self.friction];
+        let Works { damping, drag, impact, friction, drive } = self.works;
+        let accounts = [self.t, drive, damping, drag, impact, friction];
         let airs: Vec<f64> = self.airs.iter().flat_map(|air| air.save(&self.fixed.cells)).collect();
         let state: Vec<f64> = self.x.iter().chain(&self.low).map(|x| x.to_f64()).collect();
         [&accounts[..], &state, &airs, self.pushed()].concat()
@@ -241,9 +243,10 @@ impl<S: Settle> Engine for CarriedWorld<S> {
         if let Some(touching) = &mut self.touching {
             touching.load(pushed);
         }
-        let (accounts, state) = numbers.split_at(6);
-        [self.t, self.actuator, self.damping] = [accounts[0], accounts[1], accounts[2]];
-        [self.drag, self.impact, self.friction] = [accounts[3], accounts[4], accounts[5]];
+        let &[t, drive, damping, drag, impact, friction, ref state @ ..] = numbers else {
+            return Err(engine::other_world());
+        };
+        (self.t, self.works) = (t, Works { damping, drag, impact, friction, drive });
         for (x, own) in self.x.iter_mut().chain(&mut self.low).zip(state) {
             *x = S::from_f64(*own);
         }

@@ -10,7 +10,7 @@ use smartbed_runtime::flexible::Spring;
 use smartbed_runtime::real::Scalar;
 use smartbed_runtime::surface::Frame;
 use smartbed_runtime::vec3::Vec3;
-use smartbed_runtime::world::{Attachment, Carrier, Cell, Group, Inertias, Thing, Wrench};
+use smartbed_runtime::world::{Accounts as Works, Attachment, Carrier, Cell, Group, Inertias, Thing, Wrench};
 use std::ops::Range;
 
 /// What has no entry among the parts.
@@ -227,11 +227,7 @@ impl<'a> Selection<'a> {
             h: whole.h,
             starts: Vec::new(),
             t: whole.t,
-            actuator: 0.0,
-            damping: 0.0,
-            drag: 0.0,
-            impact: 0.0,
-            friction: 0.0,
+            works: Works::empty(),
             unsettled: 0,
             rims: Vec::new(),
             forced: 0,

@@ -27,12 +27,7 @@ impl<S: Scalar> CarriedWorld<S> {
             let (mut x, mut low) = (std::mem::take(&mut self.x), std::mem::take(&mut self.low));
             let done = self.step_touching(h, (&mut x, &mut low), false, found);
             (self.x, self.low) = (x, low);
-            let accounts = done.map_err(words)?.accounts;
-            self.actuator += accounts.drive.to_f64();
-            self.damping += accounts.damping.to_f64();
-            self.drag += accounts.drag.to_f64();
-            self.impact += accounts.impact.to_f64();
-            self.friction += accounts.friction.to_f64();
+            self.works = self.works.plus(&done.map_err(words)?.accounts.to_f64());
             self.t += h;
             return Ok(());
         }
@@ -61,9 +56,7 @@ impl<S: Scalar> CarriedWorld<S> {
         let middle: Vec<S> = ends.map(|((a, b), (da, db))| half * (*a + *b) + eighth * (*da - *db)).collect();
         self.rates(t + 0.5 * h, &middle).map_err(words)?;
         let between = self.powers(t + 0.5 * h, &middle, h / 1.5).map_err(words)?;
-        self.actuator += h / 6.0 * (first.driven + 4.0 * between.driven + last.driven);
-        self.damping += h / 6.0 * (first.damped + 4.0 * between.damped + last.damped);
-        self.drag += h / 6.0 * (first.dragged + 4.0 * between.dragged + last.dragged);
+        self.works = self.works.plus(&first.plus(&between.times(4.0)).plus(&last).times(h / 6.0));
         self.t = t + h;
         Ok(())
     }

@@ -10,7 +10,7 @@ use crate::world::books::{Books, Shares};
 use crate::world::carriers::HostCarrier;
 use crate::world::engine::Engine;
 use smartbed_runtime::vec3;
-use smartbed_runtime::world::{Carrier, Thing};
+use smartbed_runtime::world::{Accounts as Works, Carrier, Thing};
 use std::ops::Range;
 
 /// A restricted world, with the indices of its entries in the whole.
@@ -90,7 +90,7 @@ impl Subset {
             }
         }
         own.t = whole.t;
-        [own.actuator, own.damping, own.drag, own.impact, own.friction] = [0.0; 5];
+        own.works = Works::empty();
         (own.unsettled, own.forced) = (0, 0);
         own.books.iter_mut().for_each(Books::clear);
     }
@@ -115,11 +115,7 @@ impl Subset {
                 to.pivot = to.pivot.min(own.pivot);
             }
         }
-        whole.actuator += own.actuator;
-        whole.damping += own.damping;
-        whole.drag += own.drag;
-        whole.impact += own.impact;
-        whole.friction += own.friction;
+        whole.works = whole.works.plus(&own.works);
         whole.unsettled += own.unsettled;
         whole.forced += own.forced;
         if let (Some(to), Some(books), Some(shares)) = (&mut whole.books, &own.books, &self.shares) {
@@ -189,7 +185,7 @@ impl Subset {
         for place in &self.x[split..] {
             (whole.x[*place], whole.low[*place]) = (0.0, 0.0);
         }
-        whole.damping += before - self.world.energies()?.kinetic;
+        whole.works.damping += before - self.world.energies()?.kinetic;
         if let (Some(before), Some(shares)) = (motion, &self.shares) {
             let after = self.world.motion()?;
             if let (Some(own), Some(to)) = (&mut self.world.books, &mut whole.books) {
