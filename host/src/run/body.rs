@@ -123,9 +123,7 @@ impl Done {
         // A compliant ground has no touches to be located, only changes between sticking and slipping.
         let law = scene.around.ground.as_ref().map(|ground| ground.law);
         let (events, rest) = match law {
-            Some(ContactLaw::Penalty { .. } | ContactLaw::HuntCrossley { .. }) => {
-                ("changes between sticking and slipping", "locating these")
-            }
+            Some(ContactLaw::Force(_)) => ("changes between sticking and slipping", "locating these"),
             _ => ("touches and releases", "locating touches, all of them plastic (Moreau, e = 0)"),
         };
         format!(

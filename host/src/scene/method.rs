@@ -6,7 +6,7 @@
 
 use super::simulation::Surroundings;
 use crate::suggest;
-use smartbed_runtime::contact::ContactLaw;
+use smartbed_runtime::contact::{ContactLaw, ForceLaw};
 use smartbed_runtime::ode::nodes::Method;
 use smartbed_runtime::ode::nodes::method::{Dop853, DormandPrince};
 
@@ -112,8 +112,10 @@ impl Situation {
             Some(ContactLaw::Newton { .. }) => ("newton", false),
             Some(ContactLaw::Moreau { .. }) => ("moreau", false),
             Some(ContactLaw::MasslessPoint) => ("massless_point", false),
-            Some(ContactLaw::Penalty { .. }) => ("penalty", false),
-            Some(ContactLaw::HuntCrossley { dissipation, .. }) => ("hunt_crossley", dissipation > 0.0),
+            Some(ContactLaw::Force(ForceLaw::Penalty { .. })) => ("penalty", false),
+            Some(ContactLaw::Force(law @ ForceLaw::HuntCrossley { .. })) => {
+                ("hunt_crossley", law.dissipation() > 0.0)
+            }
         };
         Situation {
             law,

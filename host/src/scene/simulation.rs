@@ -383,10 +383,7 @@ fn round_ground<S: Scalar>(ground: &Ground<f64>, lists: &Lists) -> Ground<S> {
         ContactLaw::Newton { restitution } => ContactLaw::Newton { restitution: real(restitution) },
         ContactLaw::Moreau { restitution } => ContactLaw::Moreau { restitution: real(restitution) },
         ContactLaw::MasslessPoint => ContactLaw::MasslessPoint,
-        ContactLaw::Penalty { stiffness } => ContactLaw::Penalty { stiffness: real(stiffness) },
-        ContactLaw::HuntCrossley { stiffness, dissipation } => {
-            ContactLaw::HuntCrossley { stiffness: real(stiffness), dissipation: real(dissipation) }
-        }
+        ContactLaw::Force(law) => ContactLaw::Force(law.rounded()),
     };
     Ground {
         normal: ground.normal.map(real),

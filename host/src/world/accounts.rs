@@ -3,7 +3,7 @@
 //! In: what an engine has booked. Out: columns and their values; each part and each seam closes by itself:
 //! ```text
 //! part   total - start + damping + impact - actuator - seams = imbalance
-//! seam   to one + to the other + impact + friction        = imbalance
+//! seam   spring - start + to one + to the other + impact + friction        = imbalance
 //! ```
 //! A seam is an attachment, `bladder@tile.platform`, or a pair of contacts, `ball-bladder`. Sums over all parts and
 //! seams are the accounts of the world.
@@ -30,10 +30,12 @@ pub struct Part {
 pub struct Passed {
     /// Work on each side.
     pub to: [f64; 2],
-    /// Lost in impacts.
+    /// Lost in impacts, and what force laws take.
     pub impact: f64,
     /// Dissipated by friction.
     pub friction: f64,
+    /// Stored in overlaps by force laws.
+    pub spring: f64,
 }
 
 /// A seam of two parts.
@@ -71,10 +73,10 @@ impl Part {
 }
 
 impl Passed {
-    /// What no account explains.
+    /// What no account explains since the start, when `start` was stored.
     #[must_use]
-    pub fn imbalance(&self) -> f64 {
-        self.to[0] + self.to[1] + self.impact + self.friction
+    pub fn imbalance(&self, start: f64) -> f64 {
+        self.spring - start + self.to[0] + self.to[1] + self.impact + self.friction
     }
 }
 
@@ -93,13 +95,13 @@ pub fn not_kept() -> String {
 }
 
 impl Accounts {
-    /// Stored energy of each part.
+    /// Stored energy of each part, then of each seam.
     #[must_use]
     pub fn totals(&self) -> Vec<f64> {
-        self.parts.iter().map(Part::total).collect()
+        self.parts.iter().map(Part::total).chain(self.seams.iter().map(|seam| seam.passed.spring)).collect()
     }
 
-    /// Names and values of all columns, given the stored energy of each part at the start.
+    /// Names and values of all columns, given the stored energy of each part and seam at the start.
     #[must_use]
     pub fn columns(&self, start: &[f64]) -> Vec<(String, f64)> {
         let mut columns = Vec::new();
@@ -119,14 +121,15 @@ impl Accounts {
             ];
             columns.extend(own.map(|(account, value)| (format!("{}.{account}", part.name), value)));
         }
-        for seam in &self.seams {
+        for (seam, start) in self.seams.iter().zip(&start[self.parts.len()..]) {
             let Seam { parts: [one, other], passed, .. } = seam;
             let own = [
                 (format!("to_{one}"), passed.to[0]),
                 (format!("to_{other}"), passed.to[1]),
                 ("impact".to_owned(), passed.impact),
                 ("friction".to_owned(), passed.friction),
-                ("imbalance".to_owned(), passed.imbalance()),
+                ("spring".to_owned(), passed.spring),
+                ("imbalance".to_owned(), passed.imbalance(*start)),
             ];
             columns.extend(own.map(|(account, value)| (format!("{}.{account}", seam.name), value)));
         }
@@ -138,7 +141,8 @@ impl Accounts {
     pub fn worst(&self, start: &[f64]) -> Option<(&str, f64)> {
         let parts =
             self.parts.iter().zip(start).map(|(part, start)| (part.name.as_str(), part.imbalance(*start)));
-        let seams = self.seams.iter().map(|seam| (seam.name.as_str(), seam.passed.imbalance()));
+        let seams = self.seams.iter().zip(&start[self.parts.len()..]);
+        let seams = seams.map(|(seam, start)| (seam.name.as_str(), seam.passed.imbalance(*start)));
         parts.chain(seams).max_by(|(_, a), (_, b)| a.abs().total_cmp(&b.abs()))
     }
 }

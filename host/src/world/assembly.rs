@@ -6,6 +6,7 @@ use crate::hash::hash;
 use crate::scene::Lists;
 use smartbed_codegen::model::Model;
 use smartbed_codegen::model::unit::Unit;
+use smartbed_runtime::contact::ForceLaw;
 use smartbed_runtime::gas::Line;
 use smartbed_runtime::rigid::law;
 use smartbed_runtime::rigid::{RigidBody, RigidState};
@@ -176,8 +177,10 @@ pub struct Contact {
 /// A law of contact.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum Law {
-    /// Impacts located in time, and contact constraints between them: for rigid parts alone.
+    /// Impacts located in time, and contact constraints between them.
     Located(law::Law<f64>),
+    /// A force that depends on the depth of an overlap.
+    Force(ForceLaw<f64>),
     /// Moreau's time stepping, without locating touches, for parts of every kind.
     Moreau {
         /// Newton's coefficient of restitution e at each point; energy is never created.
@@ -340,7 +343,7 @@ impl Assembly {
     #[must_use]
     pub fn is_rigid(&self) -> bool {
         let rigid = self.parts.iter().all(|part| matches!(part.kind, Kind::Rigid(_)));
-        rigid && !self.contacts.iter().any(|contact| matches!(contact.law, Law::Moreau { .. }))
+        rigid && self.contacts.iter().all(|contact| matches!(contact.law, Law::Located(_)))
     }
 }
 

@@ -84,7 +84,7 @@ impl Books {
     /// All sums.
     fn sums(&mut self) -> impl Iterator<Item = &mut f64> {
         let pairs = self.pairs.iter_mut().flat_map(|pair| {
-            let Passed { to: [one, other], impact, friction } = pair;
+            let Passed { to: [one, other], impact, friction, .. } = pair;
             [one, other, impact, friction]
         });
         let lists = [
@@ -205,13 +205,14 @@ impl Books {
 
     /// Works of a contact that pushes, and what it takes.
     pub(super) fn push<S: Scalar>(&mut self, push: &Push<'_, S>, bodies: &[Range<usize>; 2]) {
-        let Push { pair, contact, duration, ends, strikes } = *push;
+        let Push { pair, contact, duration, ends, strikes, taken } = *push;
         self.work((pair, duration), contact, ends, bodies, |_, _, _| {});
         let half = S::from_f64(0.5);
         let [n, x, y] = vec3::scale(vec3::add(contact.relative(ends[0]), contact.relative(ends[1])), half);
         let [normal, along, across] = contact.impulse;
         let own = &mut self.pairs[pair];
         own.friction -= (duration * (along * x + across * y)).to_f64();
+        own.impact += (duration * taken).to_f64();
         if strikes {
             own.impact -= (duration * normal * n).to_f64();
         }

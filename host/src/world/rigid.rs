@@ -81,7 +81,7 @@ impl RigidWorld {
         assembly.refuse_immovable_pairs(|part| parts[part].body.is_none())?;
         let located = |c: &Contact| match c.law {
             Law::Located(law) => Some(Pair { parts: c.between, law }),
-            Law::Moreau { .. } => None,
+            Law::Force(_) | Law::Moreau { .. } => None,
         };
         let pairs: Vec<Pair<f64>> = assembly.contacts.iter().filter_map(located).collect();
         let (n, room) = (parts.len(), CONTACTS * pairs.len());
@@ -216,8 +216,14 @@ impl Engine for RigidWorld {
             let Some(books) = &mut **kept.borrow_mut() else { return };
             for t in piece.along.iter().filter(|t| t.held.contact.impulse[0] > 0.0) {
                 let (contact, ends) = (&t.held.contact, [piece.twists; 2]);
-                let push =
-                    Push { pair: t.pair, contact, duration: piece.length, ends, strikes: piece.strikes };
+                let push = Push {
+                    pair: t.pair,
+                    contact,
+                    duration: piece.length,
+                    ends,
+                    strikes: piece.strikes,
+                    taken: 0.0,
+                };
                 books.push(&push, &bodies(t.pair));
             }
         };

@@ -25,3 +25,4 @@ mod stacks;
 mod support;
 mod touching;
 mod woven;
+mod yielding;

@@ -2,6 +2,7 @@
 //!
 //! In: a point's position and velocity. Out: gap = n.x - offset (m, > 0 apart), gap rate = n.v (m/s, < 0 closing).
 
+use super::force::ForceLaw;
 use crate::flexible::{BodyError, Quantity};
 use crate::real::Scalar;
 use crate::vec3::{self, Vec3};
@@ -32,18 +33,8 @@ pub enum ContactLaw<S> {
     },
     /// Points that may touch have no mass; their position follows from statics. No event, no impact.
     MasslessPoint,
-    /// A linear spring on the depth.
-    Penalty {
-        /// Stiffness of the ground (N/m).
-        stiffness: S,
-    },
-    /// N = k depth^1.5 (1 + a depth_rate), never pulling.
-    HuntCrossley {
-        /// k [N/m^1.5].
-        stiffness: S,
-        /// a (s/m).
-        dissipation: S,
-    },
+    /// A soft ground.
+    Force(ForceLaw<S>),
 }
 
 /// A plane ground and its law.
@@ -99,8 +90,7 @@ impl<S: Scalar> Ground<S> {
             ContactLaw::Compensation { eta, .. } => share(eta),
             ContactLaw::Newton { restitution } | ContactLaw::Moreau { restitution } => share(restitution),
             ContactLaw::MasslessPoint => true,
-            ContactLaw::Penalty { stiffness } => size(stiffness),
-            ContactLaw::HuntCrossley { stiffness, dissipation } => size(stiffness) && size(dissipation),
+            ContactLaw::Force(law) => law.is_sound(),
         };
         let checks = [
             (is_unit, Quantity::Normal),
@@ -149,12 +139,12 @@ impl<S: Scalar> Ground<S> {
     /// Whether the ground is rigid: no point may be below the surface.
     #[must_use]
     pub fn is_rigid(&self) -> bool {
-        !matches!(self.law, ContactLaw::Penalty { .. } | ContactLaw::HuntCrossley { .. })
+        !matches!(self.law, ContactLaw::Force(_))
     }
 
     /// Whether the ground's force depends on speeds.
     #[must_use]
     pub fn is_damped(&self) -> bool {
-        matches!(self.law, ContactLaw::HuntCrossley { dissipation, .. } if dissipation > S::ZERO)
+        matches!(self.law, ContactLaw::Force(law) if law.dissipation() > S::ZERO)
     }
 }

@@ -6,6 +6,7 @@
 //! free or stuck, where stuck means that only friction holds it.
 
 pub mod compensation;
+pub mod force;
 pub mod friction;
 pub mod frozen;
 pub mod ground;
@@ -17,6 +18,7 @@ pub mod soft;
 pub mod stable_step;
 pub mod system;
 
+pub use force::ForceLaw;
 pub use frozen::{Frozen, Start, advance};
 pub use ground::{ContactLaw, ContactState, Ground};
 pub use repertoire::{Full, Repertoire};

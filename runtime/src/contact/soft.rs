@@ -1,7 +1,6 @@
-//! Soft-ground laws: penalty N = k depth, Hunt-Crossley N = k depth^1.5 (1 + a depth_rate).
-//!
-//! depth = -gap where the gap is negative. The ground never pulls. Hunt & Crossley (1975).
+//! A soft ground: each point below its surface is pushed by a [`ForceLaw`] on its depth, -gap. The ground never pulls.
 
+use super::force::ForceLaw;
 use super::ground::{ContactLaw, Ground};
 use crate::ode::nodes::MeanStep;
 use crate::real::Scalar;
@@ -10,18 +9,8 @@ use crate::vec3::{self, Vec3};
 /// Normal force of the ground on one point (N) and the part of it that dissipates (N).
 #[must_use]
 pub fn normal_force<S: Scalar>(ground: &Ground<S>, x: Vec3<S>, v: Vec3<S>) -> (S, S) {
-    let depth = -ground.gap(x);
-    if depth <= S::ZERO {
-        return (S::ZERO, S::ZERO);
-    }
     match ground.law {
-        ContactLaw::Penalty { stiffness } => (stiffness * depth, S::ZERO),
-        ContactLaw::HuntCrossley { stiffness, dissipation } => {
-            let elastic = stiffness * depth * depth.sqrt();
-            // Computed directly: as a difference of forces it would be lost in their rounding near rest.
-            let viscous = (-(elastic * dissipation * ground.gap_rate(v))).max(-elastic);
-            (elastic + viscous, viscous)
-        }
+        ContactLaw::Force(law) => law.force(-ground.gap(x), -ground.gap_rate(v)),
         _ => (S::ZERO, S::ZERO),
     }
 }
@@ -29,19 +18,15 @@ pub fn normal_force<S: Scalar>(ground: &Ground<S>, x: Vec3<S>, v: Vec3<S>) -> (S
 /// Energy stored in the ground by one point (J).
 #[must_use]
 pub fn energy<S: Scalar>(ground: &Ground<S>, x: Vec3<S>) -> S {
-    let depth = (-ground.gap(x)).max(S::ZERO);
     match ground.law {
-        ContactLaw::Penalty { stiffness } => S::from_f64(0.5) * stiffness * depth * depth,
-        ContactLaw::HuntCrossley { stiffness, .. } => {
-            S::from_f64(0.4) * stiffness * depth * depth * depth.sqrt()
-        }
+        ContactLaw::Force(law) => law.energy(-ground.gap(x)),
         _ => S::ZERO,
     }
 }
 
 /// Adds the ground's elastic forces.
 pub fn accumulate_elastic<S: Scalar>(ground: &Ground<S>, pos: &[Vec3<S>], force: &mut [Vec3<S>]) {
-    if matches!(ground.law, ContactLaw::Penalty { .. } | ContactLaw::HuntCrossley { .. }) {
+    if matches!(ground.law, ContactLaw::Force(_)) {
         for (x, f) in pos.iter().zip(force) {
             let (total, viscous) = normal_force(ground, *x, vec3::zero());
             *f = vec3::axpy(*f, total - viscous, ground.normal);
@@ -56,7 +41,7 @@ pub fn accumulate_viscous<S: Scalar>(
     vel: &[Vec3<S>],
     force: &mut [Vec3<S>],
 ) {
-    if matches!(ground.law, ContactLaw::HuntCrossley { .. }) {
+    if matches!(ground.law, ContactLaw::Force(ForceLaw::HuntCrossley { .. })) {
         for ((x, v), f) in pos.iter().zip(vel).zip(force) {
             let (_, viscous) = normal_force(ground, *x, *v);
             *f = vec3::axpy(*f, viscous, ground.normal);
@@ -67,12 +52,8 @@ pub fn accumulate_viscous<S: Scalar>(
 /// Adds a soft ground's mean force over a step: -(change of energy)/(change of gap), and its dissipation at the mean
 /// rate.
 pub fn add_mean<S: Scalar>(ground: &Ground<S>, way: &MeanStep<S>, force: &mut [Vec3<S>]) {
+    let ContactLaw::Force(law) = ground.law else { return };
     let [before, _, after] = way.pos;
-    let dissipation = match ground.law {
-        ContactLaw::Penalty { .. } => S::ZERO,
-        ContactLaw::HuntCrossley { dissipation, .. } => dissipation,
-        _ => return,
-    };
     for ((x0, x1), f) in before.iter().zip(after).zip(force) {
         let sink = ground.gap(*x0) - ground.gap(*x1);
         let gained = energy(ground, *x1) - energy(ground, *x0);
@@ -83,7 +64,7 @@ pub fn add_mean<S: Scalar>(ground: &Ground<S>, way: &MeanStep<S>, force: &mut [V
             normal_force(ground, middle, vec3::zero()).0
         };
         // Never pulling, so that the force dissipates against a rising point too.
-        let push = (elastic * (S::ONE + dissipation * (sink / way.h))).max(S::ZERO);
+        let push = (elastic * (S::ONE + law.dissipation() * (sink / way.h))).max(S::ZERO);
         *f = vec3::axpy(*f, push, ground.normal);
     }
 }

@@ -7,6 +7,7 @@
 //! stands for lambda_max/2 here; C likewise for the dampers. A soft ground counts as one more spring along its normal,
 //! fixed at its other end, at every point, because each may touch.
 
+use super::force::ForceLaw;
 use super::ground::{ContactLaw, Ground};
 use super::repertoire::Repertoire;
 use super::soft;
@@ -109,8 +110,8 @@ fn slopes<S: Scalar, R: Repertoire<S>>(
     vel: &[Vec3<S>],
 ) -> (S, S) {
     match ground.law {
-        ContactLaw::Penalty { stiffness } => (stiffness, S::ZERO),
-        ContactLaw::HuntCrossley { stiffness, dissipation } if stiffness > S::ZERO => {
+        ContactLaw::Force(ForceLaw::Penalty { stiffness }) => (stiffness, S::ZERO),
+        ContactLaw::Force(ForceLaw::HuntCrossley { stiffness, dissipation }) if stiffness > S::ZERO => {
             let start = eval_energies(&system.body, pos, vel);
             let (mut energy, mut total) = (start.kinetic + start.spring, S::ZERO);
             for (mass, x) in system.body.mass.iter().zip(pos) {

@@ -9,6 +9,7 @@ use super::island::{Attachment, Island};
 use super::observer::{Forces, Observer, Push};
 use super::sweep;
 use super::whole::{StepMemory, World};
+use super::yielding::Yield;
 use crate::real::Scalar;
 use crate::rigid::contact::Twist;
 use crate::vec3::{self, Vec3};
@@ -23,7 +24,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         memory: &mut StepMemory<'_, S>,
         watch: &mut impl Observer<S>,
     ) -> Accounts<S> {
-        let half = S::from_f64(0.5);
+        let (half, taken) = (S::from_f64(0.5), h * self.power_taken());
         let own = &self.island.memory;
         let [start, _, end] = &memory.twists;
         let mean = |port: usize, arm: Vec3<S>| {
@@ -40,7 +41,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         let Island { carrier, memory: own, .. } = &mut self.island;
         let touches = memory.touches[0].get(..memory.counts[0]).unwrap_or_default();
         let [normal, friction] = sweep::works(touches, end);
-        (accounts.impact, accounts.friction) = (-normal, -friction);
+        (accounts.impact, accounts.friction) = (taken - normal, -friction);
         for (port, frame) in own.frames.iter_mut().enumerate() {
             frame.velocity = mean(port, vec3::zero());
             let spin = |list: &[Twist<S>]| list.get(port).map_or_else(vec3::zero, |twist| twist.angular);
@@ -79,8 +80,11 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         watch.forces(&Forces { duration: h, elastic: own.elastic, viscous: own.viscous, ends });
         for touch in memory.touches[0].iter().take(memory.counts[0]) {
             let (pair, contact) = (touch.pair, &touch.contact);
-            watch.push(&Push { pair, contact, duration: S::ONE, ends, strikes: true });
+            watch.push(&Push { pair, contact, duration: S::ONE, ends, strikes: true, taken: S::ZERO });
         }
+        self.each_yield(|Yield { pair, contact, taken, .. }| {
+            watch.push(&Push { pair: *pair, contact, duration: h, ends, strikes: false, taken: *taken });
+        });
     }
 }
 

@@ -214,8 +214,8 @@ pub(super) fn keep_only<S: Scalar>(
 }
 
 impl<'a, S: Scalar> Scenery<'a, S> {
-    /// Fills the list; returns its length. Pairs whose bounding boxes are too far apart are skipped; those without
-    /// boxes are always examined.
+    /// Fills the list; returns its length. Pairs whose bounding boxes are too far apart are skipped, and those with a
+    /// force law (`yielding`); those without boxes are always examined.
     pub(super) fn find(
         &self,
         pairs: &[Pair<S>],
@@ -224,7 +224,7 @@ impl<'a, S: Scalar> Scenery<'a, S> {
     ) -> Result<usize, Fault> {
         let mut found = Found { touches, count: 0, full: false };
         for pair in pairs.iter().enumerate() {
-            if !pair.1.may_meet(extents, self.margin) {
+            if pair.1.force.is_some() || !pair.1.may_meet(extents, self.margin) {
                 continue;
             }
             let [Some(one), Some(other)] = pair.1.things.map(|thing| self.things.get(thing)) else {

@@ -34,6 +34,7 @@ mod step;
 mod sweep;
 mod thing;
 mod whole;
+mod yielding;
 
 pub use accounts::Accounts;
 pub use carrier::{Carrier, Commanded, Floating, InverseInertia, Still, Wrench};
@@ -52,3 +53,4 @@ pub use step::StepReport;
 pub use sweep::FEW;
 pub use thing::{Pair, Place, Thing};
 pub use whole::{StepMemory, World};
+pub use yielding::Yield;

@@ -40,6 +40,8 @@ pub struct Push<'a, S> {
     pub ends: Ends<'a, S>,
     /// Is the work of the normal force a loss by impact? A lasting contact's normal force does none.
     pub strikes: bool,
+    /// Power that a force law takes (W).
+    pub taken: S,
 }
 
 /// An impact within a step, shown while it happens.

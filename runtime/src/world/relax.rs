@@ -75,7 +75,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         sweep(touches, h, ports, &memory.inertias, twists);
 
         // Speeds caused by the impulses alone: rates with them minus rates without.
-        self.island.load_seams()?;
+        self.load_seams()?;
         self.island.accelerate(t, here, without)?;
         let own = &mut self.island.memory;
         let forces = (&mut *own.elastic, &mut *own.wrenches);

@@ -124,7 +124,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         if !course.rebounds {
             memory.touches[0].iter_mut().for_each(|touch| touch.contact.restitution = S::ZERO);
         }
-        let corrects = self.island.is_damped() || !self.island.restrained.is_empty();
+        let corrects = self.island.is_damped() || !self.island.restrained.is_empty() || self.is_damped();
         if corrects {
             // Only what pushes touches: what is near may pass by.
             press(h, memory);
@@ -222,7 +222,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
     /// Forces at the middle, and the carriers' rates under them; returns the worst pivot.
     fn forces_at_middle(&mut self, t: S, middle: &[S], dot: &mut [S]) -> Result<S, Fault> {
         self.island.place(t, middle)?;
-        self.island.load_seams()?;
+        self.load_seams()?;
         checked(self.island.carrier_rates(t, middle, dot)?)
     }
 
@@ -235,7 +235,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         [middle, dot, predicted]: [&mut [S]; 3],
         memory: &StepMemory<'_, S>,
     ) -> Result<S, Fault> {
-        let (half, island) = (S::from_f64(0.5) * h, &mut self.island);
+        let (half, yields, island) = (S::from_f64(0.5) * h, self.yields(), &mut self.island);
         let ports = island.memory.frames.len();
         let pushing = || memory.contacts().iter().filter(|touch| touch.contact.impulse[0] > S::ZERO);
         let mut points = pushing().flat_map(|touch| touch.contact.points());
@@ -255,17 +255,17 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
                 *velocity = start.velocity;
             }
         }
-        if island.restrained.is_empty() {
+        if island.restrained.is_empty() && !yields {
             island.load_speeds();
         } else {
             // A step turns an oscillator by too much, w h (1 + (w h)^2 / 24): f(x + h^2/12 M^-1 f(x)) takes that away
             // (Rowlands 1991). Its torque about x is not 0, so bodies that float are left alone.
             touching().for_each(|node| island.unload(node));
             island.displace(h * h * S::from_f64(1.0 / 12.0));
-            island.load_seams()?;
+            self.load_seams()?;
         }
-        let pivot = checked(island.carrier_rates(t, predicted, dot)?)?;
-        island.place_nodes(middle)?;
+        let pivot = checked(self.island.carrier_rates(t, predicted, dot)?)?;
+        self.island.place_nodes(middle)?;
         Ok(pivot)
     }
 

@@ -1,6 +1,7 @@
 //! The things that can touch in a world, and which pairs of them may, by which law.
 
 use super::extent::Extent;
+use crate::contact::ForceLaw;
 use crate::real::Scalar;
 use crate::surface::{Frame, Shape};
 use crate::vec3::{self, Vec3};
@@ -69,6 +70,9 @@ pub struct Pair<S> {
     pub friction: S,
     /// Newton's e at each contact, 0 to 1; energy never rises.
     pub restitution: S,
+    /// The law of the force by which they push where they overlap; then no impulse acts between them, and neither of
+    /// the two numbers above.
+    pub force: Option<ForceLaw<S>>,
 }
 
 impl<S: Scalar> Thing<S> {
@@ -83,6 +87,18 @@ impl<S: Scalar> Thing<S> {
 }
 
 impl<S: Scalar> Pair<S> {
+    /// Of things between which impulses act.
+    #[must_use]
+    pub fn striking(things: [usize; 2], restitution: S, friction: S) -> Pair<S> {
+        Pair { things, friction, restitution, force: None }
+    }
+
+    /// Of things that push by a force.
+    #[must_use]
+    pub fn yielding(things: [usize; 2], law: ForceLaw<S>) -> Pair<S> {
+        Pair { things, friction: S::ZERO, restitution: S::ZERO, force: Some(law) }
+    }
+
     /// Whether the boxes around its things are within `margin` (m) of each other; true where there are no boxes.
     pub(super) fn may_meet(&self, extents: &[Extent<S>], margin: S) -> bool {
         let [Some(one), Some(other)] = self.things.map(|thing| extents.get(thing)) else { return true };

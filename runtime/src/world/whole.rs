@@ -34,7 +34,10 @@ impl<S: Scalar, C> World<'_, S, C> {
         if !(self.things.iter().all(exists) && self.pairs.iter().all(known)) {
             return Err(Fault::Shape);
         }
-        let is_number = |pair: &Pair<S>| pair.friction.is_finite() && pair.restitution.is_finite();
+        let is_number = |pair: &Pair<S>| {
+            let law = pair.force.is_none_or(|law| law.is_sound());
+            law && pair.friction.is_finite() && pair.restitution.is_finite()
+        };
         if self.pairs.iter().all(is_number) { Ok(()) } else { Err(Fault::NonFinite) }
     }
 }

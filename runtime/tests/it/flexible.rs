@@ -4,7 +4,7 @@ use crate::random::Random;
 use smartbed_runtime::contact::compensation::{Compensation, PointImpact, apply as compensate};
 use smartbed_runtime::contact::pair::{self, Touch};
 use smartbed_runtime::contact::stable_step::{Sums, largest_stable_step};
-use smartbed_runtime::contact::{ContactLaw, ContactState, Ground, System, friction};
+use smartbed_runtime::contact::{ContactLaw, ContactState, ForceLaw, Ground, System, friction};
 use smartbed_runtime::flexible::{Body, BodyError, Massless, Spring};
 use smartbed_runtime::ledger::{Ledger, eval_stored};
 use smartbed_runtime::ode::nodes::{MOTION_ROWS, Method, Motion, Step, Workspace, workspace_len};
@@ -338,8 +338,11 @@ fn a_block_on_a_spring_turns_and_sticks() {
     let weight = 0.5 * G;
     let grounds = [
         (ContactLaw::Newton { restitution: 0.0 }, 0.0),
-        (ContactLaw::Penalty { stiffness: 2e4 }, weight / 2e4),
-        (ContactLaw::HuntCrossley { stiffness: 2e6, dissipation: 0.0 }, (weight / 2e6).powf(2.0 / 3.0)),
+        (ContactLaw::Force(ForceLaw::Penalty { stiffness: 2e4 }), weight / 2e4),
+        (
+            ContactLaw::Force(ForceLaw::HuntCrossley { stiffness: 2e6, dissipation: 0.0 }),
+            (weight / 2e6).powf(2.0 / 3.0),
+        ),
     ];
     for (law, depth) in grounds {
         for method in METHODS {
@@ -380,7 +383,7 @@ fn a_dissipating_ground_takes_what_its_closed_form_says() {
         if potential(-middle) < potential(v0) { low = middle } else { high = middle }
     }
     let mut trial = Trial::point([0.0, 0.0, 0.001], [0.0, 0.0, -v0]);
-    trial.law = Some(ContactLaw::HuntCrossley { stiffness: 1e5, dissipation: a });
+    trial.law = Some(ContactLaw::Force(ForceLaw::HuntCrossley { stiffness: 1e5, dissipation: a }));
     for method in [Method::Verlet, Method::Rk4, Method::ImplicitMidpoint, Method::EnergyMomentum] {
         let rows = trial.run(method, 1e-4, 0.1);
         let end = rows.last().expect("rows");
@@ -507,7 +510,7 @@ fn the_stable_step_knows_how_deep_a_fall_goes() {
     let (m, k, h, v) = (0.7, 3e5_f64, 0.8, 1.2);
     let mut trial = Trial::point([0.0, 0.0, h], [v, 0.0, 0.0]);
     (trial.mass[0], trial.gravity) = (m, G);
-    trial.law = Some(ContactLaw::HuntCrossley { stiffness: k, dissipation: 0.0 });
+    trial.law = Some(ContactLaw::Force(ForceLaw::HuntCrossley { stiffness: k, dissipation: 0.0 }));
     let energy = m * (0.5 * v * v + G * h);
     let depth = (2.5 * energy / k).powf(0.4);
     let longest = 2.0 * (m / (1.5 * k * depth.sqrt())).sqrt();

@@ -35,3 +35,4 @@ mod systems;
 mod vector;
 mod walk;
 mod world;
+mod yielding;

@@ -2,7 +2,7 @@
 
 use crate::scenery::Scene;
 use smartbed_runtime::contact::compensation::PointImpact;
-use smartbed_runtime::contact::{ContactLaw, ContactState, Ground, System};
+use smartbed_runtime::contact::{ContactLaw, ContactState, ForceLaw, Ground, System};
 use smartbed_runtime::flexible::{Body, BodyError, Gas, Inflation, Massless, PressureForm, Quantity, Spring};
 use smartbed_runtime::mechanism::Fault;
 use smartbed_runtime::ode::nodes::{MOTION_ROWS, Method, Motion, Step, Workspace, workspace_len};
@@ -80,8 +80,11 @@ fn numbers_of_a_ground_that_cannot_be_are_refused() {
         (with(ContactLaw::Newton { restitution: 1.5 }), Quantity::Law),
         (with(ContactLaw::Moreau { restitution: f64::NAN }), Quantity::Law),
         (with(compensation(1.1)), Quantity::Law),
-        (with(ContactLaw::Penalty { stiffness: -1.0 }), Quantity::Law),
-        (with(ContactLaw::HuntCrossley { stiffness: 1.0, dissipation: f64::INFINITY }), Quantity::Law),
+        (with(ContactLaw::Force(ForceLaw::Penalty { stiffness: -1.0 })), Quantity::Law),
+        (
+            with(ContactLaw::Force(ForceLaw::HuntCrossley { stiffness: 1.0, dissipation: f64::INFINITY })),
+            Quantity::Law,
+        ),
     ] {
         assert_eq!(ground.check(), Err(BodyError::OutOfRange(quantity)), "{ground:?}");
         assert_eq!(stepped(Some(ground), 0.1), Err(BodyError::OutOfRange(quantity)), "{ground:?}");
@@ -118,7 +121,7 @@ fn steps_that_do_not_lead_forward_are_refused() {
     let laws = [
         ContactLaw::Newton { restitution: 0.5 },
         ContactLaw::Moreau { restitution: 0.5 },
-        ContactLaw::Penalty { stiffness: 1e3 },
+        ContactLaw::Force(ForceLaw::Penalty { stiffness: 1e3 }),
     ];
     let grounds = laws.map(|law| Some(Ground { law, ..ground() }));
     for ground in grounds.into_iter().chain([None]) {
@@ -162,7 +165,7 @@ fn things_and_pairs_of_what_does_not_exist_are_refused() {
         );
     }
     let pair = |things, friction, restitution| {
-        refused(&move |scene| scene.pairs.push(Pair { things, friction, restitution }))
+        refused(&move |scene| scene.pairs.push(Pair::striking(things, restitution, friction)))
     };
     assert_eq!(pair([0, 7], 0.0, 0.0), Some(Fault::Shape));
     assert_eq!(pair([0, 1], f64::NAN, 0.0), Some(Fault::NonFinite));

@@ -142,7 +142,7 @@ impl Scene {
     }
 
     pub fn pair(&mut self, one: usize, other: usize, friction: f64, restitution: f64) {
-        self.pairs.push(Pair { things: [one, other], friction, restitution });
+        self.pairs.push(Pair::striking([one, other], restitution, friction));
     }
 
     /// The plane z = 0.

@@ -379,7 +379,7 @@ fn in_f32_a_box_slides_to_rest_as_well() {
             place: Place::same(),
         },
     ];
-    let pairs = [Pair { things: [1, 0], friction: 0.3_f32, restitution: 0.0 }];
+    let pairs = [Pair::striking([1, 0], 0.0, 0.3_f32)];
     let (mut frames, mut wrenches) = ([Frame::inertial()], [Wrench::zero()]);
     let memory = Memory::without_nodes(&mut frames, &mut wrenches);
     let island = Island::new(floating, Body::none(), &[], memory).expect("an island");

@@ -1,6 +1,6 @@
 //! The surroundings of a scene's body: gravity, air, ground with its law, gas.
 
-use smartbed_runtime::contact::{ContactLaw, Ground};
+use smartbed_runtime::contact::{ContactLaw, ForceLaw, Ground};
 use smartbed_runtime::flexible::pressure::enclosed_volume;
 use smartbed_runtime::flexible::{Gas, Inflation, PressureForm};
 use smartbed_runtime::vec3;
@@ -67,11 +67,11 @@ fn read_ground(fields: &Fields, lists: &mut Lists) -> Result<Option<Ground<f64>>
         "none" => return Ok(None),
         "newton" => ContactLaw::Newton { restitution: share("e", 0.0)? },
         "moreau" => ContactLaw::Moreau { restitution: share("e", 0.0)? },
-        "penalty" => ContactLaw::Penalty { stiffness: fields.positive("stiffness", 1e5)? },
-        "hunt_crossley" => ContactLaw::HuntCrossley {
+        "penalty" => ContactLaw::Force(ForceLaw::Penalty { stiffness: fields.positive("stiffness", 1e5)? }),
+        "hunt_crossley" => ContactLaw::Force(ForceLaw::HuntCrossley {
             stiffness: fields.positive("stiffness", 1e5)?,
             dissipation: fields.not_negative("dissipation", 0.0)?,
-        },
+        }),
         "massless_point" => {
             take_masses(fields, lists)?;
             ContactLaw::MasslessPoint

@@ -1,7 +1,7 @@
 //! Accounts of the parts and seams of a world of flexible parts, formed from its books.
 
 use super::{CarriedWorld, Place, words};
-use crate::world::accounts::{self, Accounts, Part, Seam};
+use crate::world::accounts::{self, Accounts, Part, Passed, Seam};
 use crate::world::books::Books;
 use crate::world::carriers::HostCarrier;
 use smartbed_runtime::mechanism::Fault;
@@ -66,11 +66,23 @@ impl<S: Scalar> CarriedWorld<S> {
         Ok(stored)
     }
 
+    /// Energy that each pair stores in overlaps (J).
+    pub(super) fn stored_by_pairs(&mut self, t: S, x: &[S]) -> Result<Vec<f64>, Fault> {
+        let Some(touching) = self.touching.take() else { return Ok(Vec::new()) };
+        let stored = self.with(|mut island| {
+            island.place(t, x)?;
+            Ok(touching.stored(island))
+        });
+        self.touching = Some(touching);
+        stored
+    }
+
     /// Accounts of all parts and seams now.
     pub(super) fn balance(&mut self) -> Result<Accounts, String> {
         let Some(books) = self.books.clone() else { return Err(accounts::not_kept()) };
         let (t, x) = (S::from_f64(self.t), self.x.clone());
         let stored = self.stored_by_carriers(t, &x).map_err(words)?;
+        let overlaps = self.stored_by_pairs(t, &x).map_err(words)?;
         let owners = self.owners_of_ports();
         let mut numbers = vec![None; self.places.len()];
         let mut accounts = Accounts::default();
@@ -126,14 +138,15 @@ impl<S: Scalar> CarriedWorld<S> {
         }
         let mut seams: Vec<Seam> = seams.into_iter().map(|(_, seam)| seam).collect();
         let parts = self.touching.as_ref().map_or(&[][..], |touching| &touching.parts);
-        for (parts, pair) in parts.iter().zip(&books.pairs) {
+        for ((parts, pair), spring) in parts.iter().zip(&books.pairs).zip(overlaps) {
             for (part, work) in parts.iter().zip(pair.to) {
                 // What a shape on a port takes is its mechanism's.
                 let owner =
                     if let Place::Shape(port, ..) = self.places[*part] { owners[port] } else { Some(*part) };
                 book(owner, work);
             }
-            seams.push(Seam::of_pair(parts.map(|part| self.names[part].clone()), *pair));
+            let passed = Passed { spring, ..*pair };
+            seams.push(Seam::of_pair(parts.map(|part| self.names[part].clone()), passed));
         }
         accounts.seams = seams;
         Ok(accounts)

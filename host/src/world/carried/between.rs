@@ -50,7 +50,7 @@ impl<S: Scalar> CarriedWorld<S> {
         };
         let mut said = Vec::new();
         for (pair, parts) in touching.pairs.iter().zip(&touching.parts) {
-            for [one, other] in [[0, 1], [1, 0]] {
+            for [one, other] in [[0, 1], [1, 0]].into_iter().filter(|_| pair.force.is_none()) {
                 let things = [one, other].map(|k| &touching.things[pair.things[k]]);
                 let [Thing::Rigid { shape, port, place }, Thing::Mesh { nodes: [first, end], .. }] = things
                 else {

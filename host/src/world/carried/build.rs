@@ -58,6 +58,7 @@ impl CarriedWorld {
         world.join(assembly, &starts)?;
         world.stable = stable_step(assembly, &world.fixed)?;
         world.touch(assembly)?;
+        world.refuse_stiff_pairs()?;
         let x = world.x.clone();
         world.with(|mut island| island.place(0.0, &x)).map_err(words)?;
         world.rims = world.nodes_over_rims();

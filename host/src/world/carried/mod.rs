@@ -23,6 +23,7 @@ pub mod rounded;
 mod rows;
 mod selection;
 mod stepping;
+mod stiff;
 mod subset;
 pub mod tables;
 

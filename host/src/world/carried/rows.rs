@@ -10,6 +10,7 @@ use crate::world::engine::{self, Column, Energies, Engine, Event, Settled};
 use crate::world::picture::Picture;
 use crate::world::pushed::Pushed;
 use crate::world::rounding::{wide, wide_shape};
+use crate::world::touching::Touching;
 use smartbed_runtime::vec3::Vec3;
 use smartbed_runtime::world::{Accounts as Works, Carrier, Cell, Content};
 
@@ -117,12 +118,13 @@ impl<S: Settle> Engine for CarriedWorld<S> {
 
     fn energies(&mut self) -> Result<Energies, String> {
         let (t, x) = (S::from_f64(self.t), self.x.clone());
+        let overlaps: f64 = self.stored_by_pairs(t, &x).map_err(words)?.iter().sum();
         let island = self.with(|mut island| island.energy(t, &x)).map_err(words)?;
         let Works { damping, drag, impact, friction, drive } = self.works;
         let mut energies = Energies {
             kinetic: island.body.kinetic.to_f64(),
             gravity: island.body.gravity.to_f64(),
-            spring: island.body.spring.to_f64(),
+            spring: island.body.spring.to_f64() + overlaps,
             pressure: island.body.pressure.to_f64(),
             damping,
             drag,
@@ -320,6 +322,9 @@ impl<S: Settle> Engine for CarriedWorld<S> {
         let name = self.method.0;
         match self.contacts {
             Contacts::None => format!("{name}, flexible parts and what carries them as one"),
+            Contacts::Located if self.touching.as_ref().is_some_and(Touching::only_yields) => {
+                format!("{name}, contact forces by depth")
+            }
             Contacts::Located => format!("{name}, touches located in time"),
             Contacts::Unlocated => {
                 format!("{name}, touches not located: of order 2 where nothing touches, else 1")

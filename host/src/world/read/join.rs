@@ -1,15 +1,11 @@
-//! Reads the connections of parts: attachments of nodes to ports and bodies, and contacts with their laws.
+//! Reads the connections of parts: attachments of nodes to ports and bodies, shapes on ports.
 
-use super::value::{Bound, number, one_of};
-use crate::world::assembly::{Attachment, Contact, Kind, Law, Part, Rigid};
+use super::value::one_of;
+use crate::world::assembly::{Attachment, Kind, Part, Rigid};
 use smartbed_codegen::diagnostic::{Diagnostic, Diagnostics};
 use smartbed_codegen::model::Fields;
 use smartbed_codegen::model::document::{Table, Text, Value, wrong_kind};
 use smartbed_codegen::source::Span;
-use smartbed_runtime::rigid::law::{Law as Located, LawFault};
-
-/// Impact laws.
-const IMPACTS: [&str; 5] = ["stronge", "newton", "compensation", "plastic", "moreau"];
 
 /// Indices of the parts that a name refers to: the part itself, or all copies of its grid.
 pub(super) fn parts_named(name: &str, parts: &[Part]) -> Vec<usize> {
@@ -19,7 +15,7 @@ pub(super) fn parts_named(name: &str, parts: &[Part]) -> Vec<usize> {
 }
 
 /// Reports the name of a part that does not exist.
-fn unknown_part(name: &str, span: Span, parts: &[Part], found: &mut Diagnostics) {
+pub(super) fn unknown_part(name: &str, span: Span, parts: &[Part], found: &mut Diagnostics) {
     let copy = parts.iter().find(|part| part.name.starts_with(&format!("{name}[")));
     let help = match copy {
         Some(copy) => format!(
@@ -246,138 +242,4 @@ pub(super) fn on(text: &Value, number: usize, parts: &mut [Part], found: &mut Di
         }
         None => {}
     }
-}
-
-/// A `[[contacts]]` table: the pairs it means, none of which an `earlier` table may have named: two laws would share
-/// one load between them in any way.
-pub(super) fn contact(
-    table: &Table,
-    parts: &[Part],
-    earlier: &[Contact],
-    found: &mut Diagnostics,
-) -> Vec<Contact> {
-    let fields = Fields::of("contacts", table.span, table);
-    let between = fields.need("between", "[\"load\", \"ground\"]", found);
-    let sides = between.and_then(|value| sides(value, parts, found));
-    let law = law(&fields, found);
-    finish(fields, found);
-    let (Some([one, other]), Some(law)) = (sides, law) else { return Vec::new() };
-    let mut pairs = Vec::new();
-    for a in &one {
-        for b in other.iter().filter(|b| *b != a) {
-            if !pairs.iter().any(|c: &Contact| c.between == [*b, *a]) {
-                pairs.push(Contact { between: [*a, *b], law });
-            }
-        }
-    }
-    if pairs.is_empty() {
-        let error = Diagnostic::error("`between` names one part twice");
-        found.push(error.label(fields_span(between, table), "these are one").help("name two parts"));
-    }
-    let again = |pair: &&Contact| {
-        let [a, b] = pair.between;
-        earlier.iter().any(|contact| contact.between == [a, b] || contact.between == [b, a])
-    };
-    if let Some(pair) = pairs.iter().find(again) {
-        let [a, b] = pair.between.map(|part| &parts[part].name);
-        let error = Diagnostic::error(format!("`{a}` and `{b}` have a law of contact already"));
-        let help =
-            "keep one of the two tables; copies of a grid are named one by one where their laws differ";
-        found.push(error.label(fields_span(between, table), "named by an earlier table").help(help));
-    }
-    pairs
-}
-
-/// Reports fields that the law does not read, and says which laws read those that are known.
-fn finish(fields: Fields<'_>, found: &mut Diagnostics) {
-    let impact = fields.get("impact").and_then(|value| match value {
-        Value::Text(text) if IMPACTS.contains(&text.text.as_str()) => Some(text.text.as_str()),
-        _ => None,
-    });
-    for (key, laws) in [("share", &["compensation"][..]), ("restitution", &["stronge", "newton", "moreau"])] {
-        let Some(law) = impact.filter(|law| !laws.contains(law)) else { continue };
-        if let Some(value) = fields.get(key) {
-            let error = Diagnostic::error(format!("impact = \"{law}\" reads no `{key}`"));
-            let help = format!("leave it out, or take impact = \"{}\"", laws.join("\", \""));
-            found.push(
-                error.label(value.span(), format!("`{key}` is read by {}", laws.join(", "))).help(help),
-            );
-        }
-    }
-    fields.finish(found);
-}
-
-fn fields_span(value: Option<&Value>, table: &Table) -> Span {
-    value.map_or(table.span, Value::span)
-}
-
-fn sides(value: &Value, parts: &[Part], found: &mut Diagnostics) -> Option<[Vec<usize>; 2]> {
-    let Value::Array(items, _) = value else {
-        found.push(
-            wrong_kind("between", "the names of two parts", value).help("between = [\"load\", \"ground\"]"),
-        );
-        return None;
-    };
-    let [Value::Text(one), Value::Text(other)] = &items[..] else {
-        let error = Diagnostic::error("`between` must name two parts");
-        found.push(
-            error
-                .label(value.span(), format!("these are {}", items.len()))
-                .help("between = [\"load\", \"ground\"]"),
-        );
-        return None;
-    };
-    let mut side = |text: &Text| {
-        let named = parts_named(&text.text, parts);
-        if named.is_empty() {
-            unknown_part(&text.text, text.span, parts, found);
-        }
-        (!named.is_empty()).then_some(named)
-    };
-    let (one, other) = (side(one), side(other));
-    Some([one?, other?])
-}
-
-/// The law of a contact; a pair without one is refused.
-fn law(fields: &Fields<'_>, found: &mut Diagnostics) -> Option<Law> {
-    let Some(impact) = fields.text("impact", found) else {
-        if fields.get("impact").is_none() {
-            let error = Diagnostic::error("a pair of parts without a law");
-            let help =
-                format!("add impact = \"stronge\" (known: {}), restitution and friction", IMPACTS.join(", "));
-            found.push(error.label(fields.span, "`impact` is missing").help(help));
-        }
-        return None;
-    };
-    let kind = one_of(&impact.text, impact.span, ("law of impact", &IMPACTS), found)?;
-    let friction = number(fields, "friction", "", Bound::NotNegative, found).unwrap_or(0.0);
-    if kind == "moreau" {
-        let restitution = number(fields, "restitution", "", Bound::Share, found).unwrap_or(0.0);
-        return Some(Law::Moreau { restitution, friction });
-    }
-    let law = match kind {
-        "stronge" => {
-            Located::stronge(number(fields, "restitution", "", Bound::Share, found).unwrap_or(0.0), friction)
-        }
-        "newton" => {
-            Located::newton(number(fields, "restitution", "", Bound::Share, found).unwrap_or(0.0), friction)
-        }
-        "compensation" => {
-            Located::compensation(number(fields, "share", "", Bound::Share, found).unwrap_or(1.0), friction)
-        }
-        _ => Located::stronge(0.0, friction),
-    };
-    law.map(Law::Located)
-        .map_err(|why| {
-            let (message, help) = match why {
-                LawFault::NewtonWithFriction => (
-                    "Newton's restitution with friction can create energy",
-                    "take impact = \"stronge\", or friction = 0",
-                ),
-                LawFault::Restitution => ("restitution is from 0 to 1", "correct the number"),
-                LawFault::Friction => ("friction is 0 or more", "correct the number"),
-            };
-            found.push(Diagnostic::error(message).label(impact.span, "this law").help(help));
-        })
-        .ok()
 }

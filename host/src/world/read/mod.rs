@@ -1,10 +1,11 @@
 //! Scene text of format 2 -> [`Assembly`]: settings, parts, joins, run; reports all errors with their places.
 //!
 //! `value` reads numbers with units, `settings` applies `--set`; `mechanism`, `flexible` and `rigid` read one kind of
-//! part each, `join` attachments and contacts, `view` the options of pictures; `names` checks that rows can tell
+//! part each, `join` attachments, `contact` contacts, `view` the options of pictures; `names` checks that rows can tell
 //! parts and pairs apart, `overlap` the initial positions of rigid parts.
 
 mod command;
+mod contact;
 mod controller;
 mod flexible;
 mod join;
@@ -125,7 +126,7 @@ fn read(
     let mut contacts = Vec::new();
     for item in scene.array("contacts", found).map_or(&[][..], |(items, _)| items) {
         match item {
-            Value::Table(table) => contacts.extend(join::contact(table, &parts, &contacts, found)),
+            Value::Table(table) => contacts.extend(contact::contact(table, &parts, &contacts, found)),
             other => found.push(wrong_kind("contacts", "tables, each under [[contacts]]", other)),
         }
     }

@@ -1,6 +1,6 @@
 //! Refuses rigid parts that overlap at the start, which no contact law could undo.
 
-use crate::world::assembly::{Assembly, Rigid};
+use crate::world::assembly::{Assembly, Law, Rigid};
 use smartbed_codegen::diagnostic::{Diagnostic, Diagnostics};
 use smartbed_codegen::source::Span;
 use smartbed_runtime::rigid::narrow::{Placed, features};
@@ -18,8 +18,14 @@ pub(super) fn check(assembly: &Assembly, span: impl Fn(&str) -> Option<Span>, fo
             if one.body.is_none() && other.body.is_none() {
                 continue;
             }
+            let is_pair = |between: [usize; 2]| {
+                let names = between.map(|part| assembly.parts[part].name.as_str());
+                names == [*one_name, *other_name] || names == [*other_name, *one_name]
+            };
+            let law = assembly.contacts.iter().find(|contact| is_pair(contact.between)).map(|own| own.law);
             let depth = depth(one, other);
-            if depth > ROUNDING {
+            // What pushes by the depth may begin there.
+            if depth > ROUNDING && !matches!(law, Some(Law::Force(_))) {
                 let place = span(one_name).unwrap_or_default();
                 let error = Diagnostic::error(format!(
                     "`{one_name}` and `{other_name}` overlap by {depth:.3e} m at the start"
@@ -28,13 +34,7 @@ pub(super) fn check(assembly: &Assembly, span: impl Fn(&str) -> Option<Span>, fo
                 if let Some(other) = span(other_name).filter(|s| *s != place) {
                     error = error.label(other, "this one");
                 }
-                let is_pair = |between: [usize; 2]| {
-                    let names = between.map(|part| assembly.parts[part].name.as_str());
-                    names == [*one_name, *other_name] || names == [*other_name, *one_name]
-                };
-                let are_settled =
-                    !assembly.is_rigid() && assembly.contacts.iter().any(|c| is_pair(c.between));
-                let apart = match are_settled {
+                let apart = match !assembly.is_rigid() && law.is_some() {
                     true => "; or have them moved apart: start = \"settled\" under [run]",
                     false => "",
                 };

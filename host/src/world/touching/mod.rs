@@ -24,7 +24,7 @@ use smartbed_runtime::rigid::struck::Struck;
 use smartbed_runtime::surface::Frame;
 use smartbed_runtime::vec3::Vec3;
 use smartbed_runtime::world::{
-    Accounts, Carrier, Island, LocatedMemory, MeanMemory, Pair, Place, Pressing, Thing, Touch, World,
+    Accounts, Carrier, Island, LocatedMemory, MeanMemory, Pair, Place, Pressing, Thing, Touch, World, Yield,
 };
 use std::ops::Range;
 
@@ -184,14 +184,18 @@ impl Touching {
                      part with on = \"{name}.PORT\""
                 ));
             }
-            let (restitution, friction) = match contact.law {
-                Law::Moreau { restitution, friction } => (restitution, friction),
+            pairs.push(match contact.law {
+                Law::Moreau { restitution, friction } => Pair::striking(things_of, restitution, friction),
                 Law::Located(law) => {
                     kinds.push(law.kind());
-                    (law.restitution(), law.friction())
+                    Pair::striking(things_of, law.restitution(), law.friction())
                 }
-            };
-            pairs.push(Pair { things: things_of, friction, restitution });
+                Law::Force(law) => {
+                    // Nothing strikes there: no one asks for a law of impact.
+                    kinds.push(Impact::Stronge);
+                    Pair::yielding(things_of, law)
+                }
+            });
         }
         if !kinds.is_empty() && kinds.len() < pairs.len() {
             return Err(
@@ -298,6 +302,26 @@ impl<S: Scalar> Touching<S> {
         Ok(memory.contacts().iter().filter_map(overlap).collect())
     }
 
+    /// Energy that each pair stores in overlaps where everything was placed last (J).
+    pub(super) fn stored(&self, island: Island<'_, S, impl Carrier<S>>) -> Vec<f64> {
+        let mut stored = vec![0.0; self.pairs.len()];
+        if self.yields() {
+            World { island, things: &self.things, pairs: &self.pairs }
+                .each_yield(|point| stored[point.pair] += point.energy.to_f64());
+        }
+        stored
+    }
+
+    /// Does any pair have a force law?
+    fn yields(&self) -> bool {
+        self.pairs.iter().any(|pair| pair.force.is_some())
+    }
+
+    /// Do all pairs?
+    pub(super) fn only_yields(&self) -> bool {
+        self.pairs.iter().all(|pair| pair.force.is_some())
+    }
+
     /// Are touches located within its steps?
     pub(super) fn locates(&self) -> bool {
         self.located.is_some()
@@ -331,7 +355,16 @@ impl<S: Scalar> Touching<S> {
         };
         let mut world = World { island, things: &self.things, pairs: &self.pairs };
         let pressing = world.press_located((t, h), state, &mut memory)?;
+        let mut yields = Vec::new();
+        if self.pairs.iter().any(|pair| pair.force.is_some()) {
+            world.island.place(t, state.x())?;
+            world.each_yield(|point| yields.push(*point));
+        }
         self.show_pressing(pressing);
+        for Yield { pair, contact, point, .. } in yields {
+            self.pushed.add(pair, self.bodies[pair].each_ref(), &contact, contact.impulse);
+            self.forces.extend(between(self.moves[pair], point, contact.axes, contact.impulse));
+        }
         Ok(())
     }
 

@@ -23,6 +23,7 @@ impl Touching {
             things: own.things,
             friction: real(own.friction),
             restitution: real(own.restitution),
+            force: own.force.map(|law| law.rounded()),
         };
         let located = self.located.as_ref().map(|own| (own.kinds.clone(), own.method));
         let things = (self.things.iter().map(thing).collect(), self.of_parts.clone());

@@ -80,8 +80,8 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
     /// Advances the state from t by h (s), > 0, with forces that are means over the step.
     ///
     /// # Errors
-    /// As [`World::step`]; [`Fault::Unsettled`] if the step is too long for the iteration to converge. The state is
-    /// then unchanged.
+    /// As [`World::step`]; [`Fault::Unsettled`] if the step is too long for the iteration to converge,
+    /// [`Fault::Shape`] for a pair with a force law, whose mean over a step is not computed. The state is then unchanged.
     pub fn step_conserving(
         &mut self,
         t: S,
@@ -106,6 +106,9 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         watch: &mut impl Observer<S>,
     ) -> Result<StepReport<S>, Fault> {
         self.check(time.1)?;
+        if self.yields() {
+            return Err(Fault::Shape);
+        }
         let own = core::mem::take(&mut memory.scratch);
         let more = core::mem::take(&mut means.scratch);
         let report = self.conserve(time, state, [&mut *own, &mut *more], (memory, means), watch);

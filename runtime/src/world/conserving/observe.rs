@@ -79,7 +79,14 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
             Mean { frames: [&*means.frames[0], &*own.frames, &*means.frames[1]], nodes: &*means.nodes[1] };
         for touch in memory.contacts() {
             let contact = &mean.contact(&touch.contact);
-            watch.push(&Push { pair: touch.pair, contact, duration: S::ONE, ends, strikes: true });
+            watch.push(&Push {
+                pair: touch.pair,
+                contact,
+                duration: S::ONE,
+                ends,
+                strikes: true,
+                taken: S::ZERO,
+            });
         }
     }
 }

@@ -196,7 +196,7 @@ impl<'m, S: Scalar> PartialStep<'_, 'm, S> {
 
 impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
     /// Advances the state from t by h (s), > 0. `kinds` has the law of each pair (e and mu are the pair's own; for
-    /// compensation e is the square root of its share).
+    /// compensation e is the square root of its share); that of a pair with a force law is not read.
     ///
     /// # Errors
     /// Those of [`World::step`]; [`Fault::Shape`] if `kinds` or `pressed` has not one entry per pair; the method's faults. The state

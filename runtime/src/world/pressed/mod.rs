@@ -259,10 +259,9 @@ impl<S: Scalar, C: Carrier<S>> Pressed<'_, '_, '_, S, C> {
 
     /// Rates without contact forces, and the biases that those have to balance; returns the worst pivot.
     pub(super) fn prepare(&mut self, t: S, x: &[S], dot: &mut [S]) -> Result<S, Fault> {
-        let island = &mut self.world.island;
-        island.place(t, x)?;
-        island.load_seams()?;
-        let pivot = island.accelerate(t, x, dot)?;
+        self.world.island.place(t, x)?;
+        self.world.load_seams()?;
+        let pivot = self.world.island.accelerate(t, x, dot)?;
         if !self.list.is_empty() {
             self.set_biases(t, x, dot)?;
         }

@@ -18,6 +18,7 @@ use crate::world::carrier::Carrier;
 use crate::world::island::{Cut, Island};
 use crate::world::observer::{Forces, Observer, Push};
 use crate::world::whole::StepMemory;
+use crate::world::yielding::Yield;
 
 /// A contact that pulls by more than this share of the largest force at the start has not let go as its force passed 0.
 const LOST: f64 = 0.01;
@@ -38,6 +39,7 @@ impl<S: Scalar, C: Carrier<S>> Pressed<'_, '_, '_, S, C> {
             let force = own.held.contact.to_inertial([S::ZERO, x, y]);
             powers.friction = powers.friction - vec3::dot(force, own.velocity);
         }
+        powers.impact = self.world.power_taken();
         self.carrier_powers(t, x, |_, [given, taken]| {
             powers.drive = powers.drive + given;
             powers.damping = powers.damping + taken;
@@ -65,8 +67,12 @@ impl<S: Scalar, C: Carrier<S>> Pressed<'_, '_, '_, S, C> {
         let (own, ends) = (&self.world.island.memory, [&**twists; 2]);
         watch.forces(&Forces { duration, elastic: own.elastic, viscous: own.viscous, ends });
         for Pressing { pair, held, .. } in self.list.iter() {
-            watch.push(&Push { pair: *pair, contact: &held.contact, duration, ends, strikes: false });
+            let (pair, contact, taken) = (*pair, &held.contact, S::ZERO);
+            watch.push(&Push { pair, contact, duration, ends, strikes: false, taken });
         }
+        self.world.each_yield(|Yield { pair, contact, taken, .. }| {
+            watch.push(&Push { pair: *pair, contact, duration, ends, strikes: false, taken: *taken });
+        });
         Ok(())
     }
 
