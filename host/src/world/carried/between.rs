@@ -14,7 +14,8 @@ const RIM: f64 = 1e-9;
 
 impl<S: Scalar> CarriedWorld<S> {
     /// One warning for each pair of a bar that is longer than a mesh, so that its ends need not be over facets, and
-    /// no wider than a facet, so that it need not be over a node.
+    /// no wider than a facet, so that it need not be over a node; with a force law, which acts at nodes only, of any
+    /// shape that is no wider than a facet.
     pub(super) fn bars_between_nodes(&self) -> Vec<String> {
         let Some(touching) = &self.touching else { return Vec::new() };
         let mut said = Vec::new();
@@ -29,8 +30,15 @@ impl<S: Scalar> CarriedWorld<S> {
                 else {
                     continue;
                 };
-                if length > span && width <= facet * (1.0 + RIM) {
+                if (length > span || pair.force.is_some()) && width <= facet * (1.0 + RIM) {
                     let [bar, mesh] = [one, other].map(|k| &self.names[parts[k]]);
+                    if pair.force.is_some() {
+                        said.push(format!(
+                            "`{bar}` is no wider than the facets of `{mesh}`, and a force law acts at nodes only: between them it falls \
+                             through; take smaller facets, or a law of impact"
+                        ));
+                        continue;
+                    }
                     said.push(format!(
                         "`{bar}` is longer than `{mesh}` and no wider than its facets; a bar touches facets with its ends and \
                          corners only, and nodes: between nodes it falls through; take smaller facets"
@@ -103,7 +111,7 @@ fn is_over_rim(cuboid: &Cuboid<f64>, place: [f64; 3]) -> bool {
     (0..3).any(over)
 }
 
-/// Length of a shape's longest straight edge or side, and its width across (m); None for a shape without one.
+/// Length of a shape along its longest straight edge or side, and its width across (m); None for one without an end.
 fn bar(shape: &Shape<f64>) -> Option<[f64; 2]> {
     match shape {
         Shape::Capsule(capsule) => Some([2.0 * capsule.half_length, 2.0 * capsule.radius]),
@@ -112,6 +120,7 @@ fn bar(shape: &Shape<f64>) -> Option<[f64; 2]> {
             edges.sort_by(f64::total_cmp);
             Some([edges[2], edges[1]])
         }
-        Shape::HalfSpace | Shape::Sphere(_) => None,
+        Shape::Sphere(ball) => Some([2.0 * ball.radius; 2]),
+        Shape::HalfSpace => None,
     }
 }
