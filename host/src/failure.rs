@@ -50,6 +50,13 @@ impl fmt::Display for Failure {
 
 impl std::error::Error for Failure {}
 
+/// The words of a failure, for callers that have no places to show.
+impl From<Failure> for String {
+    fn from(failure: Failure) -> Self {
+        failure.to_string()
+    }
+}
+
 /// A wrong input.
 impl From<String> for Failure {
     fn from(text: String) -> Self {

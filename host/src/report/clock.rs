@@ -1,5 +1,6 @@
 //! Computing time of this thread, which does not include that of other programs.
 
+use crate::failure::Failure;
 use std::time::Duration;
 
 /// A limit on computing time.
@@ -42,6 +43,12 @@ pub enum Stop {
 impl From<String> for Stop {
     fn from(text: String) -> Self {
         Self::Refused(text)
+    }
+}
+
+impl From<Failure> for Stop {
+    fn from(failure: Failure) -> Self {
+        Self::Refused(failure.into())
     }
 }
 

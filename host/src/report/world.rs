@@ -125,6 +125,10 @@ impl World {
             )));
         }
         let mut start = Start::new(&assembly).map_err(Failure::Wrong)?;
+        if !assembly.controllers.is_empty() {
+            // Refused here, where its place is shown, and not by the first run.
+            Feedback::new(&assembly, start.engine())?;
+        }
         let columns = start.engine().columns();
         // Lengths, angles and Euler parameters; not speeds, volumes or pressures.
         let is_coordinate = |unit: &str| ["m", "rad", "1", ""].contains(&unit);

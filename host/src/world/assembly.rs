@@ -2,6 +2,7 @@
 //!
 //! Parts are in the author's order; attachments and contacts refer to them by index.
 
+use super::places::Places;
 use crate::hash::hash;
 use crate::scene::Lists;
 use smartbed_codegen::model::Model;
@@ -34,6 +35,8 @@ pub struct Assembly {
     pub run: Run,
     /// Options of pictures.
     pub view: View,
+    /// Where all this stands in the scene's text.
+    pub places: Places,
 }
 
 impl Assembly {

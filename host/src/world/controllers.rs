@@ -10,7 +10,9 @@
 
 use super::assembly::{Assembly, Controlling, Transducer};
 use super::engine::{Column, Engine};
-use super::sensors::{agree, unread, whole_steps};
+use super::sensors::{agree, known, unread, whole_steps};
+use crate::failure::Failure;
+use smartbed_codegen::diagnostic::Diagnostic;
 
 /// The value that a controller reads.
 #[derive(Clone, Copy, Debug)]
@@ -43,21 +45,29 @@ impl Controllers {
     /// For an assembly whose rows have these columns and whose engine takes these inputs.
     ///
     /// # Errors
-    /// If a controller reads no existing value or drives no existing input, two drive the same input, or a period is
-    /// not a whole number of steps.
-    pub fn new(assembly: &Assembly, columns: &[Column], inputs: &[String]) -> Result<Self, String> {
+    /// The error with its place if a controller reads no existing value or drives no existing input, two drive the same
+    /// input, or a period is not a whole number of steps.
+    pub fn new(assembly: &Assembly, columns: &[Column], inputs: &[String]) -> Result<Self, Failure> {
         let mut list: Vec<Controller> = Vec::new();
         for own in &assembly.controllers {
             let name = &own.name;
-            let source = source(own, assembly, columns)?;
-            agree(&format!("controllers.{name}"), own.unit, &own.reads, unit(source, assembly, columns))?;
+            let place = |of: &str, key: &str| assembly.places.key(&["controllers", of, key]);
+            let at = |key: &str, label: &str, error: Diagnostic| {
+                assembly.places.failure(error.label(place(name, key), label))
+            };
+            let source = source(own, assembly, columns)
+                .map_err(|error| at("reads", "neither a column of a part nor a sensor", error))?;
+            agree(&format!("controllers.{name}"), own.unit, &own.reads, unit(source, assembly, columns))
+                .map_err(|error| at("unit", "of another dimension", error))?;
             let input = inputs.iter().position(|input| *input == own.drives).ok_or_else(|| {
-                let known = match inputs.is_empty() {
-                    true => "; give gas lines (supply, vent), or a mechanism an input that no law gives"
-                        .to_owned(),
-                    false => crate::suggest::help(&own.drives, inputs.iter().map(String::as_str)),
+                let help = match inputs.is_empty() {
+                    true => {
+                        "give gas lines (supply, vent), or a mechanism an input that no law gives".to_owned()
+                    }
+                    false => known(&own.drives, inputs.iter().map(String::as_str)),
                 };
-                format!("controllers.{name}: `{}` is no valve and no free input{known}", own.drives)
+                let message = format!("controllers.{name}: `{}` is no valve and no free input", own.drives);
+                at("drives", "cannot be driven", Diagnostic::error(message).help(help))
             })?;
             let both = |other: &&Controller| {
                 let [one, two] = [&other.own.drives, &own.drives];
@@ -65,14 +75,17 @@ impl Controllers {
                     |a: &str, b: &str| a.strip_suffix("valves").is_some_and(|part| b.starts_with(part));
                 one == two || valves(one, two) || valves(two, one)
             };
-            if let Some(other) = list.iter().find(both) {
-                return Err(format!(
-                    "controllers.{name}: `{}` is driven by controllers.{} already; give it to one of them",
-                    own.drives, other.own.name
+            if let Some(Controller { own: first, .. }) = list.iter().find(both) {
+                let error = Diagnostic::error(format!(
+                    "controllers.{name}: `{}` is driven by controllers.{} already",
+                    own.drives, first.name
                 ));
+                let error = error.label(place(name, "drives"), "driven here, too");
+                let error = error.label(place(&first.name, "drives"), "first driven here");
+                return Err(assembly.places.failure(error.help("leave it to one of them")));
             }
-            let period =
-                whole_steps(&format!("controllers.{name}"), "period", own.period, assembly.run.step)?;
+            let period = whole_steps(&format!("controllers.{name}"), "period", own.period, assembly.run.step)
+                .map_err(|error| at("period", "between two steps", error))?;
             list.push(Controller {
                 own: own.clone(),
                 source,
@@ -161,8 +174,8 @@ fn unit<'c>(source: Source, assembly: &Assembly, columns: &'c [Column]) -> &'c s
     column.map_or("", |column| column.unit.as_str())
 }
 
-/// The source of its reading: a value of the rows, or a sensor.
-fn source(own: &Controlling, assembly: &Assembly, columns: &[Column]) -> Result<Source, String> {
+/// The source of its reading: a value of the rows, or a sensor; else an error without a place.
+fn source(own: &Controlling, assembly: &Assembly, columns: &[Column]) -> Result<Source, Diagnostic> {
     let sensor = own.reads.strip_prefix("sensors.");
     let place = match sensor {
         Some(name) => assembly.sensors.iter().position(|sensor| sensor.name == name).map(Source::Sensor),
@@ -171,9 +184,11 @@ fn source(own: &Controlling, assembly: &Assembly, columns: &[Column]) -> Result<
     place.ok_or_else(|| {
         let sensors: Vec<String> =
             assembly.sensors.iter().map(|sensor| format!("sensors.{}", sensor.name)).collect();
-        let known =
+        let names =
             columns.iter().map(|column| column.name.as_str()).chain(sensors.iter().map(String::as_str));
-        let help = unread(&own.reads).unwrap_or_else(|| crate::suggest::help(&own.reads, known));
-        format!("controllers.{}: no number `{}` in the rows or of a sensor{help}", own.name, own.reads)
+        let help = unread(&own.reads).unwrap_or_else(|| known(&own.reads, names));
+        let message =
+            format!("controllers.{}: no number `{}` in the rows or of a sensor", own.name, own.reads);
+        Diagnostic::error(message).help(help)
     })
 }

@@ -7,6 +7,7 @@ use super::assembly::Assembly;
 use super::controllers::Controllers;
 use super::engine::Engine;
 use super::sensors::Probes;
+use crate::failure::Failure;
 
 /// Sensors and controllers of a world.
 #[derive(Clone, Debug)]
@@ -19,8 +20,9 @@ impl Feedback {
     /// For an assembly moved by this engine in steps of the assembly's length.
     ///
     /// # Errors
-    /// If one of them reads or drives something that does not exist, or its times are not whole numbers of steps.
-    pub fn new(assembly: &Assembly, engine: &dyn Engine) -> Result<Self, String> {
+    /// [`Failure::Found`] with the place if one of them reads or drives something that does not exist, or its times are
+    /// not whole numbers of steps.
+    pub fn new(assembly: &Assembly, engine: &dyn Engine) -> Result<Self, Failure> {
         // The columns of a row are many if there are nodes; they are needed only for sensors and controllers.
         let blind = assembly.sensors.is_empty() && assembly.controllers.is_empty();
         let columns = if blind { Vec::new() } else { engine.columns() };

@@ -5,7 +5,7 @@
 //! parts on mechanisms (`ported`, once `derived`) and other `carriers`; `touching` handles contacts, `settle` finds the
 //! equilibrium (`relaxing` is its step, `stability` disturbs it). `sensors` observe, `controllers` drive inputs, both
 //! through `feedback`; `picture` is what pages show, `pushed` the forces between parts in rows; `books` observe what
-//! works on what, `accounts` of parts and seams follow from them.
+//! works on what, `accounts` of parts and seams follow from them; `places` give errors of building their place in the text.
 
 pub mod accounts;
 pub mod assembly;
@@ -18,6 +18,7 @@ pub mod engine;
 pub mod feedback;
 mod passing;
 pub mod picture;
+pub mod places;
 pub mod ported;
 mod pushed;
 pub mod read;

@@ -9,6 +9,7 @@ use super::feedback::Feedback;
 use super::passing::Passing;
 use super::rigid::RigidWorld;
 use crate::engine::ScalarKind;
+use crate::failure::Failure;
 
 /// The engine for a world.
 ///
@@ -187,7 +188,7 @@ impl Checkpoint {
 ///
 /// # Errors
 /// A message with the time if it could not go on; or the caller's own failure.
-pub fn run<E: From<String>>(
+pub fn run<E: From<String> + From<Failure>>(
     assembly: &Assembly,
     engine: &mut dyn Engine,
     from: Option<&Checkpoint>,
@@ -195,6 +196,8 @@ pub fn run<E: From<String>>(
     mut stepped: impl FnMut(f64) -> Result<(), E>,
 ) -> Result<Ran, E> {
     let at = |t: f64, why: String| format!("t = {t:.6} s: {why}");
+    // Before a search for rest, which takes its time.
+    let mut feedback = Feedback::new(assembly, engine)?;
     let mut note = None;
     let (first, start) = match from {
         Some(checkpoint) => {
@@ -230,7 +233,6 @@ pub fn run<E: From<String>>(
     };
     let mut passing = Passing::new(assembly);
     let mut middles = if passing.is_empty() { Vec::new() } else { engine.middles() };
-    let mut feedback = Feedback::new(assembly, engine)?;
     if let Some(checkpoint) = from {
         feedback.load(&checkpoint.seen, engine)?;
     }

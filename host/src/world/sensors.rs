@@ -5,6 +5,9 @@
 
 use super::assembly::{Assembly, Sensing, Transducer};
 use super::engine::{ACCOUNTS, Column};
+use crate::failure::Failure;
+use crate::number::six_digits;
+use smartbed_codegen::diagnostic::Diagnostic;
 use smartbed_codegen::model::unit::{self, Unit};
 use smartbed_runtime::sensor::kinds::{Lvdt, Membrane, Switch};
 use smartbed_runtime::sensor::{Channel, ChannelFault, Remembered, Sensor};
@@ -40,28 +43,36 @@ pub struct Probes {
 /// A time (s) as a whole number of steps.
 ///
 /// # Errors
-/// A message if it is not one.
-pub(super) fn whole_steps(of: &str, what: &str, seconds: f64, step: f64) -> Result<u32, String> {
+/// An error without a place if it is not one.
+pub(super) fn whole_steps(of: &str, what: &str, seconds: f64, step: f64) -> Result<u32, Diagnostic> {
     let ticks = seconds / step;
     let whole = (ticks - ticks.round()).abs() < WHOLE && ticks.round() <= f64::from(u32::MAX);
-    whole
-        .then_some(ticks.round() as u32)
-        .ok_or_else(|| format!("{of}: {what} = {seconds} s is no whole number of steps of {step} s"))
+    whole.then_some(ticks.round() as u32).ok_or_else(|| {
+        let message = format!("{of}: {what} = {seconds} s is no whole number of steps of {step} s");
+        let near = six_digits(ticks.round().clamp(1.0, f64::from(u32::MAX)) * step);
+        Diagnostic::error(message)
+            .help(format!("take {near} s or another multiple of run.step, or another step"))
+    })
+}
+
+/// The help for an unknown name: the most similar one, or all.
+pub(super) fn known<'n>(name: &str, names: impl IntoIterator<Item = &'n str>) -> String {
+    crate::suggest::help(name, names).trim_start_matches("; ").to_owned()
 }
 
 /// The help for a column that stands in the rows but is no state of a part; `None` for any other name.
 pub(super) fn unread(name: &str) -> Option<String> {
     let is_told = name == "t" || ACCOUNTS.contains(&name);
     is_told.then(|| {
-        " that is a part's: times and energies are written, not sensed; read PART.x or another".to_owned()
+        "times and energies are written, not sensed; read a number of a part: PART.x or another".to_owned()
     })
 }
 
 /// Checks the dimension of the `unit` that a sensor or controller names against the unit of the value `read`.
 ///
 /// # Errors
-/// Both units, if they are of different dimensions.
-pub(super) fn agree(of: &str, own: Option<Unit>, read: &str, unit: &str) -> Result<(), String> {
+/// An error without a place with both units, if they are of different dimensions.
+pub(super) fn agree(of: &str, own: Option<Unit>, read: &str, unit: &str) -> Result<(), Diagnostic> {
     // A column's unit that cannot be read says nothing against any other.
     let (Some(own), Ok(column)) = (own, unit::parse(unit.trim())) else { return Ok(()) };
     if own == column.unit {
@@ -71,42 +82,60 @@ pub(super) fn agree(of: &str, own: Option<Unit>, read: &str, unit: &str) -> Resu
         true => ("without unit".to_owned(), "leave `unit` out".to_owned()),
         false => (format!("in {unit}"), format!("expected unit = \"{unit}\" or another of this dimension")),
     };
-    Err(format!("{of}: `unit` is that of a number in {own}, but `{read}` is {is}; {wanted}"))
+    let message = format!("{of}: `unit` is that of a number in {own}, but `{read}` is {is}");
+    Err(Diagnostic::error(message).help(wanted))
 }
 
-/// The message for a channel that is refused.
-fn refused(fault: ChannelFault, channel: &Channel<f64>) -> String {
-    match fault {
-        ChannelFault::NoPeriod => "`period` is shorter than a step; expected a step or more".to_owned(),
-        ChannelFault::TooLate => format!(
-            "`delay` is {} steps, `period` {}; expected a delay of at most {} periods: samples wait in so many places",
-            channel.delay,
-            channel.period,
-            DEPTH - 1
-        ),
-        ChannelFault::OutOfRange => {
-            "expected `noise`, `bias` and `resolution` >= 0 and finite, a finite `drift`, and a `range` whose first \
-             number is not above its second"
-                .to_owned()
+/// The key of a channel that is refused, and the error.
+fn refused(of: &str, fault: ChannelFault, channel: &Channel<f64>) -> (&'static str, Diagnostic) {
+    let (key, message, help) = match fault {
+        ChannelFault::NoPeriod => {
+            ("period", "`period` is shorter than a step".to_owned(), "take a step or more".to_owned())
         }
-    }
+        ChannelFault::TooLate => (
+            "delay",
+            format!("`delay` is {} steps, `period` {}", channel.delay, channel.period),
+            format!("take a delay of at most {} periods: samples wait in so many places", DEPTH - 1),
+        ),
+        ChannelFault::OutOfRange => (
+            "",
+            "a number of it is out of range".to_owned(),
+            "`noise`, `bias` and `resolution` are >= 0 and finite, `drift` is finite, the first number of `range` is not \
+             above its second"
+                .to_owned(),
+        ),
+    };
+    (key, Diagnostic::error(format!("{of}: {message}")).help(help))
 }
 
 impl Probes {
     /// For an assembly whose rows have these columns.
     ///
     /// # Errors
-    /// If a sensor reads a column that does not exist, or its times are not whole numbers of steps.
-    pub fn new(assembly: &Assembly, columns: &[Column]) -> Result<Self, String> {
+    /// The error with its place if a sensor reads a column that does not exist, or its times are not whole numbers of
+    /// steps.
+    pub fn new(assembly: &Assembly, columns: &[Column]) -> Result<Self, Failure> {
         let probe = |own: &Sensing| {
-            let names = columns.iter().map(|c| c.name.as_str());
-            let column = columns.iter().position(|c| c.name == own.of).ok_or_else(|| {
-                let help = unread(&own.of).unwrap_or_else(|| crate::suggest::help(&own.of, names));
-                format!("sensors.{}: no number `{}` in the rows{help}", own.name, own.of)
-            })?;
+            let at = |key: &str, label: &str, error: Diagnostic| {
+                let place = assembly.places.key(&["sensors", &own.name, key]);
+                assembly.places.failure(error.label(place, label))
+            };
             let name = format!("sensors.{}", own.name);
-            agree(&name, own.unit, &own.of, &columns[column].unit)?;
-            let ticks = |what: &str, seconds: f64| whole_steps(&name, what, seconds, assembly.run.step);
+            let column = columns.iter().position(|c| c.name == own.of).ok_or_else(|| {
+                let error = Diagnostic::error(format!("{name}: no number `{}` in the rows", own.of));
+                let names = columns.iter().map(|c| c.name.as_str());
+                at(
+                    "of",
+                    "no column of a part",
+                    error.help(unread(&own.of).unwrap_or_else(|| known(&own.of, names))),
+                )
+            })?;
+            agree(&name, own.unit, &own.of, &columns[column].unit)
+                .map_err(|error| at("unit", "of another dimension", error))?;
+            let ticks = |what: &str, seconds: f64| {
+                let whole = whole_steps(&name, what, seconds, assembly.run.step);
+                whole.map_err(|error| at(what, "between two steps", error))
+            };
             let channel = Channel {
                 period: ticks("period", own.period.unwrap_or(assembly.run.step))?,
                 delay: ticks("delay", own.delay)?,
@@ -124,12 +153,14 @@ impl Probes {
                     Kind::Switch(Switch::new(closes, hysteresis, ticks("chatter", chatter)?, own.seed))
                 }
             };
-            let sensor = Sensor::new(channel, own.seed, 0.0)
-                .map_err(|fault| format!("{name}: {}", refused(fault, &channel)))?;
+            let sensor = Sensor::new(channel, own.seed, 0.0).map_err(|fault| {
+                let (key, error) = refused(&name, fault, &channel);
+                at(key, "refused", error)
+            })?;
             // Else controllers would act on a number that nobody measured.
             Ok(Probe { column, kind, sensor: sensor.showing_first() })
         };
-        Ok(Probes { list: assembly.sensors.iter().map(probe).collect::<Result<_, String>>()? })
+        Ok(Probes { list: assembly.sensors.iter().map(probe).collect::<Result<_, Failure>>()? })
     }
 
     /// Are there none?

@@ -2,6 +2,7 @@
 
 use crate::guide::{error_of, messages, same};
 use crate::support::{smartbed, written};
+use smartbed::failure::Failure;
 use smartbed::world::read::parse;
 use smartbed::world::run::{engine, run};
 use std::path::{Path, PathBuf};
@@ -27,18 +28,19 @@ fn refusal(lines: &str) -> String {
     let text = format!("format = 2\n{lines}");
     let assembly = match parse("scene.toml", &text, &[], &find) {
         Ok(assembly) => assembly,
-        Err(found) => {
-            let said = found.to_string();
-            return said.lines().next().and_then(|l| l.strip_prefix("error: ")).expect("an error").to_owned();
-        }
+        Err(found) => return first_line(&Failure::Found(Box::new(found))),
     };
     let run = |engine: &mut dyn smartbed::world::engine::Engine| {
-        run::<String>(&assembly, engine, None, |_, _| Ok(()), |_| Ok(()))
+        run::<Failure>(&assembly, engine, None, |_, _| Ok(()), |_| Ok(()))
     };
     match engine(&assembly) {
-        Ok(mut engine) => run(engine.as_mut()).map(|_| ()).expect_err(&text),
-        Err(said) => said,
+        Ok(mut engine) => first_line(&run(engine.as_mut()).map(|_| ()).expect_err(&text)),
+        Err(said) => first_line(&said.into()),
     }
+}
+
+fn first_line(failure: &Failure) -> String {
+    failure.to_string().lines().next().expect("an error").to_owned()
 }
 
 /// A ball above the ground, with the contact between them.

@@ -15,6 +15,7 @@ mod islands;
 mod joined;
 mod moreau;
 mod pinned;
+mod places;
 mod reading;
 mod rest;
 mod rigid;

@@ -21,6 +21,7 @@ mod view;
 pub use mechanism::Find;
 
 use super::assembly::{Assembly, Kind, Part, Run};
+use super::places::Places;
 use crate::scene::fields::is_too_much;
 use smartbed_codegen::diagnostic::{Diagnostic, Diagnostics};
 use smartbed_codegen::model::Fields;
@@ -80,11 +81,11 @@ fn parse_for(
     };
     let table = settings::apply(table, settings, &mut found);
     let find = |name: &str| model_beside(Path::new(path), name).map_or_else(|| find(name), Ok);
-    let assembly = read(path, &table, &find, to_settle, &mut found);
-    match assembly {
-        Some(assembly) => found.finish(assembly),
-        None => Err(found),
-    }
+    let Some(mut assembly) = read(path, &table, &find, to_settle, &mut found) else {
+        return Err(found);
+    };
+    assembly.places = Places::new(found.source.clone(), table);
+    found.finish(assembly)
 }
 
 /// The file of a model in the scene's own folder, if it exists.
@@ -138,8 +139,9 @@ fn read(
     let run = run(&scene, found);
     let view = scene.table("view", found).map(|table| view::read(table, &parts, found)).unwrap_or_default();
     scene.finish(found);
+    let (run, places) = (run?, Places::default());
     let assembly =
-        Assembly { title, gravity, parts, attachments, contacts, sensors, controllers, run: run?, view };
+        Assembly { title, gravity, parts, attachments, contacts, sensors, controllers, run, view, places };
     let spans = |name: &str| {
         let own = name.split('[').next().unwrap_or(name);
         named.and_then(|t| t.entries.iter().find(|(key, _)| key.name == own)).map(|(key, _)| key.span)
