@@ -38,7 +38,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     FileKind::expect(&path, &[FileKind::World])?;
     refuse_twice(&arguments.set).map_err(Failure::Wrong)?;
     let assembly = model_argument::open_world_to_settle(&path, &arguments.set)?;
-    let mut engine = engine(&assembly).map_err(Failure::Wrong)?;
+    let mut engine = engine(&assembly)?;
     let waiting = Waiting::settling();
     let settled = engine.settle().map_err(Failure::Wrong)?;
     drop(waiting);

@@ -45,6 +45,8 @@ impl Fitted {
     /// The finest world that fits if an image takes this many bytes besides it.
     fn with_room_for(path: &Path, set: &[String], bytes: usize) -> Result<Self, Failure> {
         let wrong = |why: String| Failure::Wrong(format!("{}: {why}", path.display()));
+        // An error with a place names the file itself.
+        let named = |failure| if let Failure::Wrong(why) = failure { wrong(why) } else { failure };
         let sheets: Vec<String> = sheets(path)?.into_iter().filter(|name| !is_set(set, name)).collect();
         let read = |rows: Option<usize>| {
             let mut set = set.to_vec();
@@ -64,7 +66,7 @@ impl Fitted {
         // A mesh is chosen only without contacts, whose number would depend on it.
         if !sheets.is_empty() && written.contacts.is_empty() {
             // The memory of the carriers does not depend on the mesh: only that of the nodes is computed again.
-            let plain = CarriedWorld::new(&written).map_err(wrong)?.demand(0).without(nodes(&written));
+            let plain = CarriedWorld::new(&written).map_err(named)?.demand(0).without(nodes(&written));
             for finer in 1.. {
                 if plain.with(nodes(&read(Some(finer))?)).bytes() + bytes > RAM {
                     break;
@@ -78,7 +80,7 @@ impl Fitted {
             }
         }
         let assembly = if rows.is_some() { read(rows)? } else { written };
-        let mut world = CarriedWorld::new(&assembly).map_err(wrong)?;
+        let mut world = CarriedWorld::new(&assembly).map_err(named)?;
         world.for_chip(&assembly).map_err(wrong)?;
         if assembly.run.settled
             && let Some(note) = world.settle().map_err(wrong)?.note()

@@ -52,7 +52,7 @@ enum Start {
 }
 
 impl Start {
-    fn new(assembly: &Assembly) -> Result<Self, String> {
+    fn new(assembly: &Assembly) -> Result<Self, Failure> {
         let mut start = match assembly.is_rigid() {
             true => Self::Rigid(Box::new(RigidWorld::new(assembly)?)),
             false => Self::Carried(Box::new(CarriedWorld::new(assembly)?)),
@@ -124,7 +124,7 @@ impl World {
                  another step computes something else; give it a period, and no chatter"
             )));
         }
-        let mut start = Start::new(&assembly).map_err(Failure::Wrong)?;
+        let mut start = Start::new(&assembly)?;
         if !assembly.controllers.is_empty() {
             // Refused here, where its place is shown, and not by the first run.
             Feedback::new(&assembly, start.engine())?;

@@ -77,7 +77,7 @@ fn record(arguments: &Arguments, assembly: &Assembly) -> Result<Done, Failure> {
         ScalarKind::F64 => engine(assembly),
         ScalarKind::F32 => single_engine(assembly),
     };
-    let mut engine = engine.map_err(Failure::Wrong)?;
+    let mut engine = engine?;
     if let Some(file) = &arguments.save {
         ends_with_a_step(assembly, file)?;
     }

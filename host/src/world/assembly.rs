@@ -3,8 +3,10 @@
 //! Parts are in the author's order; attachments and contacts refer to them by index.
 
 use super::places::Places;
+use crate::failure::Failure;
 use crate::hash::hash;
 use crate::scene::Lists;
+use smartbed_codegen::diagnostic::Diagnostic;
 use smartbed_codegen::model::Model;
 use smartbed_codegen::model::unit::Unit;
 use smartbed_runtime::contact::ForceLaw;
@@ -331,15 +333,16 @@ impl Assembly {
     /// Refuses contacts between parts that no force moves.
     ///
     /// # Errors
-    /// A message with the names of the first two.
-    pub fn refuse_immovable_pairs(&self, is_immovable: impl Fn(usize) -> bool) -> Result<(), String> {
-        let fixed = |contact: &&Contact| contact.between.iter().all(|part| is_immovable(*part));
-        let Some(pair) = self.contacts.iter().find(fixed) else { return Ok(()) };
-        let [one, other] = pair.between.map(|part| &self.parts[part].name);
-        Err(format!(
-            "contacts: `{one}` and `{other}` are both fixed or follow commands, so that no force keeps them apart; \
-             leave the pair out, or let one of them move"
-        ))
+    /// The names of the first two, and their place.
+    pub fn refuse_immovable_pairs(&self, is_immovable: impl Fn(usize) -> bool) -> Result<(), Failure> {
+        let fixed = |contact: &Contact| contact.between.iter().all(|part| is_immovable(*part));
+        let Some(number) = self.contacts.iter().position(fixed) else { return Ok(()) };
+        let [one, other] = self.contacts[number].between.map(|part| &self.parts[part].name);
+        let error = Diagnostic::error(format!(
+            "contacts: `{one}` and `{other}` are both fixed or follow commands, so that no force keeps them apart"
+        ));
+        let error = error.label(self.places.contact(number), "neither can give way");
+        Err(self.places.failure(error.help("leave the pair out, or let one of them move")))
     }
 
     /// Does the world consist of rigid bodies alone, with impacts located in time?

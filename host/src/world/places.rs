@@ -15,6 +15,8 @@ use std::sync::Arc;
 pub struct Places {
     source: Source,
     scene: Arc<Table>,
+    /// By contact: the place of its `between`.
+    contacts: Vec<Span>,
 }
 
 /// Places decide nothing about a world: two that differ in them alone are written alike.
@@ -25,9 +27,9 @@ impl fmt::Debug for Places {
 }
 
 impl Places {
-    /// Of a scene's table in its text.
-    pub(super) fn new(source: Source, scene: Table) -> Self {
-        Self { source, scene: Arc::new(scene) }
+    /// Of a scene's table in its text; `contacts` are the places of `between` by contact.
+    pub(super) fn new(source: Source, scene: Table, contacts: Vec<Span>) -> Self {
+        Self { source, scene: Arc::new(scene), contacts }
     }
 
     /// The place of the value under a path of keys; of the last key that there is, if one is left out.
@@ -39,6 +41,16 @@ impl Places {
             (table, place) = (inner, key.span);
         }
         place
+    }
+
+    /// The place of a key of a part, or of the part's name; copies of a grid have those of the part that is repeated.
+    pub(super) fn part(&self, name: &str, key: &str) -> Span {
+        self.key(&["parts", name.split('[').next().unwrap_or(name), key])
+    }
+
+    /// The place of the names of a contact's parts.
+    pub(super) fn contact(&self, number: usize) -> Span {
+        self.contacts.get(number).copied().unwrap_or_default()
     }
 
     /// A failure of one error, whose labels are places of this text.

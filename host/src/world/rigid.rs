@@ -8,6 +8,8 @@ use super::engine::{Column, Energies, Engine, Event};
 use super::picture::Picture;
 use super::pushed::Pushed;
 use crate::contact_force::ContactForce;
+use crate::failure::Failure;
+use smartbed_codegen::diagnostic::Diagnostic;
 use smartbed_runtime::rigid::RigidState;
 use smartbed_runtime::rigid::attitude::Attitude;
 use smartbed_runtime::rigid::contact::{Mobility, Twist};
@@ -65,15 +67,19 @@ impl RigidWorld {
     ///
     /// # Errors
     /// If a part is not rigid, or a method is named: these worlds have only their own.
-    pub fn new(assembly: &Assembly) -> Result<Self, String> {
+    pub fn new(assembly: &Assembly) -> Result<Self, Failure> {
         if let Some(method) = &assembly.run.method {
-            return Err(format!(
-                "run.method = \"{method}\": rigid bodies have a step of their own, of order 2 between events; leave the key out"
+            let error = Diagnostic::error(format!(
+                "run.method = \"{method}\": rigid bodies have a step of their own, of order 2 between events"
             ));
+            let error = error.label(assembly.places.key(&["run", "method"]), "not read here");
+            return Err(assembly.places.failure(error.help("leave the key out")));
         }
         let (mut names, mut parts, mut states) = (Vec::new(), Vec::new(), Vec::new());
         for part in &assembly.parts {
-            let Kind::Rigid(rigid) = &part.kind else { return Err(format!("`{}` is not rigid", part.name)) };
+            let Kind::Rigid(rigid) = &part.kind else {
+                return Err(format!("`{}` is not rigid", part.name).into());
+            };
             names.push(part.name.clone());
             parts.push(Part { shape: rigid.shape, body: rigid.body });
             states.push(rigid.start);

@@ -10,22 +10,24 @@ use super::passing::Passing;
 use super::rigid::RigidWorld;
 use crate::engine::ScalarKind;
 use crate::failure::Failure;
+use smartbed_codegen::diagnostic::Diagnostic;
 
 /// The engine for a world.
 ///
 /// # Errors
-/// The reason why no engine can move it, in words.
-pub fn engine(assembly: &Assembly) -> Result<Box<dyn Engine>, String> {
+/// The reason why no engine can move it, with its place where it has one.
+pub fn engine(assembly: &Assembly) -> Result<Box<dyn Engine>, Failure> {
     if assembly.is_rigid() {
         if assembly.run.sleep.is_some() {
-            let or = if assembly.contacts.is_empty() {
-                ""
-            } else {
-                ", or take impact = \"moreau\" for all contacts"
+            let help = match assembly.contacts.is_empty() {
+                true => "leave the key out",
+                false => "leave the key out, or take impact = \"moreau\" for all contacts",
             };
-            return Err(format!(
-                "run.sleep: rigid parts alone whose touches are located are never put to sleep; leave the key out{or}"
-            ));
+            let error = Diagnostic::error(
+                "run.sleep: rigid parts alone whose touches are located are never put to sleep",
+            );
+            let error = error.label(assembly.places.key(&["run", "sleep"]), "not read here");
+            return Err(assembly.places.failure(error.help(help)));
         }
         return Ok(Box::new(RigidWorld::new(assembly)?));
     }
@@ -36,18 +38,21 @@ pub fn engine(assembly: &Assembly) -> Result<Box<dyn Engine>, String> {
 ///
 /// # Errors
 /// Why none moves it so, in words.
-pub fn single_engine(assembly: &Assembly) -> Result<Box<dyn Engine>, String> {
+pub fn single_engine(assembly: &Assembly) -> Result<Box<dyn Engine>, Failure> {
     // A ball that struck a bladder stood 3e-3 elsewhere after 0.1 s than in f64 (1e-6 with moreau): not understood.
     // Rigid parts alone without contacts take the step of any other world: theirs is written for f64.
     if assembly.contacts.iter().any(|contact| !matches!(contact.law, Law::Moreau { .. })) {
         return Err(
             "--scalar f32: touches are located, and forces of contact laws follow the depth, in f64 only; leave it out, or \
              take impact = \"moreau\" for all contacts"
-                .to_owned(),
+                .to_owned()
+                .into(),
         );
     }
     if assembly.run.sleep.is_some() {
-        return Err("--scalar f32: run.sleep is available in f64 only; leave one of the two out".to_owned());
+        return Err("--scalar f32: run.sleep is available in f64 only; leave one of the two out"
+            .to_owned()
+            .into());
     }
     rounded::engine(assembly)
 }

@@ -35,7 +35,7 @@ fn refusal(lines: &str) -> String {
     };
     match engine(&assembly) {
         Ok(mut engine) => first_line(&run(engine.as_mut()).map(|_| ()).expect_err(&text)),
-        Err(said) => first_line(&said.into()),
+        Err(said) => first_line(&said),
     }
 }
 

@@ -73,3 +73,79 @@ fn controllers_are_refused_where_they_stand() {
         told(&text, &["--error", "1e-3"], words, &format!("placed.toml:{line}:{column}"));
     }
 }
+
+const GROUND: &str = "format = 2\n[parts.ground]\nrigid = \"half_space\"\n";
+const BALL: &str = "[parts.ball]\nrigid = \"sphere\"\nradius = 0.1\nmass = 1\nstart = { height = 1 }\n";
+const CUBE: &str = "[parts.cube]\nshape = \"cube\"\nstart = { height = 1 }\n";
+
+/// A pair with its law, in lines of its own.
+fn pair(one: &str, other: &str, impact: &str) -> String {
+    format!("[[contacts]]\nbetween = [\"{one}\", \"{other}\"]\nimpact = \"{impact}\"\n")
+}
+
+#[test]
+fn methods_and_steps_are_refused_where_they_stand() {
+    let run = |key: &str| format!("[run]\n{key}\n");
+    let moreau = pair("cube", "ground", "moreau");
+    let stronge = pair("cube", "ground", "stronge");
+    let cases = [
+        (format!("{GROUND}{CUBE}{}", run("method = \"rk5\"")), "there is no such method for worlds", "8:10"),
+        (format!("{GROUND}{CUBE}{}", run("method = \"moreau\"")), "this world has no contacts", "8:10"),
+        (format!("{GROUND}{CUBE}{stronge}{}", run("method = \"moreau\"")), "it needs whole steps", "11:10"),
+        (
+            format!("{GROUND}{CUBE}{moreau}{}", run("method = \"rk4\"")),
+            "need a method of whole steps",
+            "11:10",
+        ),
+        (
+            format!("{GROUND}{BALL}{}", run("method = \"rk4\"")),
+            "rigid bodies have a step of their own",
+            "10:10",
+        ),
+        (format!("{GROUND}{BALL}{}", run("sleep = 0.1")), "are never put to sleep", "10:9"),
+        (format!("{GROUND}{CUBE}{}", run("step = 1")), "run.step = 1 s is larger than", "8:8"),
+        (format!("{GROUND}{CUBE}K = 1e12\n"), "run.step = 0.001 s is larger than", "7:5"),
+    ];
+    for (text, words, place) in cases {
+        told(&text, &[], words, &format!("placed.toml:{place}"));
+    }
+    let cube = format!("{GROUND}{CUBE}");
+    told(&cube, &["--method", "rk5"], "there is no such method for worlds", "--set:1:14");
+}
+
+#[test]
+fn parts_are_refused_where_they_stand() {
+    let other = CUBE.replace("parts.cube", "parts.other").replace("height = 1", "height = 3");
+    told(
+        &format!("{GROUND}{CUBE}air_drag = 1\n{other}air_drag = 2\n"),
+        &[],
+        "`other`: air_drag differs from that of another flexible part",
+        "placed.toml:11:12",
+    );
+    let sunk = CUBE.replace("height = 1", "height = -0.01");
+    told(
+        &format!("{GROUND}{sunk}{}", pair("cube", "ground", "moreau")),
+        &[],
+        "`cube` and `ground` overlap by 1.000e-2 m at the start",
+        "placed.toml:6:9",
+    );
+    // What stands on a port is placed once the mechanism is assembled.
+    let tip = "[parts.tip]\nrigid = \"sphere\"\nradius = 0.1\non = \"arm.tool\"\n";
+    let wall = "[parts.wall]\nrigid = \"box\"\nsize = [9, 9, 9]\nmass = 1\n";
+    let arm = "format = 2\n[parts.arm]\nmechanism = \"arm6\"\n";
+    told(
+        &format!("{arm}{tip}{wall}{}", pair("tip", "wall", "moreau")),
+        &[],
+        "`tip` and `wall` overlap by",
+        "placed.toml:4:8",
+    );
+    told(
+        &format!(
+            "{GROUND}{CUBE}[parts.pad]\nrigid = \"sphere\"\nradius = 1\nfixed = true\nstart = {{ height = 9 }}\n{}",
+            pair("pad", "ground", "moreau")
+        ),
+        &[],
+        "`pad` and `ground` are both fixed or follow commands",
+        "placed.toml:13:11",
+    );
+}

@@ -150,8 +150,7 @@ fn what_no_sensor_reads_is_said() {
     for name in ["kinetic", "total", "t"] {
         let sensor = format!("sensors={{ seen = {{ of = \"{name}\" }} }}");
         let said = fails(&["run", "rigid_ball_rests", "--seconds", "0.01", "--set", &sensor]);
-        let words =
-            format!("sensors.seen: no number `{name}` in the rows");
+        let words = format!("sensors.seen: no number `{name}` in the rows");
         assert!(said.contains(&words) && said.contains("energies are written, not sensed"), "{said}");
     }
 }

@@ -5,12 +5,15 @@
 use super::air::Air;
 use super::methods::Contacts;
 use super::{CarriedWorld, Fixed, Place, Room, words};
+use crate::failure::Failure;
 use crate::scene::grid::Woven;
 use crate::world::assembly::{Assembly, Kind, Law, Part, Rigid};
 use crate::world::carriers::HostCarrier;
 use crate::world::derived::Derivations;
 use crate::world::ported::Ported;
 use crate::world::touching::{Touchable, Touching};
+use smartbed_codegen::diagnostic::Diagnostic;
+use smartbed_codegen::source::Span;
 use smartbed_runtime::contact::System;
 use smartbed_runtime::contact::stable_step::{Sums, largest_stable_step};
 use smartbed_runtime::flexible::{Body, PressureForm};
@@ -25,11 +28,14 @@ impl CarriedWorld {
     /// Builds the world at its start.
     ///
     /// # Errors
-    /// A message if it cannot be derived, assembled or stepped.
-    pub fn new(assembly: &Assembly) -> Result<Self, String> {
+    /// Why it cannot be derived, assembled or stepped, with the place where it has one.
+    pub fn new(assembly: &Assembly) -> Result<Self, Failure> {
         let contacts = contacts(assembly);
         let default = contacts.default_method(assembly.parts.iter().any(is_undamped));
-        let method = contacts.method(assembly.run.method.as_deref().unwrap_or(default))?;
+        let method = contacts.method(assembly.run.method.as_deref().unwrap_or(default)).map_err(|error| {
+            let place = assembly.places.key(&["run", "method"]);
+            assembly.places.failure(error.label(place, "not for this world"))
+        })?;
         let mut world = CarriedWorld {
             names: assembly.parts.iter().map(|part| part.name.clone()).collect(),
             places: Vec::new(),
@@ -63,7 +69,7 @@ impl CarriedWorld {
         world.with(|mut island| island.place(0.0, &x)).map_err(words)?;
         world.rims = world.nodes_over_rims();
         if !assembly.run.settled {
-            world.refuse_overlaps()?;
+            world.refuse_overlaps(assembly)?;
         }
         Ok(world)
     }
@@ -120,16 +126,17 @@ impl CarriedWorld {
     }
 
     /// Combines all flexible parts into one body.
-    fn flexible(&mut self, assembly: &Assembly) -> Result<(), String> {
+    fn flexible(&mut self, assembly: &Assembly) -> Result<(), Failure> {
         let mut drag = None;
         for (number, (part, place)) in assembly.parts.iter().zip(&mut self.places).enumerate() {
             let Kind::Flexible(body) = &part.kind else { continue };
             if drag.is_some_and(|drag| drag != body.air_drag) {
-                return Err(format!(
-                    "`{}`: air_drag differs from that of another flexible part; expected the same \
-                                    for all",
+                let error = Diagnostic::error(format!(
+                    "`{}`: air_drag differs from that of another flexible part",
                     part.name
                 ));
+                let error = error.label(assembly.places.part(&part.name, "air_drag"), "another drag");
+                return Err(assembly.places.failure(error.help("give all flexible parts the same, or none")));
             }
             drag = Some(body.air_drag);
             let (first, first_facet, fixed) =
@@ -201,7 +208,7 @@ impl CarriedWorld {
     }
 
     /// Adds the parts that can be touched, and the memory for steps with contacts.
-    fn touch(&mut self, assembly: &Assembly) -> Result<(), String> {
+    fn touch(&mut self, assembly: &Assembly) -> Result<(), Failure> {
         let mut port = 0;
         let mut touchable = Vec::new();
         for (place, part) in self.places.iter().zip(&assembly.parts) {
@@ -225,7 +232,7 @@ impl CarriedWorld {
     }
 
     /// Refuses contacts between parts that no force moves.
-    fn refuse_immovable_pairs(&self, assembly: &Assembly) -> Result<(), String> {
+    fn refuse_immovable_pairs(&self, assembly: &Assembly) -> Result<(), Failure> {
         let [ports, held] = self.immovable();
         assembly.refuse_immovable_pairs(|part| match &self.places[part] {
             Place::Carrier(number, _) => self.carriers[*number].n_u() == 0,
@@ -297,7 +304,7 @@ fn ports(assembly: &Assembly, part: usize) -> Vec<String> {
 
 /// The largest step that resolves the fastest motion of every flexible part; refuses the scene's step if that is
 /// larger.
-fn stable_step(assembly: &Assembly, fixed: &Fixed) -> Result<Option<f64>, String> {
+fn stable_step(assembly: &Assembly, fixed: &Fixed) -> Result<Option<f64>, Failure> {
     let mut stable: Option<f64> = None;
     for part in &assembly.parts {
         let Kind::Flexible(body) = &part.kind else { continue };
@@ -311,10 +318,15 @@ fn stable_step(assembly: &Assembly, fixed: &Fixed) -> Result<Option<f64>, String
         let stable_here = largest_stable_step(&system, &lists.points, &lists.velocities, &mut sums);
         let Some(largest) = stable_here else { continue };
         if assembly.run.step > largest {
-            return Err(format!(
-                "run.step = {} s is larger than the largest stable step of `{}`, {largest:.3e} s; take a smaller one",
+            let error = Diagnostic::error(format!(
+                "run.step = {} s is larger than the largest stable step of `{}`, {largest:.3e} s",
                 assembly.run.step, part.name
             ));
+            // A scene that says no step takes that of every scene, which stands nowhere.
+            let step = assembly.places.key(&["run", "step"]);
+            let error = if step == Span::default() { error } else { error.label(step, "this step") };
+            let error = error.label(assembly.places.part(&part.name, "K"), "too stiff for it");
+            return Err(assembly.places.failure(error.help("take a smaller `step` under [run]")));
         }
         stable = Some(stable.map_or(largest, |least| least.min(largest)));
     }

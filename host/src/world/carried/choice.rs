@@ -2,6 +2,7 @@
 
 use super::methods::{Contacts, Stepping};
 use super::{CarriedWorld, words};
+use smartbed_codegen::diagnostic::Diagnostic;
 
 impl CarriedWorld {
     /// Without contacts: its equations are smooth.
@@ -28,7 +29,8 @@ impl CarriedWorld {
     /// # Errors
     /// There is none.
     pub fn choose(&mut self, name: &str) -> Result<(), String> {
-        self.method = self.contacts.method(name)?;
+        let words = |error: Diagnostic| format!("{}; {}", error.message, error.help.unwrap_or_default());
+        self.method = self.contacts.method(name).map_err(words)?;
         self.scratch = vec![0.0; self.ode_method().scratch(self.x.len())];
         if let (Some(touching), Stepping::Ode(method)) = (&mut self.touching, self.method.1) {
             touching.choose(method, self.x.len());

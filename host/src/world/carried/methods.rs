@@ -1,6 +1,7 @@
 //! Integration methods of worlds by name, and which of them a world with contacts can use.
 
 use crate::suggest;
+use smartbed_codegen::diagnostic::Diagnostic;
 use smartbed_runtime::ode::Method;
 
 /// The kind of a step.
@@ -68,31 +69,30 @@ impl Contacts {
     /// The method of this name.
     ///
     /// # Errors
-    /// An unknown name, with the most similar one, or a method that does not suit such contacts, with advice.
-    pub fn method(self, name: &str) -> Result<(&'static str, Stepping), String> {
+    /// An error without a place: an unknown name, with the most similar one, or a method that does not suit such
+    /// contacts, with advice.
+    pub fn method(self, name: &str) -> Result<(&'static str, Stepping), Diagnostic> {
         if let Some((known, stepping, _)) = self.methods().find(|(known, ..)| *known == name) {
             return Ok((known, stepping));
         }
-        let why = match (self, METHODS.iter().find(|(known, ..)| *known == name)) {
+        let (why, help) = match (self, METHODS.iter().find(|(known, ..)| *known == name)) {
             (_, None) => {
-                let known = self.methods().map(|(known, ..)| known).collect::<Vec<_>>();
-                return Err(format!(
-                    "run.method = \"{name}\": there is no such method for worlds{}",
-                    suggest::help(name, known)
-                ));
+                let known = suggest::help(name, self.methods().map(|(known, ..)| known));
+                ("there is no such method for worlds", known.trim_start_matches("; ").to_owned())
             }
-            (Contacts::None, _) => {
-                "it is for contacts with impact = \"moreau\", and this world has no contacts; leave the key out"
-            }
-            (Contacts::Located, _) => {
-                "it needs whole steps, but steps are split at located touches; take impact = \"moreau\" for all \
-                 contacts, or another method"
-            }
-            (Contacts::Unlocated, _) => {
-                "contacts with impact = \"moreau\" need a method of whole steps; leave the key out, or take \
-                 energy_momentum"
-            }
+            (Contacts::None, _) => (
+                "it is for contacts with impact = \"moreau\", and this world has no contacts",
+                "leave the key out".to_owned(),
+            ),
+            (Contacts::Located, _) => (
+                "it needs whole steps, but steps are split at located touches",
+                "take impact = \"moreau\" for all contacts, or another method".to_owned(),
+            ),
+            (Contacts::Unlocated, _) => (
+                "contacts with impact = \"moreau\" need a method of whole steps",
+                "leave the key out, or take energy_momentum".to_owned(),
+            ),
         };
-        Err(format!("run.method = \"{name}\": {why}"))
+        Err(Diagnostic::error(format!("run.method = \"{name}\": {why}")).help(help))
     }
 }

@@ -5,6 +5,7 @@
 use super::air::Air;
 use super::{CarriedWorld, Fixed, Place, Room};
 use crate::engine::ScalarKind;
+use crate::failure::Failure;
 use crate::world::accounts::Accounts;
 use crate::world::assembly::Assembly;
 use crate::world::carriers::HostCarrier;
@@ -29,7 +30,7 @@ struct Single {
 ///
 /// # Errors
 /// What cannot be derived, assembled or stepped, in words.
-pub fn engine(assembly: &Assembly) -> Result<Box<dyn Engine>, String> {
+pub fn engine(assembly: &Assembly) -> Result<Box<dyn Engine>, Failure> {
     let wide = CarriedWorld::new(assembly)?;
     Ok(Box::new(Single { own: wide.rounded(), wide }))
 }

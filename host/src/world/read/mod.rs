@@ -81,10 +81,10 @@ fn parse_for(
     };
     let table = settings::apply(table, settings, &mut found);
     let find = |name: &str| model_beside(Path::new(path), name).map_or_else(|| find(name), Ok);
-    let Some(mut assembly) = read(path, &table, &find, to_settle, &mut found) else {
+    let Some((mut assembly, contacts)) = read(path, &table, &find, to_settle, &mut found) else {
         return Err(found);
     };
-    assembly.places = Places::new(found.source.clone(), table);
+    assembly.places = Places::new(found.source.clone(), table, contacts);
     found.finish(assembly)
 }
 
@@ -95,13 +95,14 @@ fn model_beside(scene: &Path, name: &str) -> Option<PathBuf> {
     files.into_iter().find(|file| file.is_file() && file != scene)
 }
 
+/// The assembly, and by contact the place of its `between`.
 fn read(
     path: &str,
     table: &Table,
     find: Find<'_>,
     to_settle: bool,
     found: &mut Diagnostics,
-) -> Option<Assembly> {
+) -> Option<(Assembly, Vec<Span>)> {
     let scene = Fields::of("scene", table.span, table);
     match scene.get("format") {
         Some(Value::Number(2.0, _)) => {}
@@ -124,10 +125,13 @@ fn read(
             _ => attachments.extend(join::attach(&value, number, &mut parts, found)),
         }
     }
-    let mut contacts = Vec::new();
+    let (mut contacts, mut pairs) = (Vec::new(), Vec::new());
     for item in scene.array("contacts", found).map_or(&[][..], |(items, _)| items) {
         match item {
-            Value::Table(table) => contacts.extend(contact::contact(table, &parts, &contacts, found)),
+            Value::Table(table) => {
+                contacts.extend(contact::contact(table, &parts, &contacts, found));
+                pairs.resize(contacts.len(), table.get("between").map_or(table.span, Value::span));
+            }
             other => found.push(wrong_kind("contacts", "tables, each under [[contacts]]", other)),
         }
     }
@@ -159,7 +163,7 @@ fn read(
         let help = "leave its `velocity` and `spin` out, or begin where the scene says: start = \"given\" under [run]";
         found.push(error.label(place, "it starts in motion").help(help));
     }
-    Some(assembly)
+    Some((assembly, pairs))
 }
 
 /// The value of `attach` for each part that has one.
