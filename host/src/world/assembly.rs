@@ -195,6 +195,14 @@ pub enum Law {
     },
 }
 
+/// The first contact whose law is of another kind than that of the contacts before it: a world either locates all
+/// touches in time or none.
+#[must_use]
+pub fn mixed(contacts: &[Contact]) -> Option<usize> {
+    let is_located = |contact: &Contact| !matches!(contact.law, Law::Moreau { .. });
+    contacts.iter().position(|contact| is_located(contact) != is_located(&contacts[0]))
+}
+
 /// A sensor: the value of the rows that it reads, and its errors (in the unit of that value).
 #[derive(Clone, PartialEq, Debug)]
 pub struct Sensing {

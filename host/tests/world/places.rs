@@ -1,6 +1,6 @@
 //! What is known to be wrong only once a world is built is told with its place in the text, too.
 
-use super::support::{fails, scene};
+use super::support::{fails, parse, scene};
 
 /// A mechanism with an input that no law gives.
 const ARM: &str = "format = 2\n[parts.arm]\nmechanism = \"double_pendulum\"\n";
@@ -148,4 +148,30 @@ fn parts_are_refused_where_they_stand() {
         "`pad` and `ground` are both fixed or follow commands",
         "placed.toml:13:11",
     );
+}
+
+/// The message of a scene that is refused when it is read: the words, the place `line:column`, and what to do.
+fn unread(text: &str, words: &str, place: &str) {
+    let said = parse(text).map(|_| ()).expect_err(words);
+    assert!(said.contains(words), "{words}\n{said}");
+    assert!(said.contains(&format!("w.toml:{place}\n")), "{words}: expected {place}\n{said}");
+    assert!(said.contains("help: "), "what to do\n{said}");
+}
+
+#[test]
+fn pairs_that_no_world_has_are_refused_when_they_are_read() {
+    let tile = "[parts.tile]\nmechanism = \"tile_minimal\"\n";
+    let deck = "[parts.deck]\nrigid = \"sphere\"\nradius = 1\non = \"tile.platform\"\n";
+    let bare = format!("{GROUND}{BALL}{tile}{}", pair("ball", "tile", "moreau"));
+    unread(&bare, "`tile` is a mechanism, which has no surface", "12:20");
+    unread(&bare, "give it one by a rigid part with on = \"tile.PORT\"", "12:20");
+    let decked = format!("{GROUND}{BALL}{tile}{deck}{}", pair("tile", "ball", "stronge"));
+    unread(&decked, "name what is on it: deck", "16:12");
+    let mixed = format!(
+        "{GROUND}{BALL}{CUBE}{}{}",
+        pair("ball", "ground", "moreau"),
+        pair("cube", "ground", "plastic")
+    );
+    unread(&mixed, "some contacts have impact = \"moreau\", others another law", "17:10");
+    assert!(parse(&mixed.replace("plastic", "moreau")).is_ok());
 }

@@ -1,28 +1,13 @@
-//! Reads contacts: which parts touch, and by which law.
+//! Reads `[[contacts]]`: the pairs of parts that touch.
 
 use super::join::{parts_named, unknown_part};
-use super::value::{Bound, needed, number, one_of};
-use crate::world::assembly::{Contact, Kind, Law, Part};
+use super::law;
+use crate::world::assembly::{Contact, Kind, Law, Part, Rigid};
 use smartbed_codegen::diagnostic::{Diagnostic, Diagnostics};
 use smartbed_codegen::model::Fields;
 use smartbed_codegen::model::document::{Table, Text, Value, wrong_kind};
 use smartbed_codegen::source::Span;
-use smartbed_runtime::contact::ForceLaw;
-use smartbed_runtime::rigid::law::{Law as Located, LawFault};
 use smartbed_runtime::surface::Shape;
-
-/// Impact laws.
-const IMPACTS: [&str; 5] = ["stronge", "newton", "compensation", "plastic", "moreau"];
-/// Force laws.
-const FORCES: [&str; 2] = ["penalty", "hunt_crossley"];
-/// Keys that not every law reads, with the laws that do.
-const KEYS: [(&str, &[&str]); 5] = [
-    ("share", &["compensation"]),
-    ("restitution", &["stronge", "newton", "moreau"]),
-    ("friction", &IMPACTS),
-    ("stiffness", &FORCES),
-    ("dissipation", &["hunt_crossley"]),
-];
 
 /// A `[[contacts]]` table: the pairs it means, none of which an `earlier` table may have named: two laws would share
 /// one load between them in any way.
@@ -35,8 +20,8 @@ pub(super) fn contact(
     let fields = Fields::of("contacts", table.span, table);
     let between = fields.need("between", "[\"load\", \"ground\"]", found);
     let sides = between.and_then(|value| sides(value, parts, found));
-    let law = law(&fields, found);
-    finish(fields, law.is_some(), found);
+    let law = law::read(&fields, found);
+    law::finish(fields, law.is_some(), found);
     let (Some([one, other]), Some(law)) = (sides, law) else { return Vec::new() };
     let mut pairs = Vec::new();
     for a in &one {
@@ -88,27 +73,6 @@ fn refuse_without_depth(pair: &Contact, parts: &[Part], span: Span, found: &mut 
     found.push(error.label(span, "these parts").help(help));
 }
 
-/// Reports fields that the law does not read, and says which laws read those that are known.
-fn finish(fields: Fields<'_>, is_known: bool, found: &mut Diagnostics) {
-    let named = ["impact", "force"].into_iter().find_map(|key| match fields.get(key) {
-        Some(Value::Text(text)) if is_known => Some((key, text.text.as_str())),
-        _ => None,
-    });
-    for (key, laws) in KEYS {
-        let value = fields.get(key);
-        let Some((kind, law)) = named.filter(|(_, law)| !laws.contains(law)) else { continue };
-        if let Some(value) = value {
-            let error = Diagnostic::error(format!("{kind} = \"{law}\" reads no `{key}`"));
-            let other = if laws.iter().all(|law| FORCES.contains(law)) { "force" } else { "impact" };
-            let help = format!("leave it out, or take {other} = \"{}\"", laws.join("\", \""));
-            found.push(
-                error.label(value.span(), format!("`{key}` is read by {}", laws.join(", "))).help(help),
-            );
-        }
-    }
-    fields.finish(found);
-}
-
 fn fields_span(value: Option<&Value>, table: &Table) -> Span {
     value.map_or(table.span, Value::span)
 }
@@ -134,82 +98,29 @@ fn sides(value: &Value, parts: &[Part], found: &mut Diagnostics) -> Option<[Vec<
         if named.is_empty() {
             unknown_part(&text.text, text.span, parts, found);
         }
-        (!named.is_empty()).then_some(named)
+        let mechanism = named.iter().find(|part| matches!(parts[**part].kind, Kind::Mechanism(_)));
+        if let Some(mechanism) = mechanism {
+            refuse_without_surface(text, *mechanism, parts, found);
+        }
+        (!named.is_empty() && mechanism.is_none()).then_some(named)
     };
     let (one, other) = (side(one), side(other));
     Some([one?, other?])
 }
 
-/// The law of a contact; a pair without one is refused.
-fn law(fields: &Fields<'_>, found: &mut Diagnostics) -> Option<Law> {
-    match (fields.get("impact"), fields.get("force")) {
-        (Some(_), None) => impact(fields, found),
-        (None, Some(_)) => force(fields, found).map(Law::Force),
-        (None, None) => {
-            let error = Diagnostic::error("a pair of parts without a law");
-            let help = format!(
-                "add impact = \"stronge\" (known: {}), restitution and friction, or force = \"penalty\" (known: {}) and \
-                 stiffness",
-                IMPACTS.join(", "),
-                FORCES.join(", ")
-            );
-            found.push(error.label(fields.span, "`impact` is missing").help(help));
-            None
-        }
-        (Some(_), Some(force)) => {
-            let error = Diagnostic::error("a pair of parts with two laws");
-            let label = "beside `impact`";
-            found.push(error.label(force.span(), label).help("keep one of `impact` and `force`"));
-            None
-        }
-    }
-}
-
-/// A law of the force on an overlap.
-fn force(fields: &Fields<'_>, found: &mut Diagnostics) -> Option<ForceLaw<f64>> {
-    let law = fields.text("force", found)?;
-    let kind = one_of(&law.text, law.span, ("force law", &FORCES), found)?;
-    let unit = if kind == "penalty" { "N/m" } else { "N/m^(3/2)" };
-    let stiffness = needed(fields, "stiffness", (unit, &format!("\"1e5 {unit}\"")), found)?;
-    if kind == "penalty" {
-        return Some(ForceLaw::Penalty { stiffness });
-    }
-    let dissipation = number(fields, "dissipation", "s/m", Bound::NotNegative, found).unwrap_or(0.0);
-    Some(ForceLaw::HuntCrossley { stiffness, dissipation })
-}
-
-/// A law of impact.
-fn impact(fields: &Fields<'_>, found: &mut Diagnostics) -> Option<Law> {
-    let impact = fields.text("impact", found)?;
-    let kind = one_of(&impact.text, impact.span, ("law of impact", &IMPACTS), found)?;
-    let friction = number(fields, "friction", "", Bound::NotNegative, found).unwrap_or(0.0);
-    if kind == "moreau" {
-        let restitution = number(fields, "restitution", "", Bound::Share, found).unwrap_or(0.0);
-        return Some(Law::Moreau { restitution, friction });
-    }
-    let law = match kind {
-        "stronge" => {
-            Located::stronge(number(fields, "restitution", "", Bound::Share, found).unwrap_or(0.0), friction)
-        }
-        "newton" => {
-            Located::newton(number(fields, "restitution", "", Bound::Share, found).unwrap_or(0.0), friction)
-        }
-        "compensation" => {
-            Located::compensation(number(fields, "share", "", Bound::Share, found).unwrap_or(1.0), friction)
-        }
-        _ => Located::stronge(0.0, friction),
+/// Refuses a mechanism in `between`, and names what stands on its ports.
+fn refuse_without_surface(text: &Text, mechanism: usize, parts: &[Part], found: &mut Diagnostics) {
+    let is_on = |part: &&Part| match &part.kind {
+        Kind::Rigid(Rigid { on: Some((carrier, _)), .. }) => *carrier == mechanism,
+        _ => false,
     };
-    law.map(Law::Located)
-        .map_err(|why| {
-            let (message, help) = match why {
-                LawFault::NewtonWithFriction => (
-                    "Newton's restitution with friction can create energy",
-                    "take impact = \"stronge\", or friction = 0",
-                ),
-                LawFault::Restitution => ("restitution is from 0 to 1", "correct the number"),
-                LawFault::Friction => ("friction is 0 or more", "correct the number"),
-            };
-            found.push(Diagnostic::error(message).label(impact.span, "this law").help(help));
-        })
-        .ok()
+    let surfaces: Vec<&str> = parts.iter().filter(is_on).map(|part| part.name.as_str()).collect();
+    let help = match surfaces.as_slice() {
+        [] => {
+            format!("give it one by a rigid part with on = \"{}.PORT\", and name that part here", text.text)
+        }
+        surfaces => format!("name what is on it: {}", surfaces.join(", ")),
+    };
+    let error = Diagnostic::error(format!("`{}` is a mechanism, which has no surface", text.text));
+    found.push(error.label(text.span, "nothing can touch it").help(help));
 }

@@ -1,7 +1,7 @@
 //! Scene text of format 2 -> [`Assembly`]: settings, parts, joins, run; reports all errors with their places.
 //!
 //! `value` reads numbers with units, `settings` applies `--set`; `mechanism`, `flexible` and `rigid` read one kind of
-//! part each, `join` attachments, `contact` contacts, `view` the options of pictures; `names` checks that rows can tell
+//! part each, `join` attachments, `contact` contacts and `law` their laws, `view` the options of pictures; `names` checks that rows can tell
 //! parts and pairs apart, `overlap` the initial positions of rigid parts.
 
 mod command;
@@ -9,6 +9,7 @@ mod contact;
 mod controller;
 mod flexible;
 mod join;
+mod law;
 mod mechanism;
 mod names;
 mod overlap;
@@ -125,16 +126,19 @@ fn read(
             _ => attachments.extend(join::attach(&value, number, &mut parts, found)),
         }
     }
-    let (mut contacts, mut pairs) = (Vec::new(), Vec::new());
+    let (mut contacts, mut pairs, mut laws) = (Vec::new(), Vec::new(), Vec::new());
     for item in scene.array("contacts", found).map_or(&[][..], |(items, _)| items) {
         match item {
             Value::Table(table) => {
                 contacts.extend(contact::contact(table, &parts, &contacts, found));
-                pairs.resize(contacts.len(), table.get("between").map_or(table.span, Value::span));
+                let place = |key: &str| table.get(key).map_or(table.span, Value::span);
+                pairs.resize(contacts.len(), place("between"));
+                laws.resize(contacts.len(), place(if table.get("force").is_some() { "force" } else { "impact" }));
             }
             other => found.push(wrong_kind("contacts", "tables, each under [[contacts]]", other)),
         }
     }
+    law::refuse_mixed(&contacts, &laws, found);
     let observed = scene.table("sensors", found).map_or(&[][..], |table| &table.entries);
     let sensors = observed.iter().filter_map(|(key, value)| sensor::read(key, value, found)).collect();
     let controlled = scene.table("controllers", found).map_or(&[][..], |table| &table.entries);

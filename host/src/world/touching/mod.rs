@@ -8,7 +8,7 @@ mod among;
 mod room;
 mod rounded;
 
-use super::assembly::{Assembly, Kind, Law};
+use super::assembly::{Assembly, Kind, Law, mixed};
 use super::books::{Books, Watch};
 use super::engine::Event;
 use super::pushed::Pushed;
@@ -147,7 +147,7 @@ pub(super) enum Touchable {
 }
 
 impl Touching {
-    /// For the assembly's contacts; `of` gives the role of each part, `size` the numbers of ports, nodes, answers and
+    /// For the assembly's contacts, whose text has been checked; `of` gives the role of each part, `size` the numbers of ports, nodes, answers and
     /// state values.
     pub(super) fn new(
         assembly: &Assembly,
@@ -175,14 +175,10 @@ impl Touching {
         }
         let (mut pairs, mut kinds) = (Vec::new(), Vec::new());
         for contact in &assembly.contacts {
-            let [one, other] = contact.between.map(|part| &assembly.parts[part].name);
             let things_of = contact.between.map(|part| numbers[part]);
             if let Some(k) = (0..2).find(|k| things_of[*k] == usize::MAX) {
                 let name = &assembly.parts[contact.between[k]].name;
-                return Err(format!(
-                    "the contact of `{one}` and `{other}`: `{name}` is a mechanism, which has no surface; give it one by a rigid \
-                     part with on = \"{name}.PORT\""
-                ));
+                return Err(format!("`{name}` is a mechanism, which has no surface"));
             }
             pairs.push(match contact.law {
                 Law::Moreau { restitution, friction } => Pair::striking(things_of, restitution, friction),
@@ -197,12 +193,8 @@ impl Touching {
                 }
             });
         }
-        if !kinds.is_empty() && kinds.len() < pairs.len() {
-            return Err(
-                "some contacts have impact = \"moreau\", others a law of impact: a world either locates all \
-                        touches or none; take moreau for all or for none"
-                    .to_owned(),
-            );
+        if mixed(&assembly.contacts).is_some() {
+            return Err("some contacts have impact = \"moreau\", others another law".to_owned());
         }
         let parts = assembly.contacts.iter().map(|contact| contact.between).collect();
         let moves =
