@@ -131,6 +131,14 @@ pub struct Mechanism {
     pub place: [f64; 3],
 }
 
+impl Mechanism {
+    /// Do functions of the time give all its motion, so that no force changes it?
+    #[must_use]
+    pub fn is_given(&self) -> bool {
+        !self.model.speeds.iter().any(|speed| speed.independent)
+    }
+}
+
 /// A flexible body.
 #[derive(Clone, Debug)]
 pub struct Flexible {

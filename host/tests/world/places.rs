@@ -175,3 +175,23 @@ fn pairs_that_no_world_has_are_refused_when_they_are_read() {
     unread(&mixed, "some contacts have impact = \"moreau\", others another law", "17:10");
     assert!(parse(&mixed.replace("plastic", "moreau")).is_ok());
 }
+
+/// Where functions of the time give all motion, an input would only change the work of the drive.
+#[test]
+fn inputs_that_move_nothing_are_refused_by_name() {
+    let commanded = |coordinates: &[&str], lines: &str| {
+        let commands: Vec<String> = coordinates.iter().map(|q| format!("{q} = \"0.1_rad*t/1_s\"")).collect();
+        format!("{ARM}command = {{ {} }}\n{lines}", commands.join(", "))
+    };
+    let law = "law = { T = \"1_N*1_m\" }\n";
+    let words = "`T` of `arm` moves nothing: functions of the time give all its motion";
+    unread(&commanded(&["q1", "q2"], law), words, "5:9");
+    let held = format!("[controllers.c]\n{HELD}");
+    unread(&commanded(&["q1", "q2"], &held), words, "7:10");
+    for input in [law, &held] {
+        for free in [&["q1"][..], &[]] {
+            let text = if free.is_empty() { format!("{ARM}{input}") } else { commanded(free, input) };
+            assert!(parse(&text).is_ok(), "{text}");
+        }
+    }
+}

@@ -2,8 +2,9 @@
 //!
 //! Targets in quotes have the dimension of `unit`; plain ones, gains and outputs are in SI units.
 
+use super::mechanism::idle;
 use super::value::{Bound, list, named_unit, needed, number, refuse_unit_unnamed, scalar};
-use crate::world::assembly::Controlling;
+use crate::world::assembly::{Controlling, Kind, Part};
 use smartbed_codegen::diagnostic::{Diagnostic, Diagnostics};
 use smartbed_codegen::model::Fields;
 use smartbed_codegen::model::document::{Key, Value, wrong_kind};
@@ -12,7 +13,7 @@ use smartbed_codegen::model::document::{Key, Value, wrong_kind};
 const TARGETS: &str = "[[\"0_s\", \"4_kPa\"], [\"1_s\", \"6_kPa\"]]";
 
 /// Reads one.
-pub(super) fn read(key: &Key, value: &Value, found: &mut Diagnostics) -> Option<Controlling> {
+pub(super) fn read(key: &Key, value: &Value, parts: &[Part], found: &mut Diagnostics) -> Option<Controlling> {
     let Value::Table(table) = value else {
         found.push(wrong_kind(&key.name, "a table of its own: [controllers.NAME]", value));
         return None;
@@ -42,8 +43,23 @@ pub(super) fn read(key: &Key, value: &Value, found: &mut Diagnostics) -> Option<
         );
         return None;
     }
+    if let Some((part, input)) = idle_input(&drives, parts) {
+        let place = table.get("drives").map_or(key.span, Value::span);
+        found.push(idle((part, input), place, "drive another input"));
+        return None;
+    }
     let (name, unit) = (key.name.clone(), dimension);
     Some(Controlling { name, reads, unit, drives, period, target, gain, integral, bias, limits })
+}
+
+/// The part and the input that `drives` names, if that is a mechanism which no force moves.
+fn idle_input<'d>(drives: &'d str, parts: &'d [Part]) -> Option<(&'d str, &'d str)> {
+    parts.iter().find_map(|part| {
+        let Kind::Mechanism(mechanism) = &part.kind else { return None };
+        let input = drives.strip_prefix(&part.name)?.strip_prefix('.')?;
+        let is_input = mechanism.model.inputs.iter().any(|own| own.name == input);
+        (is_input && mechanism.is_given()).then_some((part.name.as_str(), input))
+    })
 }
 
 /// A required name in quotes.

@@ -53,7 +53,26 @@ pub(super) fn read(
     let place = place.unwrap_or_default();
     let place = [0, 1, 2].map(|i| place[i] + offset[i]);
     let model = if changed.is_empty() { base } else { extended(fields, &path, &changed, found)? };
-    Some(Mechanism { model, place })
+    let mechanism = Mechanism { model, place };
+    refuse_idle_laws(fields, &mechanism, found);
+    Some(mechanism)
+}
+
+/// Refuses laws of inputs that move nothing.
+fn refuse_idle_laws(fields: &Fields<'_>, mechanism: &Mechanism, found: &mut Diagnostics) {
+    let laws = fields.table("law", found).filter(|_| mechanism.is_given());
+    for (key, _) in laws.iter().flat_map(|table| &table.entries) {
+        found.push(idle((fields.name, &key.name), key.span, "leave the law out"));
+    }
+}
+
+/// The error for an input of a part that no force moves: only the work of the drive would be another one.
+pub(super) fn idle((part, input): (&str, &str), place: Span, cure: &str) -> Diagnostic {
+    let error = Diagnostic::error(format!(
+        "`{input}` of `{part}` moves nothing: functions of the time give all its motion"
+    ));
+    let error = error.label(place, "no effect on the motion");
+    error.help(format!("{cure}, or take a coordinate out of `command`, which is then free to move"))
 }
 
 /// Text of the sections that override those of the model.

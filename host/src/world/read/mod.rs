@@ -143,7 +143,7 @@ fn read(
     let sensors = observed.iter().filter_map(|(key, value)| sensor::read(key, value, found)).collect();
     let controlled = scene.table("controllers", found).map_or(&[][..], |table| &table.entries);
     let controllers =
-        controlled.iter().filter_map(|(key, value)| controller::read(key, value, found)).collect();
+        controlled.iter().filter_map(|(key, value)| controller::read(key, value, &parts, found)).collect();
     let run = run(&scene, found);
     let view = scene.table("view", found).map(|table| view::read(table, &parts, found)).unwrap_or_default();
     scene.finish(found);
