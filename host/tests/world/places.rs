@@ -195,3 +195,15 @@ fn inputs_that_move_nothing_are_refused_by_name() {
         }
     }
 }
+
+#[test]
+fn numbers_that_are_none_are_named_as_such() {
+    let ball = |mass: &str| format!("{GROUND}{}", BALL.replace("mass = 1", &format!("mass = {mass}")));
+    let cube = |mass: &str| format!("{GROUND}{CUBE}mass = {mass}\n");
+    for mass in ["nan", "inf", "-inf"] {
+        unread(&ball(mass), "`mass` must be a finite number", "7:8");
+        unread(&cube(mass), "`mass` must be a finite number", "7:8");
+        unread(&cube(&format!("[1, {mass}]")), "`mass` must be a finite number", "7:12");
+    }
+    unread(&ball("true"), "`mass` must be a number in kg", "7:8");
+}

@@ -123,6 +123,10 @@ fn json(value: &Value, key: &str, found: &mut Diagnostics) -> Option<Json> {
     Some(match (value, unit) {
         (Value::Text(_), Some((_, unit))) => Json::from(scalar(value, key, unit, Bound::Any, found)?),
         (Value::Text(text), None) => Json::from(text.text.clone()),
+        // Refused by name: JSON has no such number.
+        (Value::Number(number, _), _) if !number.is_finite() => {
+            Json::from(scalar(value, key, "", Bound::Any, found)?)
+        }
         (Value::Number(number, _), _) if number.fract() == 0.0 && number.abs() < 1e15 => {
             Json::from(*number as i64)
         }

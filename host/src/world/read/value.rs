@@ -106,6 +106,12 @@ pub(crate) fn scalar(
     let number = match value {
         Value::Number(number, _) if number.is_finite() => *number,
         Value::Text(text) => quantity(text, unit(of), &format!("`{key}`"), found)?,
+        Value::Number(number, span) => {
+            let error = Diagnostic::error(format!("`{key}` must be a finite number"));
+            let error = error.label(*span, format!("this is {number}, not a finite number"));
+            found.push(error.help(format!("{key} takes {}", bound.words())));
+            return None;
+        }
         other => {
             let expected = format!("a number in {}, or a text such as \"2 {of}\"", unit_name(of));
             found.push(wrong_kind(key, &expected, other).help(format!("{key} takes {}", bound.words())));
