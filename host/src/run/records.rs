@@ -95,6 +95,8 @@ impl<'a> Records<'a> {
     /// Opens the files.
     fn begin(&mut self, engine: &mut dyn Engine) -> Result<(), Failure> {
         self.kept.health.differences_of(engine.largest_term());
+        let parts_touch = !self.assembly.contacts.is_empty();
+        self.kept.health.rounded_by(self.assembly.run.steps(), parts_touch);
         let csv_file = self.arguments.csv.as_deref();
         let open = |file: &str| Rows::open(file, csv_file, engine);
         self.accounts = self.arguments.accounts.as_deref().map(open).transpose()?;

@@ -41,6 +41,37 @@ fn energy_that_no_account_explains_is_told_of() {
     }
 }
 
+/// Gaps that are rounding are closed without an account; what is left of the weights' work is no error.
+#[test]
+fn boxes_at_rest_have_nothing_to_tell() {
+    let stacked = |gap: f64| {
+        let part = |name: &str, height: f64| {
+            format!(
+                "[parts.{name}]\nrigid = \"box\"\nsize = [0.3, 0.3, 0.1]\nmass = 7.5\nstart = {{ height = {height:?} }}\n"
+            )
+        };
+        let pair = |one: &str, other: &str| {
+            format!(
+                "[[contacts]]\nbetween = [\"{one}\", \"{other}\"]\nimpact = \"stronge\"\nfriction = 0.5\n"
+            )
+        };
+        let [low, high] = [part("low", 0.0), part("high", 0.1 + gap)];
+        let text = format!(
+            "format = 2\n[parts.ground]\nrigid = \"half_space\"\n{low}{high}{}{}[run]\nseconds = 1\nstep = \"1_ms\"\n",
+            pair("low", "ground"),
+            pair("high", "low")
+        );
+        written(&format!("stacked_{gap:e}.toml"), &text)
+    };
+    for gap in [0.0, 1e-12, -1e-12, 5e-12] {
+        let line = ["run", &stacked(gap), "--strict"];
+        let done = smartbed(&line);
+        assert_eq!(done.status, 0, "{gap:e}: {done:?}");
+    }
+    // An overlap that the text allows is pushed out without an account: that is told.
+    assert_eq!(warnings(&["run", &stacked(-9e-10), "--seconds", "0.1"]).len(), 1);
+}
+
 #[test]
 fn a_range_that_is_left_is_told_of_once() {
     let line = ["run", "tile", "--seconds", "1"];
