@@ -116,7 +116,7 @@ impl World {
     /// From an assembly that is already read.
     ///
     /// # Errors
-    /// [`Failure::Wrong`] if it cannot be assembled.
+    /// [`Failure::Found`] or [`Failure::Wrong`] if it cannot be assembled.
     pub fn of(name: &str, assembly: Assembly) -> Result<Self, Failure> {
         if let Some(sensor) = read_by_step(&assembly) {
             return Err(Failure::Wrong(format!(

@@ -167,7 +167,9 @@ fn every_refusal_of_a_scene_has_its_cause_and_cure() {
         format!("{DRIVEN}[controllers.a]\n{HELD}period = 0.001\nunit = \"m\""),
         "[parts.arm]\nmechanism = \"pendulum\"\ncommand = { q = \"sqrt(t/1_s)\" }".to_owned(),
         "[parts.a]\nrigid = \"sphere\"\nradius = 1\nfixed = true\nmass = 1".to_owned(),
-        format!("{DRIVEN}command = {{ q1 = \"0\", q2 = \"0\" }}\nlaw = {{ T = \"1_N*1_m\" }}"),
+        format!(
+            "{DRIVEN}command = {{ q1 = \"1_rad*t/1_s\", q2 = \"1_rad*t/1_s\" }}\nlaw = {{ T = \"1_N*1_m\" }}"
+        ),
         format!("{BLADDER}, ambient = 0, vent = {{ conductance = 1e-8 }} }}\n")
             .replace("gauge = 0", "gauge = 9"),
         format!("{BALL}[sensors.s]\nof = \"ball.z\"\nperiod = \"1.5_ms\""),

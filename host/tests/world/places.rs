@@ -127,7 +127,7 @@ fn parts_are_refused_where_they_stand() {
         &format!("{GROUND}{sunk}{}", pair("cube", "ground", "moreau")),
         &[],
         "`cube` and `ground` overlap by 1.000e-2 m at the start",
-        "placed.toml:6:9",
+        "placed.toml:6:1",
     );
     // What stands on a port is placed once the mechanism is assembled.
     let tip = "[parts.tip]\nrigid = \"sphere\"\nradius = 0.1\non = \"arm.tool\"\n";
