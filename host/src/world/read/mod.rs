@@ -133,7 +133,10 @@ fn read(
                 contacts.extend(contact::contact(table, &parts, &contacts, found));
                 let place = |key: &str| table.get(key).map_or(table.span, Value::span);
                 pairs.resize(contacts.len(), place("between"));
-                laws.resize(contacts.len(), place(if table.get("force").is_some() { "force" } else { "impact" }));
+                laws.resize(
+                    contacts.len(),
+                    place(if table.get("force").is_some() { "force" } else { "impact" }),
+                );
             }
             other => found.push(wrong_kind("contacts", "tables, each under [[contacts]]", other)),
         }
