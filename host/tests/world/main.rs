@@ -22,6 +22,7 @@ mod rigid;
 mod runs;
 mod single;
 mod sliding;
+mod stable;
 mod stacks;
 mod support;
 mod touching;

@@ -73,13 +73,29 @@ pub fn largest_stable_step<S: Scalar, R: Repertoire<S>>(
         let (stiffness, damping) = slopes(system, ground, pos, vel);
         sums.iter_mut().for_each(|sum| sum.add(Some(ground.normal), half, (stiffness, S::ZERO), damping));
     }
+    largest_step_beside(system, sums, |_| [S::ZERO; 2])
+}
+
+/// The same by the sums that [`largest_stable_step`] has left, where springs also hold something that moves.
+///
+/// `beside` gives, by point, a quarter of the largest eigenvalues of M^-1 K (1/s^2) and M^-1 C (1/s) of what its springs
+/// hold, with all points at rest; 0 where they hold nothing. A positive semidefinite matrix has no larger eigenvalue
+/// than those of its two diagonal blocks together.
+#[must_use]
+pub fn largest_step_beside<S: Scalar, R: Repertoire<S>>(
+    system: &System<S, R>,
+    sums: &[Sums<S>],
+    beside: impl Fn(usize) -> [S; 2],
+) -> Option<S> {
+    let half = S::from_f64(0.5);
     let mut smallest: Option<S> = None;
     for (i, (mass, sum)) in system.body.mass.iter().zip(sums.iter()).enumerate() {
         if system.body.inverse_mass(i) == S::ZERO {
             continue;
         }
-        let stiffness = half * largest_eigenvalue(sum.stiffness);
-        let damping = half * (largest_eigenvalue(sum.damping) + half * system.body.air_drag);
+        let [stiffer, damper] = beside(i);
+        let stiffness = half * largest_eigenvalue(sum.stiffness) + stiffer * *mass;
+        let damping = half * (largest_eigenvalue(sum.damping) + half * system.body.air_drag) + damper * *mass;
         if stiffness > S::ZERO {
             let step = ((damping * damping + stiffness * *mass).sqrt() - damping) / stiffness;
             smallest = Some(smallest.map_or(step, |s| if step < s { step } else { s }));

@@ -13,10 +13,7 @@ use crate::world::derived::Derivations;
 use crate::world::ported::Ported;
 use crate::world::touching::{Touchable, Touching};
 use smartbed_codegen::diagnostic::Diagnostic;
-use smartbed_codegen::source::Span;
-use smartbed_runtime::contact::System;
-use smartbed_runtime::contact::stable_step::{Sums, largest_stable_step};
-use smartbed_runtime::flexible::{Body, PressureForm};
+use smartbed_runtime::flexible::PressureForm;
 use smartbed_runtime::ode::Ode;
 use smartbed_runtime::surface::Frame;
 use smartbed_runtime::vec3;
@@ -62,9 +59,9 @@ impl CarriedWorld {
         let starts = world.carriers(assembly)?;
         world.flexible(assembly)?;
         world.join(assembly, &starts)?;
-        world.stable = stable_step(assembly, &world.fixed)?;
+        world.stable = world.stable_step(assembly)?;
         world.touch(assembly)?;
-        world.refuse_stiff_pairs()?;
+        world.refuse_stiff_pairs(assembly)?;
         let x = world.x.clone();
         world.with(|mut island| island.place(0.0, &x)).map_err(words)?;
         world.rims = world.nodes_over_rims();
@@ -300,35 +297,4 @@ fn ports(assembly: &Assembly, part: usize) -> Vec<String> {
         }
     }
     ports
-}
-
-/// The largest step that resolves the fastest motion of every flexible part; refuses the scene's step if that is
-/// larger.
-fn stable_step(assembly: &Assembly, fixed: &Fixed) -> Result<Option<f64>, Failure> {
-    let mut stable: Option<f64> = None;
-    for part in &assembly.parts {
-        let Kind::Flexible(body) = &part.kind else { continue };
-        let (lists, springs) = (&body.lists, body.lists.elements(0).collect::<Vec<_>>());
-        let (mass, held) = (&lists.masses, &lists.fixed);
-        let alone =
-            Body { mass, fixed: held, springs: &springs, air_drag: fixed.air_drag, ..Body::<f64>::none() };
-        let alone = Body::new(alone)
-            .map_err(|e| format!("`{}`: {}", part.name, crate::scene::describe::describe(&e)))?;
-        let (system, mut sums) = (System::new(alone, None), vec![Sums::none(); mass.len()]);
-        let stable_here = largest_stable_step(&system, &lists.points, &lists.velocities, &mut sums);
-        let Some(largest) = stable_here else { continue };
-        if assembly.run.step > largest {
-            let error = Diagnostic::error(format!(
-                "run.step = {} s is larger than the largest stable step of `{}`, {largest:.3e} s",
-                assembly.run.step, part.name
-            ));
-            // A scene that says no step takes that of every scene, which stands nowhere.
-            let step = assembly.places.key(&["run", "step"]);
-            let error = if step == Span::default() { error } else { error.label(step, "this step") };
-            let error = error.label(assembly.places.part(&part.name, "K"), "too stiff for it");
-            return Err(assembly.places.failure(error.help("take a smaller `step` under [run]")));
-        }
-        stable = Some(stable.map_or(largest, |least| least.min(largest)));
-    }
-    Ok(stable)
 }

@@ -17,8 +17,8 @@ impl CarriedWorld {
         self.contacts
     }
 
-    /// Stability limit of the step (s): the largest that resolves the fastest motion of the flexible parts, if there is
-    /// one.
+    /// Stability limit of the step (s): the largest that resolves the fastest motion of the flexible parts and of
+    /// what holds their nodes, if there is one.
     #[must_use]
     pub fn largest_stable_step(&self) -> Option<f64> {
         self.stable

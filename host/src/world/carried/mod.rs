@@ -22,6 +22,7 @@ mod rest;
 pub mod rounded;
 mod rows;
 mod selection;
+mod stable;
 mod stepping;
 mod stiff;
 mod subset;
@@ -111,7 +112,8 @@ pub struct CarriedWorld<S: Scalar = f64> {
     forced: usize,
     /// Kept if they are asked for.
     books: Option<Books>,
-    /// Stability limit of the step (s): the largest that resolves the fastest motion of the flexible parts.
+    /// Stability limit of the step (s): the largest that resolves the fastest motion of the flexible parts and
+    /// of what holds their nodes.
     stable: Option<f64>,
 }
 

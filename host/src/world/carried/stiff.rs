@@ -6,7 +6,10 @@
 //! ```
 //! plus that of the springs of a flexible side. A Hunt-Crossley force has no such bound before its depth is known.
 
+use super::stable::refuse_larger;
 use super::{CarriedWorld, words};
+use crate::failure::Failure;
+use crate::world::assembly::Assembly;
 use smartbed_runtime::contact::ForceLaw;
 use smartbed_runtime::surface::Shape;
 use smartbed_runtime::vec3;
@@ -14,10 +17,10 @@ use smartbed_runtime::world::{Carrier, Group, InverseInertia, Thing};
 
 impl CarriedWorld {
     /// Refuses a step that is too long for the contact of a pair.
-    pub(super) fn refuse_stiff_pairs(&mut self) -> Result<(), String> {
+    pub(super) fn refuse_stiff_pairs(&mut self, assembly: &Assembly) -> Result<(), Failure> {
         let Some(touching) = self.touching.take() else { return Ok(()) };
-        let mut least: Option<(f64, [usize; 2])> = None;
-        for (pair, parts) in touching.pairs.iter().zip(&touching.parts) {
+        let mut least: Option<(f64, usize)> = None;
+        for (number, pair) in touching.pairs.iter().enumerate() {
             let Some(ForceLaw::Penalty { stiffness }) = pair.force else { continue };
             let things = pair.things.map(|thing| touching.things[thing]);
             let mut square = 0.0;
@@ -29,19 +32,14 @@ impl CarriedWorld {
             }
             let step = 2.0 / square.sqrt();
             if least.is_none_or(|(least, _)| step < least) {
-                least = Some((step, *parts));
+                least = Some((step, number));
             }
         }
         self.touching = Some(touching);
-        let Some((largest, parts)) = least else { return Ok(()) };
-        if self.h > largest {
-            let [one, other] = parts.map(|part| &self.names[part]);
-            return Err(format!(
-                "run.step = {} s is larger than the largest stable step of the contact of `{one}` and `{other}`, {largest:.3e} s; take \
-                 a smaller one, or a smaller stiffness",
-                self.h
-            ));
-        }
+        let Some((largest, number)) = least else { return Ok(()) };
+        let [one, other] = assembly.contacts[number].between.map(|part| &self.names[part]);
+        let who = format!("the contact of `{one}` and `{other}`");
+        refuse_larger(assembly, (largest, &who), assembly.places.contact(number))?;
         self.stable = Some(self.stable.map_or(largest, |stable| stable.min(largest)));
         Ok(())
     }
