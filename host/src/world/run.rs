@@ -43,8 +43,8 @@ pub fn single_engine(assembly: &Assembly) -> Result<Box<dyn Engine>, Failure> {
     // Rigid parts alone without contacts take the step of any other world: theirs is written for f64.
     if assembly.contacts.iter().any(|contact| !matches!(contact.law, Law::Moreau { .. })) {
         return Err(
-            "--scalar f32: touches are located, and forces of contact laws follow the depth, in f64 only; leave it out, or \
-             take impact = \"moreau\" for all contacts"
+            "--scalar f32: touches are located in f64 only, where force laws act, too; leave it out, or take \
+             impact = \"moreau\" for all contacts"
                 .to_owned()
                 .into(),
         );
