@@ -8,8 +8,8 @@ use super::chip::Chip;
 use super::files::machine;
 use super::plan::Plan;
 use super::point::{Control, Extras, Report, Section, Table};
-use super::subject::{Kind, Method, Subject};
-use super::{clock, front, laws, measure, open, order, peers, reference, sheet_table};
+use super::subject::{Exchanged, Kind, Method, Subject};
+use super::{clock, exchange, front, laws, measure, open, order, peers, reference, sheet_table};
 use crate::engine::EngineKind;
 use crate::failure::Failure;
 use crate::progress::Progress;
@@ -173,7 +173,11 @@ fn compare(report: &mut Report, others: Vec<Extras>) {
 /// Refuses a method that the subject does not have, or a step for a method that takes a tolerance.
 fn check_method(subject: &dyn Subject, plan: &Plan) -> Result<(), Failure> {
     let Some(name) = &plan.method else { return Ok(()) };
-    match (check_name(subject, name)?.adaptive, plan.control) {
+    let method = check_name(subject, name).or_else(|unknown| match subject.exchanged() {
+        Some(Exchanged { subject: Ok(other), .. }) => check_name(other.as_ref(), name).map_err(|_| unknown),
+        _ => Err(unknown),
+    })?;
+    match (method.adaptive, plan.control) {
         (true, Some(Control::Step(_))) => {
             Err(Failure::Wrong(format!("--step: {name} chooses its own steps; expected --tolerance")))
         }
@@ -206,6 +210,7 @@ pub fn section(subject: &dyn Subject, plan: &Plan, seconds: Option<f64>) -> Resu
     let simulated = seconds.unwrap_or(plan.seconds(subject));
     let truth = reference::make(subject, simulated, seconds.is_none(), plan.reference).map_err(wrong)?;
     let mut measured = measure::measure(subject, &truth, plan);
+    exchange::measure(subject, &truth, plan, &mut measured);
     if measured.points.is_empty() {
         let why = measured.notes.join("; ");
         return Err(wrong(format!("nothing could be measured: {why}")));

@@ -1,7 +1,8 @@
 //! `smartbed report`: speed against error, for every scene and mechanism, method, step and scalar.
 //!
 //! Subjects ([`subject`]: [`body`], [`mechanism`], [`world`]) get a [`mod@reference`], are run over a ladder of steps
-//! ([`plan`], [`measure`]) and become points ([`point`]), of which the [`front`] is marked; [`order`]s are observed,
+//! ([`plan`], [`measure`]), worlds with contacts also with laws of the other kind (`exchange`), and become points
+//! ([`point`]), of which the [`front`] is marked; [`order`]s are observed,
 //! costs are measured on the [`chip`] and listed in a [`sheet`], other simulators are compared ([`peers`]): `gather` is
 //! all of that in order. The renderings use only points: [`markdown`], [`csv`], [`json`], [`work_precision`] plots, one
 //! [`page`]; `files` names and writes them.
@@ -12,6 +13,7 @@ pub mod chip;
 pub mod clock;
 pub mod closed_form;
 pub mod csv;
+mod exchange;
 mod files;
 pub mod front;
 mod gather;

@@ -147,6 +147,14 @@ pub enum Kind {
     World,
 }
 
+/// A subject with contacts of the other kind.
+pub struct Exchanged {
+    /// What is exchanged, in words.
+    pub words: &'static str,
+    /// The subject, or why there is none.
+    pub subject: Result<Box<dyn Subject>, String>,
+}
+
 /// A scene, a mechanism or a world that can be run with any method.
 pub trait Subject {
     /// Its name.
@@ -203,6 +211,10 @@ pub trait Subject {
     /// # Errors
     /// Why it could not be run, in words.
     fn sheet(&self) -> Result<Option<Sheet>, String>;
+    /// The same with contacts of the other kind, which has methods of its own, if there are any to exchange.
+    fn exchanged(&self) -> Option<Exchanged> {
+        None
+    }
     /// A plot of motion and energies at its own settings, as SVG, as far as they come within a limit of computing time.
     ///
     /// # Errors

@@ -6,9 +6,10 @@
 //! last halving. Controllers act at fixed times, whatever the step, which is a whole fraction of the scene's own.
 
 use super::clock::{self, Deadline, Stop};
+use super::exchange;
 use super::point::Control;
 use super::sheet::Sheet;
-use super::subject::{AGREEMENT, Kind, Method, Subject, Time, Trace, even_step, parts};
+use super::subject::{AGREEMENT, Exchanged, Kind, Method, Subject, Time, Trace, even_step, parts};
 use crate::engine::ScalarKind;
 use crate::failure::Failure;
 use crate::model_argument;
@@ -410,6 +411,12 @@ impl Subject for World {
     fn sheet(&self) -> Result<Option<Sheet>, String> {
         // A world has only the parts that its scene names: there is no variant with everything.
         Ok(None)
+    }
+
+    fn exchanged(&self) -> Option<Exchanged> {
+        let (words, other) = exchange::laws(&self.assembly)?;
+        let subject = Self::of(&self.name, other).map(|own| Box::new(own) as Box<dyn Subject>);
+        Some(Exchanged { words, subject: subject.map_err(|why| why.to_string()) })
     }
 
     fn graph(&self, limit: Duration) -> Result<String, String> {

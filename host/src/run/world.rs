@@ -12,7 +12,8 @@ use crate::number::{json_number, json_object, json_string, six_digits};
 use crate::output;
 use crate::progress::{Progress, Waiting};
 use crate::world::Assembly;
-use crate::world::engine::Event;
+use crate::world::assembly::Law;
+use crate::world::engine::{Column, Event};
 use crate::world::read::settings::refuse_twice;
 use crate::world::run::{Checkpoint, Ran, engine, run, single_engine};
 use crate::{input, model_argument};
@@ -22,6 +23,8 @@ use std::path::Path;
 
 /// Most events named in the summary; more are counted.
 const TOLD: usize = 12;
+/// Above so many contacts that press at once, a law that splits no step is usually faster.
+const MANY: f64 = 64.0;
 
 /// Reads the world, with the command line's settings.
 ///
@@ -85,6 +88,8 @@ fn record(arguments: &Arguments, assembly: &Assembly) -> Result<Done, Failure> {
     let mut records = Records::open(arguments, assembly, engine.columns())?;
     let mut progress = Progress::new("running");
     let method = engine.method();
+    let points = pressing_points(assembly, &engine.columns());
+    let mut most = 0.0_f64;
     // The first row comes when all is at rest.
     let mut settling = (assembly.run.settled && from.is_none()).then(Waiting::settling);
     let done = run::<Failure>(
@@ -93,6 +98,7 @@ fn record(arguments: &Arguments, assembly: &Assembly) -> Result<Done, Failure> {
         from.as_ref(),
         |row, engine| {
             drop(settling.take());
+            most = most.max(points.iter().map(|column| row.state[*column]).sum());
             records.push(row, engine)
         },
         |t| {
@@ -105,6 +111,12 @@ fn record(arguments: &Arguments, assembly: &Assembly) -> Result<Done, Failure> {
         Err(failure) => return Err(records.ended_early(failure, arguments.csv.as_deref())),
     };
     of_start.iter().for_each(|note| output::say(note));
+    if most > MANY {
+        output::say(&format!(
+            "note: up to {most} contacts press at once, and their laws locate each touch in time; above {MANY} impact = \"moreau\", which \
+             splits no steps, is usually faster: `smartbed report` measures both"
+        ));
+    }
     if let Some(file) = &arguments.save {
         let checkpoint = Checkpoint {
             steps: assembly.run.steps(),
@@ -135,6 +147,12 @@ fn record(arguments: &Arguments, assembly: &Assembly) -> Result<Done, Failure> {
     let (mut kept, film) = records.finish(arguments, &note, &events)?;
     engine.pivots().into_iter().for_each(|(part, pivot)| kept.health.pivot(Some(part), pivot));
     Ok(Done { method, events, film, warnings, kept })
+}
+
+/// The columns that count what presses, where laws locate touches.
+fn pressing_points(assembly: &Assembly, columns: &[Column]) -> Vec<usize> {
+    let is_located = assembly.contacts.iter().any(|contact| matches!(contact.law, Law::Located(_)));
+    (0..columns.len()).filter(|n| is_located && columns[*n].unit == "points").collect()
 }
 
 /// Warnings of what is not as it was when a checkpoint was saved.

@@ -151,3 +151,37 @@ fn worlds_are_reported_beside_mechanisms() {
     assert!(has("rigid_ball_rests", "rigid") + has("rigid_ball_rests", "moreau") >= 1, "{text}");
     assert!(points.iter().all(|p| p["scalar"] == "f64" || p["subject"] == "pendulum3"), "worlds are f64");
 }
+
+/// A world with contacts is measured with laws of both kinds, whose methods have different names, over the same time.
+#[test]
+fn laws_of_the_other_kind_are_measured_beside_the_own() {
+    let text = "format = 2\n[parts.ground]\nrigid = \"half_space\"\n[parts.ball]\nrigid = \"sphere\"\nradius = 0.1\nmass = 1\n\
+                start = { height = 0.1, velocity = [1, 0, 0] }\n[[contacts]]\nbetween = [\"ball\", \"ground\"]\nimpact = \"LAW\"\n\
+                restitution = 0.5\nfriction = 0.3\n[run]\nseconds = 0.3\n";
+    let places = [("stronge", "rigid", "moreau"), ("moreau", "moreau", "rigid")];
+    for (law, own, other) in places {
+        let file = scene(law, &text.replace("LAW", law));
+        let folder = format!("{file}.report");
+        let report = |more: &[&str]| -> serde_json::Value {
+            run(&[&["report", &file, "--quick", "--seconds", "0.3", "--out", &folder], more].concat());
+            let text = std::fs::read_to_string(Path::new(&folder).join("report.json")).expect("a report");
+            serde_json::from_str(&text).expect("JSON")
+        };
+        let points = |report: &serde_json::Value, method: &str| {
+            let all = report["points"].as_array().expect("points").iter();
+            all.filter(|point| point["method"] == method).count()
+        };
+        let both = report(&[]);
+        assert!(points(&both, own) >= 1 && points(&both, other) >= 1, "{law}: {both:#}");
+        let notes = both["subjects"][0]["notes"].to_string();
+        assert!(
+            notes.contains("in place of") && notes.contains("the two references differ by up to"),
+            "{notes}"
+        );
+        // The command of one of its points measures only that.
+        let again = report(&["--method", other, "--step", "1e-3"]);
+        assert!(points(&again, own) == 0 && points(&again, other) == 1, "{law}: {again:#}");
+    }
+    let said = fails(&["report", "rigid_ball_rests", "--method", "rk5"]);
+    assert!(said.contains("`rigid_ball_rests` has no such method"), "{said}");
+}

@@ -1,6 +1,6 @@
 //! What a run of a world writes: rows, plots, pages, checkpoints, sensors.
 
-use super::support::{ELSEWHERE, fails, json, number, rows, run, scene, times};
+use super::support::{ELSEWHERE, fails, json, number, rows, run, scene, smartbed, times};
 use std::path::Path;
 
 #[test]
@@ -434,4 +434,27 @@ fn a_ball_that_may_have_passed_through_a_plate_is_told_of() {
             "{law}: {seen}"
         );
     }
+}
+
+/// Boxes that rest on four corners each: above 64 contacts a run of located laws names the law that splits no steps.
+#[test]
+fn many_contacts_of_located_laws_are_told() {
+    let boxes = |count: usize, law: &str| {
+        let text = format!(
+            "format = 2\n[parts.ground]\nrigid = \"half_space\"\n[parts.box]\nrigid = \"box\"\nsize = [0.1, 0.1, 0.1]\nmass = 1\n\
+             start = {{ height = 0 }}\ngrid = {{ count = [{count}, 1], pitch = [0.5, 0.5] }}\n[[contacts]]\nbetween = [\"box\", \"ground\"]\n\
+             impact = \"{law}\"\n[run]\nseconds = 0.003\n"
+        );
+        let output = smartbed(&["run", &scene(&format!("boxes_{count}_{law}"), &text)]);
+        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+        String::from_utf8_lossy(&output.stderr).into_owned()
+    };
+    let said = boxes(17, "plastic");
+    assert!(
+        said.contains("note: up to 68 contacts press at once") && said.contains("impact = \"moreau\""),
+        "{said}"
+    );
+    assert!(
+        !boxes(16, "plastic").contains("press at once") && !boxes(17, "moreau").contains("press at once")
+    );
 }
