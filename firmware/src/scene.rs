@@ -19,6 +19,7 @@ use smartbed_runtime::scene::{State, step};
 #[allow(clippy::all, unused_imports, reason = "generated: which variants a scene names depends on it")]
 mod table {
     use smartbed_runtime::contact::ContactLaw::*;
+    use smartbed_runtime::contact::ForceLaw::*;
     use smartbed_runtime::contact::{Ground, Repertoire};
     use smartbed_runtime::flexible::Gas::*;
     use smartbed_runtime::flexible::PressureForm::*;

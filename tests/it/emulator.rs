@@ -239,6 +239,17 @@ fn an_image_of_one_spring_keeps_to_its_flash_and_its_bits() {
     assert_eq!(Some(&chip.digest), chip.host_digest.as_ref());
 }
 
+/// It touches after 452 steps; the tables name a law of the ground as the runtime does.
+#[test]
+fn a_spring_meets_a_soft_ground_on_the_chip_bit_for_bit() {
+    let _image = one_at_a_time();
+    for law in ["penalty", "hunt_crossley"] {
+        let (model, set) = (Some("single_spring".to_owned()), vec![format!("law={law}")]);
+        let chip = outcome(&Arguments { model, steps: Some(600), set, ..Arguments::default() });
+        assert_eq!(Some(&chip.digest), chip.host_digest.as_ref(), "{law}");
+    }
+}
+
 /// Code optimised for size contains other bounds checks than code optimised for speed.
 #[test]
 fn large_scenes_optimised_for_size_keep_the_rules_and_their_bits() {

@@ -2,7 +2,7 @@
 //!
 //! In: what an engine has booked. Out: columns and their values; each part and each seam closes by itself:
 //! ```text
-//! part   total - start + damping + impact - actuator - seams = imbalance
+//! part   total - start + damping + drag + impact - actuator - seams = imbalance
 //! seam   spring - start + to one + to the other + impact + friction        = imbalance
 //! ```
 //! A seam is an attachment, `bladder@tile.platform`, or a pair of contacts, `ball-bladder`. Sums over all parts and
@@ -15,8 +15,10 @@ pub struct Part {
     pub name: String,
     /// Kinetic, of weight, of springs, of gas.
     pub stored: [f64; 4],
-    /// Dissipated by its dampers and by air drag.
+    /// Dissipated by its dampers.
     pub damping: f64,
+    /// Dissipated by the drag of the air.
+    pub drag: f64,
     /// Lost inside it in impacts; negative where energy compensation gives energy back along its springs.
     pub impact: f64,
     /// Work of its drives and actuators, and of flow of gas.
@@ -68,7 +70,7 @@ impl Part {
     /// What no account explains since the start, when the stored energy was `start`.
     #[must_use]
     pub fn imbalance(&self, start: f64) -> f64 {
-        self.total() - start + self.damping + self.impact - self.actuator - self.seams
+        self.total() - start + self.damping + self.drag + self.impact - self.actuator - self.seams
     }
 }
 
@@ -113,6 +115,7 @@ impl Accounts {
                 ("spring", spring),
                 ("pressure", pressure),
                 ("damping", part.damping),
+                ("drag", part.drag),
                 ("impact", part.impact),
                 ("actuator", part.actuator),
                 ("seams", part.seams),

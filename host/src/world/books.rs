@@ -29,15 +29,18 @@ pub(super) struct Books {
     pub(super) pairs: Vec<Passed>,
     /// By port: work on it.
     pub(super) ports: Vec<f64>,
-    /// By node: mass if it is free; taken by dampers and air; given by an impact's impulses along springs.
+    /// By node: mass if it is free; taken by dampers, by air; given by an impact's impulses along springs.
     mass: Vec<f64>,
     pub(super) damped: Vec<f64>,
+    pub(super) dragged: Vec<f64>,
     pub(super) restored: Vec<f64>,
     /// By carrier: work of its drives, taken by its dampers.
     pub(super) driven: Vec<f64>,
     pub(super) carrier_damped: Vec<f64>,
     /// By gas: change of its potential by flow.
     pub(super) flows: Vec<f64>,
+    /// Drag of the air at each node (N s/m).
+    air_drag: f64,
 }
 
 /// Indices, in the books of a whole, of the entries of books of some of its parts.
@@ -61,11 +64,11 @@ pub(super) struct Watch<'a> {
 }
 
 impl Books {
-    /// Empty books for attachments (node, port), masses of the nodes (0: held), and numbers of pairs, ports, carriers
-    /// and gases.
+    /// Empty books for attachments (node, port), masses of the nodes (0: held) and their drag in air (N s/m), and
+    /// numbers of pairs, ports, carriers and gases.
     pub(super) fn new(
         held: impl Iterator<Item = [usize; 2]>,
-        mass: Vec<f64>,
+        (mass, air_drag): (Vec<f64>, f64),
         [pairs, ports, carriers, gases]: [usize; 4],
     ) -> Books {
         Books {
@@ -73,6 +76,8 @@ impl Books {
             pairs: vec![Passed::default(); pairs],
             ports: vec![0.0; ports],
             damped: vec![0.0; mass.len()],
+            dragged: vec![0.0; mass.len()],
+            air_drag,
             restored: vec![0.0; mass.len()],
             mass,
             driven: vec![0.0; carriers],
@@ -90,6 +95,7 @@ impl Books {
         let lists = [
             &mut self.ports,
             &mut self.damped,
+            &mut self.dragged,
             &mut self.restored,
             &mut self.driven,
             &mut self.carrier_damped,
@@ -116,6 +122,7 @@ impl Books {
         let lists = [
             (&mut self.ports, &own.ports, &of.ports),
             (&mut self.damped, &own.damped, &of.nodes),
+            (&mut self.dragged, &own.dragged, &of.nodes),
             (&mut self.restored, &own.restored, &of.nodes),
             (&mut self.driven, &own.driven, &of.carriers),
             (&mut self.carrier_damped, &own.carrier_damped, &of.carriers),
@@ -149,8 +156,13 @@ impl Books {
             *work += given;
             self.ports[*port] += given;
         }
-        for (node, (damped, force)) in self.damped.iter_mut().zip(forces.viscous).enumerate() {
-            *damped -= duration * vec3::dot(*force, velocity(node)).to_f64();
+        let taken = self.damped.iter_mut().zip(&mut self.dragged).zip(forces.viscous);
+        for (node, ((damped, dragged), force)) in taken.enumerate() {
+            let velocity = velocity(node);
+            // The air's part of the viscous force is -drag v.
+            let drag = duration * self.air_drag * vec3::dot(velocity, velocity).to_f64();
+            *damped -= duration * vec3::dot(*force, velocity).to_f64() + drag;
+            *dragged += drag;
         }
     }
 

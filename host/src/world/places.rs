@@ -36,16 +36,19 @@ impl Places {
     pub(super) fn key(&self, path: &[&str]) -> Span {
         let (mut table, mut place) = (&*self.scene, Span::default());
         for name in path {
-            let Some((key, value)) = table.entries.iter().find(|(key, _)| key.name == *name) else { break };
+            // Copies of a grid stand where the part, the sensor or the controller that is repeated does.
+            let whole = name.split('[').next().unwrap_or(name);
+            let find = |name: &str| table.entries.iter().find(|(key, _)| key.name == name);
+            let Some((key, value)) = find(name).or_else(|| find(whole)) else { break };
             let Value::Table(inner) = value else { return value.span() };
             (table, place) = (inner, key.span);
         }
         place
     }
 
-    /// The place of a key of a part, or of the part's name; copies of a grid have those of the part that is repeated.
+    /// The place of a key of a part, or of the part's name.
     pub(super) fn part(&self, name: &str, key: &str) -> Span {
-        self.key(&["parts", name.split('[').next().unwrap_or(name), key])
+        self.key(&["parts", name, key])
     }
 
     /// The place of the names of a contact's parts.

@@ -256,7 +256,7 @@ impl Engine for RigidWorld {
 
     fn keep_accounts(&mut self) {
         let counts = [self.pairs.len(), self.parts.len(), 0, 0];
-        self.books = Some(Books::new(std::iter::empty(), Vec::new(), counts));
+        self.books = Some(Books::new(std::iter::empty(), (Vec::new(), 0.0), counts));
     }
 
     fn accounts(&mut self) -> Result<Accounts, String> {

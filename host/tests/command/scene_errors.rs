@@ -111,6 +111,12 @@ fn every_refusal_of_a_scene_has_its_cause_and_cure() {
         pair(""),
         pair("impact = \"newton\"\nfriction = 0.1"),
         pair("impact = \"plastic\"\nshare = 0.5"),
+        pair("impact = \"plastic\"\nforce = \"penalty\""),
+        pair("force = \"penalty\"\nstiffness = 1e4\nfriction = 0.5"),
+        format!(
+            "{CUBE}{}[[contacts]]\nbetween = [\"cube\", \"other\"]\nforce = \"penalty\"\nstiffness = 1",
+            CUBE.replace("cube]", "other]").replace("height = 1", "height = 3")
+        ),
         pair("impact = \"plastic\"\n[[contacts]]\nbetween = [\"ball\", \"ground\"]\nimpact = \"stronge\""),
         format!("{}[parts.ball-ground]\nrigid = \"half_space\"", pair("impact = \"plastic\"\n")),
         format!("{BALL}[[contacts]]\nbetween = [\"ball\", \"ball\"]\nimpact = \"plastic\""),

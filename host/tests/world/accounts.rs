@@ -211,13 +211,14 @@ fn a_box_slides_to_rest_and_friction_takes_all_of_it() {
     }
 }
 
-/// Kinds of accounts that parts, seams and the world have in common. Parts book drag as damping.
-const SHARED: [&str; 10] = [
+/// Kinds of accounts that parts, seams and the world have in common.
+const SHARED: [&str; 11] = [
     "kinetic",
     "gravity",
     "spring",
     "pressure",
     "damping",
+    "drag",
     "impact",
     "friction",
     "actuator",
@@ -253,8 +254,7 @@ fn accounts_add_up_to_the_ledger_of_the_world_and_change_no_bit() {
                 row.iter().filter(|(name, _)| *name != "t").map(|(_, x)| x.abs()).fold(1e-300, f64::max);
             for kind in SHARED {
                 let of_kind = row.iter().filter(|(name, _)| name.ends_with(&format!(".{kind}")));
-                let drag = if kind == "damping" { world["drag"] } else { 0.0 };
-                let apart = of_kind.map(|(_, x)| x).sum::<f64>() - world[kind] - drag;
+                let apart = of_kind.map(|(_, x)| x).sum::<f64>() - world[kind];
                 assert!(apart.abs() < 1e-13 * largest, "{arguments:?} t = {}: {kind} {apart:e}", row["t"]);
             }
         }

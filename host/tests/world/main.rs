@@ -17,6 +17,7 @@ mod moreau;
 mod pinned;
 mod places;
 mod reading;
+mod repeated;
 mod rest;
 mod rigid;
 mod runs;

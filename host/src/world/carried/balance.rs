@@ -20,7 +20,7 @@ impl<S: Scalar> CarriedWorld<S> {
         let mass = free.map(|(mass, held)| if *held { 0.0 } else { mass.to_f64() }).collect();
         let pairs = self.touching.as_ref().map_or(0, |touching| touching.pairs.len());
         let counts = [pairs, self.room.frames.len(), self.carriers.len(), self.airs.len()];
-        self.books = Some(Books::new(held, mass, counts));
+        self.books = Some(Books::new(held, (mass, self.fixed.air_drag.to_f64()), counts));
     }
 
     /// Books the forces of the state evaluated last, which count for a duration (s).
@@ -105,6 +105,7 @@ impl<S: Scalar> CarriedWorld<S> {
                     let of = of.map_err(words)?;
                     own.stored = [of.kinetic, of.gravity, of.spring, of.pressure].map(S::to_f64);
                     own.damping = books.damped[nodes.clone()].iter().sum();
+                    own.drag = books.dragged[nodes.clone()].iter().sum();
                     own.impact = -books.restored[nodes.clone()].iter().sum::<f64>();
                     let airs = self.airs.iter().zip(&books.flows).filter(|(air, _)| air.part == part);
                     own.actuator = airs.map(|(_, flow)| flow).sum();

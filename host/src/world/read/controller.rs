@@ -56,7 +56,11 @@ pub(super) fn read(key: &Key, value: &Value, parts: &[Part], found: &mut Diagnos
 fn idle_input<'d>(drives: &'d str, parts: &'d [Part]) -> Option<(&'d str, &'d str)> {
     parts.iter().find_map(|part| {
         let Kind::Mechanism(mechanism) = &part.kind else { return None };
-        let input = drives.strip_prefix(&part.name)?.strip_prefix('.')?;
+        // Of a grid, all copies are meant.
+        let whole = part.name.split('[').next().unwrap_or_default();
+        let input = [part.name.as_str(), whole]
+            .iter()
+            .find_map(|name| drives.strip_prefix(name)?.strip_prefix('.'))?;
         let is_input = mechanism.model.inputs.iter().any(|own| own.name == input);
         (is_input && mechanism.is_given()).then_some((part.name.as_str(), input))
     })

@@ -2,7 +2,8 @@
 //!
 //! `value` reads numbers with units, `settings` applies `--set`; `mechanism`, `flexible` and `rigid` read one kind of
 //! part each, `join` attachments, `contact` contacts and `law` their laws, `view` the options of pictures; `names` checks that rows can tell
-//! parts and pairs apart, `overlap` the initial positions of rigid parts.
+//! parts and pairs apart, `overlap` the initial positions of rigid parts; `repeated` gives each copy of a grid its
+//! sensors and controllers.
 
 mod command;
 mod contact;
@@ -13,6 +14,7 @@ mod law;
 mod mechanism;
 mod names;
 mod overlap;
+mod repeated;
 mod rigid;
 mod sensor;
 pub mod settings;
@@ -144,9 +146,11 @@ fn read(
     law::refuse_mixed(&contacts, &laws, found);
     let observed = scene.table("sensors", found).map_or(&[][..], |table| &table.entries);
     let sensors = observed.iter().filter_map(|(key, value)| sensor::read(key, value, found)).collect();
+    let sensors = repeated::sensors(sensors, &parts);
     let controlled = scene.table("controllers", found).map_or(&[][..], |table| &table.entries);
     let controllers =
         controlled.iter().filter_map(|(key, value)| controller::read(key, value, &parts, found)).collect();
+    let controllers = repeated::controllers(controllers, &sensors, &parts);
     let run = run(&scene, found);
     let view = scene.table("view", found).map(|table| view::read(table, &parts, found)).unwrap_or_default();
     scene.finish(found);
