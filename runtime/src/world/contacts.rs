@@ -235,18 +235,28 @@ pub(super) fn load_contacts<S: Scalar>(
     contacts: impl Iterator<Item = Contact<S>>,
     (nodes, wrenches): (&mut [Vec3<S>], &mut [Wrench<S>]),
 ) -> usize {
-    let (ports, mut active) = (wrenches.len(), 0);
+    let mut active = 0;
     for contact in contacts.filter(|contact| contact.impulse[0] > S::ZERO) {
         active += 1;
-        contact.deal(contact.impulse, |body, arm, impulse| {
-            let force = vec3::scale(impulse, S::ONE / h);
-            if body >= ports {
-                vec3::add_at(nodes, body - ports, force);
-            } else if let Some(wrench) = wrenches.get_mut(body) {
-                wrench.force = vec3::add(wrench.force, force);
-                wrench.moment = vec3::add(wrench.moment, vec3::cross(arm, force));
-            }
-        });
+        load(&contact, |impulse| vec3::scale(impulse, S::ONE / h), (nodes, wrenches));
     }
     active
+}
+
+/// Adds a contact's force to those on nodes and ports: what a function makes of the impulse, or force, on each.
+pub(super) fn load<S: Scalar>(
+    contact: &Contact<S>,
+    force: impl Fn(Vec3<S>) -> Vec3<S>,
+    (nodes, wrenches): (&mut [Vec3<S>], &mut [Wrench<S>]),
+) {
+    let ports = wrenches.len();
+    contact.deal(contact.impulse, |body, arm, impulse| {
+        let force = force(impulse);
+        if body >= ports {
+            vec3::add_at(nodes, body - ports, force);
+        } else if let Some(wrench) = wrenches.get_mut(body) {
+            wrench.force = vec3::add(wrench.force, force);
+            wrench.moment = vec3::add(wrench.moment, vec3::cross(arm, force));
+        }
+    });
 }

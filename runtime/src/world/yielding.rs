@@ -10,6 +10,7 @@
 //! pushed along the gradient of its depth, so that the force has a potential. Pairs of other things do not act.
 
 use super::carrier::Carrier;
+use super::contacts::load;
 use super::island::{Attachment, Island};
 use super::scenery::{Scenery, Standing};
 use super::thing::{Pair, Thing};
@@ -159,7 +160,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         }
         let Island { body, attachments, memory: own, .. } = &mut self.island;
         let attachments: &[Attachment<S>] = attachments;
-        let (ports, elastic, wrenches) = (own.frames.len(), &mut *own.elastic, &mut *own.wrenches);
+        let (elastic, wrenches) = (&mut *own.elastic, &mut *own.wrenches);
         let scenery = Scenery {
             things: self.things,
             body,
@@ -170,16 +171,8 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
             margin: S::ZERO,
             rides: false,
         };
-        Placement { scenery, vel: own.vel }.each(self.pairs, |point| {
-            point.contact.deal(point.contact.impulse, |body, arm, force| {
-                if body >= ports {
-                    vec3::add_at(elastic, body - ports, force);
-                } else if let Some(wrench) = wrenches.get_mut(body) {
-                    wrench.force = vec3::add(wrench.force, force);
-                    wrench.moment = vec3::add(wrench.moment, vec3::cross(arm, force));
-                }
-            });
-        });
+        Placement { scenery, vel: own.vel }
+            .each(self.pairs, |point| load(&point.contact, |force| force, (elastic, wrenches)));
         Ok(())
     }
 }

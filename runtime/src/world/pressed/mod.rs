@@ -14,6 +14,7 @@ mod corrections;
 mod works;
 
 use super::carrier::Carrier;
+use super::contacts::load;
 use super::detect::{Meeting, Touch};
 use super::scenery::Scenery;
 use super::thing::Pair;
@@ -293,16 +294,8 @@ impl<S: Scalar, C: Carrier<S>> Pressed<'_, '_, '_, S, C> {
     /// Adds the contact forces to those on the nodes and to the wrenches on the ports.
     fn load(&mut self) {
         let own = &mut self.world.island.memory;
-        let ports = own.frames.len();
         for contact in self.list.iter().map(|own| &own.held.contact) {
-            contact.deal(contact.impulse, |body, arm, force| {
-                if body >= ports {
-                    vec3::add_at(own.elastic, body - ports, force);
-                } else if let Some(wrench) = own.wrenches.get_mut(body) {
-                    wrench.force = vec3::add(wrench.force, force);
-                    wrench.moment = vec3::add(wrench.moment, vec3::cross(arm, force));
-                }
-            });
+            load(contact, |force| force, (own.elastic, own.wrenches));
         }
     }
 }
