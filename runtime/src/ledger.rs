@@ -5,7 +5,7 @@
 //! that the method itself adds or loses.
 //! Sign: `damping, drag, impact, friction` are energy lost so far; `actuator` is energy supplied.
 
-use crate::contact::{ContactLaw, ForceLaw, System, soft};
+use crate::contact::{System, soft};
 use crate::flexible::element::Element;
 use crate::flexible::energy::{Energies, eval_energies};
 use crate::real::Scalar;
@@ -81,9 +81,7 @@ fn eval_power<S: Scalar>(
     power.damping = system.elements().power(&x, &v);
     for i in 0..system.body.points() {
         power.drag = power.drag + system.body.air_drag * vec3::dot(v(i), v(i));
-        if let Some(ground) =
-            system.ground.filter(|g| matches!(g.law, ContactLaw::Force(ForceLaw::HuntCrossley { .. })))
-        {
+        if let Some(ground) = system.ground.filter(|ground| ground.is_damped()) {
             let (_, viscous) = soft::normal_force(&ground, x(i), v(i));
             power.ground = power.ground - viscous * ground.gap_rate(v(i));
         }

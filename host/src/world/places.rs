@@ -3,6 +3,7 @@
 //!
 //! In: the scene as it was read. Out: errors in the layout of those of reading.
 
+use super::assembly::whole;
 use crate::failure::Failure;
 use smartbed_codegen::diagnostic::{Diagnostic, Diagnostics};
 use smartbed_codegen::model::document::{Table, Value};
@@ -37,9 +38,8 @@ impl Places {
         let (mut table, mut place) = (&*self.scene, Span::default());
         for name in path {
             // Copies of a grid stand where the part, the sensor or the controller that is repeated does.
-            let whole = name.split('[').next().unwrap_or(name);
             let find = |name: &str| table.entries.iter().find(|(key, _)| key.name == name);
-            let Some((key, value)) = find(name).or_else(|| find(whole)) else { break };
+            let Some((key, value)) = find(name).or_else(|| find(whole(name))) else { break };
             let Value::Table(inner) = value else { return value.span() };
             (table, place) = (inner, key.span);
         }

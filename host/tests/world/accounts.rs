@@ -4,7 +4,7 @@ use super::support::{fails, fields, json, number, run, scene};
 use std::collections::BTreeMap;
 use std::path::Path;
 
-type Row = BTreeMap<String, f64>;
+pub type Row = BTreeMap<String, f64>;
 
 fn file(name: &str) -> String {
     Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("accounts_{name}.csv")).display().to_string()
@@ -30,7 +30,7 @@ fn accounts(name: &str, arguments: &[&str]) -> Vec<Row> {
 }
 
 /// The last row.
-fn last(name: &str, arguments: &[&str]) -> Row {
+pub fn last(name: &str, arguments: &[&str]) -> Row {
     accounts(name, arguments).pop().expect("a row")
 }
 

@@ -1,6 +1,6 @@
 //! What is known to be wrong only once a world is built is told with its place in the text, too.
 
-use super::support::{fails, parse, scene};
+use super::support::{fails, parse, scene, unread};
 
 /// A mechanism with an input that no law gives.
 const ARM: &str = "format = 2\n[parts.arm]\nmechanism = \"double_pendulum\"\n";
@@ -150,12 +150,9 @@ fn parts_are_refused_where_they_stand() {
     );
 }
 
-/// The message of a scene that is refused when it is read: the words, the place `line:column`, and what to do.
-fn unread(text: &str, words: &str, place: &str) {
-    let said = parse(text).map(|_| ()).expect_err(words);
-    assert!(said.contains(words), "{words}\n{said}");
-    assert!(said.contains(&format!("w.toml:{place}\n")), "{words}: expected {place}\n{said}");
-    assert!(said.contains("help: "), "what to do\n{said}");
+/// The message of a scene that is refused when it is read, at `line:column`.
+fn unread_at(text: &str, words: &str, place: &str) {
+    unread(text, words, &format!("{place}\n"));
 }
 
 #[test]
@@ -163,16 +160,16 @@ fn pairs_that_no_world_has_are_refused_when_they_are_read() {
     let tile = "[parts.tile]\nmechanism = \"tile_minimal\"\n";
     let deck = "[parts.deck]\nrigid = \"sphere\"\nradius = 1\non = \"tile.platform\"\n";
     let bare = format!("{GROUND}{BALL}{tile}{}", pair("ball", "tile", "moreau"));
-    unread(&bare, "`tile` is a mechanism, which has no surface", "12:20");
-    unread(&bare, "give it one by a rigid part with on = \"tile.PORT\"", "12:20");
+    unread_at(&bare, "`tile` is a mechanism, which has no surface", "12:20");
+    unread_at(&bare, "give it one by a rigid part with on = \"tile.PORT\"", "12:20");
     let decked = format!("{GROUND}{BALL}{tile}{deck}{}", pair("tile", "ball", "stronge"));
-    unread(&decked, "name what is on it: deck", "16:12");
+    unread_at(&decked, "name what is on it: deck", "16:12");
     let mixed = format!(
         "{GROUND}{BALL}{CUBE}{}{}",
         pair("ball", "ground", "moreau"),
         pair("cube", "ground", "plastic")
     );
-    unread(&mixed, "some contacts have impact = \"moreau\", others another law", "17:10");
+    unread_at(&mixed, "some contacts have impact = \"moreau\", others another law", "17:10");
     assert!(parse(&mixed.replace("plastic", "moreau")).is_ok());
 }
 
@@ -185,9 +182,9 @@ fn inputs_that_move_nothing_are_refused_by_name() {
     };
     let law = "law = { T = \"1_N*1_m\" }\n";
     let words = "`T` of `arm` moves nothing: functions of the time give all its motion";
-    unread(&commanded(&["q1", "q2"], law), words, "5:9");
+    unread_at(&commanded(&["q1", "q2"], law), words, "5:9");
     let held = format!("[controllers.c]\n{HELD}");
-    unread(&commanded(&["q1", "q2"], &held), words, "7:10");
+    unread_at(&commanded(&["q1", "q2"], &held), words, "7:10");
     for input in [law, &held] {
         for free in [&["q1"][..], &[]] {
             let text = if free.is_empty() { format!("{ARM}{input}") } else { commanded(free, input) };
@@ -201,9 +198,9 @@ fn numbers_that_are_none_are_named_as_such() {
     let ball = |mass: &str| format!("{GROUND}{}", BALL.replace("mass = 1", &format!("mass = {mass}")));
     let cube = |mass: &str| format!("{GROUND}{CUBE}mass = {mass}\n");
     for mass in ["nan", "inf", "-inf"] {
-        unread(&ball(mass), "`mass` must be a finite number", "7:8");
-        unread(&cube(mass), "`mass` must be a finite number", "7:8");
-        unread(&cube(&format!("[1, {mass}]")), "`mass` must be a finite number", "7:12");
+        unread_at(&ball(mass), "`mass` must be a finite number", "7:8");
+        unread_at(&cube(mass), "`mass` must be a finite number", "7:8");
+        unread_at(&cube(&format!("[1, {mass}]")), "`mass` must be a finite number", "7:12");
     }
-    unread(&ball("true"), "`mass` must be a number in kg", "7:8");
+    unread_at(&ball("true"), "`mass` must be a number in kg", "7:8");
 }

@@ -1,6 +1,6 @@
 //! Errors in a scene of format 2 are reported with their place.
 
-use super::support::{fails, parse, scene};
+use super::support::{fails, parse, scene, unread};
 use smartbed::world::assembly::Kind;
 
 const GROUND: &str = "format = 2\n[parts.ground]\nrigid = \"half_space\"\n";
@@ -10,10 +10,7 @@ const BALL: &str = "[parts.ball]\nrigid = \"sphere\"\nradius = 0.1\nmass = 1\n";
 
 /// A text with its message and the line.
 fn refused(text: &str, words: &str, line: usize) {
-    let found = parse(text).map(|_| ()).expect_err(text);
-    assert!(found.contains(words), "{words}\n{found}");
-    assert!(found.contains(&format!("w.toml:{line}:")), "line {line}\n{found}");
-    assert!(found.contains("help: "), "what to do\n{found}");
+    unread(text, words, &format!("{line}:"));
 }
 
 #[test]

@@ -37,6 +37,14 @@ pub fn parse(text: &str) -> Result<Assembly, String> {
     read::parse("w.toml", text, &[], &find).map_err(|found| found.to_string())
 }
 
+/// A text that is refused when it is read: its message, the place after the file's name, and what to do.
+pub fn unread(text: &str, words: &str, place: &str) {
+    let said = parse(text).map(|_| ()).expect_err(text);
+    assert!(said.contains(words), "{words}\n{said}");
+    assert!(said.contains(&format!("w.toml:{place}")), "{words}: expected {place}\n{said}");
+    assert!(said.contains("help: "), "what to do\n{said}");
+}
+
 /// File of a scene with this text, in a folder of the test's own: tests run at once and write the same names.
 pub fn scene(name: &str, text: &str) -> String {
     let test = std::thread::current().name().unwrap_or("unnamed").replace("::", "-");

@@ -1,6 +1,7 @@
 //! Pairs with force laws: closed forms, order of every method, accounts, rest, limits, refusals.
 
-use super::support::{fails, json, number, run, scene, settled};
+use super::accounts;
+use super::support::{fails, json, number, scene, settled};
 
 const PI: f64 = std::f64::consts::PI;
 
@@ -103,20 +104,13 @@ fn accounts_close_for_the_world_each_part_and_each_seam() {
         last(&output, "imbalance").abs()
     });
     assert!(fine < 1e-6 && fine < coarse / 8.0, "{coarse:e} {fine:e}");
-    let to = format!("{path}.csv");
-    run(&["run", &path, "--step", "2.5e-5", "--accounts", &to]);
-    let text = std::fs::read_to_string(&to).expect("a file");
-    let (names, end) = (text.lines().next().expect("a header"), text.lines().last().expect("a row"));
-    let row: Vec<(&str, f64)> =
-        names.split(',').zip(end.split(',').map(|x| x.parse().expect("a number"))).collect();
-    let sum =
-        |ending: &str| row.iter().filter(|(name, _)| name.ends_with(ending)).map(|(_, x)| x).sum::<f64>();
-    let imbalances = row.iter().filter(|(name, _)| name.ends_with(".imbalance"));
-    assert_eq!(imbalances.clone().count(), 4);
-    imbalances.for_each(|(name, x)| assert!(x.abs() < 1e-6, "{name}: {x:e}"));
+    let row = accounts::last("yielding", &[&path, "--step", "2.5e-5"]);
+    let of = |ending: &str| row.iter().filter(|(name, _)| name.ends_with(ending)).collect::<Vec<_>>();
+    assert_eq!(of(".imbalance").len(), 4);
+    of(".imbalance").iter().for_each(|(name, x)| assert!(x.abs() < 1e-6, "{name}: {x:e}"));
     let world = json(&[&path, "--step", "2.5e-5"]);
     for account in ["spring", "impact", "damping"] {
-        let apart = sum(&format!(".{account}")) - last(&world, account);
+        let apart = of(&format!(".{account}")).iter().map(|(_, x)| **x).sum::<f64>() - last(&world, account);
         assert!(apart.abs() < 1e-9, "{account}: {apart:e}");
     }
 }

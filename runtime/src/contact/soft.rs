@@ -1,6 +1,5 @@
-//! A soft ground: each point below its surface is pushed by a [`ForceLaw`] on its depth, -gap. The ground never pulls.
+//! A soft ground: each point below its surface is pushed by a [`ForceLaw`](super::force::ForceLaw) on its depth, -gap. The ground never pulls.
 
-use super::force::ForceLaw;
 use super::ground::{ContactLaw, Ground};
 use crate::ode::nodes::MeanStep;
 use crate::real::Scalar;
@@ -26,7 +25,7 @@ pub fn energy<S: Scalar>(ground: &Ground<S>, x: Vec3<S>) -> S {
 
 /// Adds the ground's elastic forces.
 pub fn accumulate_elastic<S: Scalar>(ground: &Ground<S>, pos: &[Vec3<S>], force: &mut [Vec3<S>]) {
-    if matches!(ground.law, ContactLaw::Force(_)) {
+    if !ground.is_rigid() {
         for (x, f) in pos.iter().zip(force) {
             let (total, viscous) = normal_force(ground, *x, vec3::zero());
             *f = vec3::axpy(*f, total - viscous, ground.normal);
@@ -41,7 +40,7 @@ pub fn accumulate_viscous<S: Scalar>(
     vel: &[Vec3<S>],
     force: &mut [Vec3<S>],
 ) {
-    if matches!(ground.law, ContactLaw::Force(ForceLaw::HuntCrossley { .. })) {
+    if ground.is_damped() {
         for ((x, v), f) in pos.iter().zip(vel).zip(force) {
             let (_, viscous) = normal_force(ground, *x, *v);
             *f = vec3::axpy(*f, viscous, ground.normal);

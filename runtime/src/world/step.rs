@@ -124,7 +124,8 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         if !course.rebounds {
             memory.touches[0].iter_mut().for_each(|touch| touch.contact.restitution = S::ZERO);
         }
-        let corrects = self.island.is_damped() || !self.island.restrained.is_empty() || self.is_damped();
+        let corrects =
+            self.island.is_damped() || !self.island.restrained.is_empty() || self.yields_by_speed();
         if corrects {
             // Only what pushes touches: what is near may pass by.
             press(h, memory);

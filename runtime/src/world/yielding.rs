@@ -11,7 +11,6 @@
 
 use super::carrier::Carrier;
 use super::contacts::load;
-use super::island::{Attachment, Island};
 use super::scenery::{Scenery, Standing};
 use super::thing::{Pair, Thing};
 use super::whole::World;
@@ -35,8 +34,6 @@ pub struct Yield<S> {
     pub energy: S,
     /// Power that it takes (W).
     pub taken: S,
-    /// Slope of its force (N/m).
-    pub slope: S,
 }
 
 /// Positions and velocities of nodes, and frames of ports, as placed last.
@@ -112,8 +109,7 @@ impl<S: Scalar> Placement<'_, S> {
         let rate = -vec3::dot(contact.axes[0], relative);
         let (force, viscous) = law.force(-gap, rate);
         contact.impulse = [force, S::ZERO, S::ZERO];
-        let (energy, slope) = (law.energy(-gap), law.slope(-gap));
-        see(&Yield { pair: number, point, contact, energy, taken: viscous * rate, slope });
+        see(&Yield { pair: number, point, contact, energy: law.energy(-gap), taken: viscous * rate });
     }
 
     /// Velocity of a point of a port or of a node.
@@ -140,7 +136,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
     }
 
     /// Whether the force of any pair depends on speeds.
-    pub(super) fn is_damped(&self) -> bool {
+    pub(super) fn yields_by_speed(&self) -> bool {
         self.pairs.iter().any(|pair| pair.force.is_some_and(|law| law.dissipation() > S::ZERO))
     }
 
@@ -158,21 +154,11 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         if !self.yields() {
             return Ok(());
         }
-        let Island { body, attachments, memory: own, .. } = &mut self.island;
-        let attachments: &[Attachment<S>] = attachments;
-        let (elastic, wrenches) = (&mut *own.elastic, &mut *own.wrenches);
-        let scenery = Scenery {
-            things: self.things,
-            body,
-            attachments,
-            frames: own.frames,
-            pos: own.pos,
-            normals: &[],
-            margin: S::ZERO,
-            rides: false,
-        };
-        Placement { scenery, vel: own.vel }
-            .each(self.pairs, |point| load(&point.contact, |force| force, (elastic, wrenches)));
+        // Taken out while places and velocities are read.
+        let own = &mut self.island.memory;
+        let (elastic, wrenches) = (core::mem::take(&mut own.elastic), core::mem::take(&mut own.wrenches));
+        self.each_yield(|point| load(&point.contact, |force| force, (elastic, wrenches)));
+        (self.island.memory.elastic, self.island.memory.wrenches) = (elastic, wrenches);
         Ok(())
     }
 }

@@ -69,10 +69,7 @@ impl<S: Scalar> CarriedWorld<S> {
     /// Energy that each pair stores in overlaps (J).
     pub(super) fn stored_by_pairs(&mut self, t: S, x: &[S]) -> Result<Vec<f64>, Fault> {
         let Some(touching) = self.touching.take() else { return Ok(Vec::new()) };
-        let stored = self.with(|mut island| {
-            island.place(t, x)?;
-            Ok(touching.stored(island))
-        });
+        let stored = self.with(|island| touching.stored(island, t, x));
         self.touching = Some(touching);
         stored
     }

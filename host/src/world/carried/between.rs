@@ -32,17 +32,16 @@ impl<S: Scalar> CarriedWorld<S> {
                 };
                 if (length > span || pair.force.is_some()) && width <= facet * (1.0 + RIM) {
                     let [bar, mesh] = [one, other].map(|k| &self.names[parts[k]]);
-                    if pair.force.is_some() {
-                        said.push(format!(
+                    said.push(match pair.force {
+                        Some(_) => format!(
                             "`{bar}` is no wider than the facets of `{mesh}`, and a force law acts at nodes only: between them it falls \
                              through; take smaller facets, or a law of impact"
-                        ));
-                        continue;
-                    }
-                    said.push(format!(
-                        "`{bar}` is longer than `{mesh}` and no wider than its facets; a bar touches facets with its ends and \
-                         corners only, and nodes: between nodes it falls through; take smaller facets"
-                    ));
+                        ),
+                        None => format!(
+                            "`{bar}` is longer than `{mesh}` and no wider than its facets; a bar touches facets with its ends and \
+                             corners only, and nodes: between nodes it falls through; take smaller facets"
+                        ),
+                    });
                 }
             }
         }

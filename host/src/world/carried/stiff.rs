@@ -1,6 +1,6 @@
 //! The largest step that resolves the springs of penalty contacts.
 //!
-//! In: pairs with a penalty law. Out: for each the bound 2/w of explicit methods,
+//! In: pairs whose force rises with the depth at once. Out: for each the bound 2/w of explicit methods, k that slope,
 //! ```text
 //! w^2 <= k sum over sides of (points that push it at once) (largest 1/m of its points),  1/m = n.W M^-1 W'n
 //! ```
@@ -10,7 +10,6 @@ use super::stable::refuse_larger;
 use super::{CarriedWorld, words};
 use crate::failure::Failure;
 use crate::world::assembly::Assembly;
-use smartbed_runtime::contact::ForceLaw;
 use smartbed_runtime::surface::Shape;
 use smartbed_runtime::vec3;
 use smartbed_runtime::world::{Carrier, Group, InverseInertia, Thing};
@@ -21,7 +20,10 @@ impl CarriedWorld {
         let Some(touching) = self.touching.take() else { return Ok(()) };
         let mut least: Option<(f64, usize)> = None;
         for (number, pair) in touching.pairs.iter().enumerate() {
-            let Some(ForceLaw::Penalty { stiffness }) = pair.force else { continue };
+            let stiffness = pair.force.map_or(0.0, |law| law.slope(0.0));
+            if stiffness <= 0.0 {
+                continue;
+            }
             let things = pair.things.map(|thing| touching.things[thing]);
             let mut square = 0.0;
             for (own, other) in [(&things[0], &things[1]), (&things[1], &things[0])] {

@@ -31,11 +31,11 @@ pub(super) fn contact(
             }
         }
     }
+    let span = between.map_or(table.span, Value::span);
     if pairs.is_empty() {
         let error = Diagnostic::error("`between` names one part twice");
-        found.push(error.label(fields_span(between, table), "these are one").help("name two parts"));
+        found.push(error.label(span, "these are one").help("name two parts"));
     }
-    let span = fields_span(between, table);
     pairs.iter().for_each(|pair| refuse_without_depth(pair, parts, span, found));
     let again = |pair: &&Contact| {
         let [a, b] = pair.between;
@@ -71,10 +71,6 @@ fn refuse_without_depth(pair: &Contact, parts: &[Part], span: Span, found: &mut 
     let help = "force laws act between a ball or a half-space and any shape, and between nodes and shapes; for these parts take \
                 impact = \"stronge\" or \"moreau\"";
     found.push(error.label(span, "these parts").help(help));
-}
-
-fn fields_span(value: Option<&Value>, table: &Table) -> Span {
-    value.map_or(table.span, Value::span)
 }
 
 fn sides(value: &Value, parts: &[Part], found: &mut Diagnostics) -> Option<[Vec<usize>; 2]> {

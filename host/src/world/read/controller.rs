@@ -4,7 +4,7 @@
 
 use super::mechanism::idle;
 use super::value::{Bound, list, named_unit, needed, number, refuse_unit_unnamed, scalar};
-use crate::world::assembly::{Controlling, Kind, Part};
+use crate::world::assembly::{Controlling, Kind, Part, whole};
 use smartbed_codegen::diagnostic::{Diagnostic, Diagnostics};
 use smartbed_codegen::model::Fields;
 use smartbed_codegen::model::document::{Key, Value, wrong_kind};
@@ -57,10 +57,8 @@ fn idle_input<'d>(drives: &'d str, parts: &'d [Part]) -> Option<(&'d str, &'d st
     parts.iter().find_map(|part| {
         let Kind::Mechanism(mechanism) = &part.kind else { return None };
         // Of a grid, all copies are meant.
-        let whole = part.name.split('[').next().unwrap_or_default();
-        let input = [part.name.as_str(), whole]
-            .iter()
-            .find_map(|name| drives.strip_prefix(name)?.strip_prefix('.'))?;
+        let names = [part.name.as_str(), whole(&part.name)];
+        let input = names.iter().find_map(|name| drives.strip_prefix(name)?.strip_prefix('.'))?;
         let is_input = mechanism.model.inputs.iter().any(|own| own.name == input);
         (is_input && mechanism.is_given()).then_some((part.name.as_str(), input))
     })

@@ -7,10 +7,14 @@ use smartbed_codegen::model::Fields;
 use smartbed_codegen::model::document::{Table, Text, Value, wrong_kind};
 use smartbed_codegen::source::Span;
 
+/// The indices, `[0,0]`, of a part that is a copy of the repeated part of this name.
+pub(super) fn copy_of<'p>(name: &str, part: &'p Part) -> Option<&'p str> {
+    part.name.strip_prefix(name).filter(|rest| rest.starts_with('['))
+}
+
 /// Indices of the parts that a name refers to: the part itself, or all copies of its grid.
 pub(super) fn parts_named(name: &str, parts: &[Part]) -> Vec<usize> {
-    let is =
-        |part: &Part| part.name == name || part.name.strip_prefix(name).is_some_and(|r| r.starts_with('['));
+    let is = |part: &Part| part.name == name || copy_of(name, part).is_some();
     parts.iter().enumerate().filter(|(_, part)| is(part)).map(|(n, _)| n).collect()
 }
 

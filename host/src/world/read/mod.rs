@@ -23,7 +23,7 @@ mod view;
 
 pub use mechanism::Find;
 
-use super::assembly::{Assembly, Kind, Part, Run};
+use super::assembly::{Assembly, Kind, Part, Run, whole};
 use super::places::Places;
 use crate::scene::fields::is_too_much;
 use smartbed_codegen::diagnostic::{Diagnostic, Diagnostics};
@@ -158,8 +158,7 @@ fn read(
     let assembly =
         Assembly { title, gravity, parts, attachments, contacts, sensors, controllers, run, view, places };
     let spans = |name: &str| {
-        let own = name.split('[').next().unwrap_or(name);
-        named.and_then(|t| t.entries.iter().find(|(key, _)| key.name == own)).map(|(key, _)| key.span)
+        named.and_then(|t| t.entries.iter().find(|(key, _)| key.name == whole(name))).map(|(key, _)| key.span)
     };
     names::check(&assembly, spans, found);
     // Rest is searched for by a step that moves parts apart; rigid parts alone have none.

@@ -3,12 +3,13 @@
 //! In: sensors and controllers as written. Out: the same, where `[sensors.air] of = "bladder.gauge"` has become
 //! `air[0,0]` of `bladder[0,0].gauge`, `air[0,1]`, ...; a controller reads what belongs to the copy that it drives.
 
+use super::join::copy_of;
 use crate::world::assembly::{Controlling, Part, Sensing};
 use smartbed_codegen::source::fnv1a;
 
 /// The indices, `[0,0]` and so on, of the copies of a repeated part; none where there is a part of this name.
 fn copies<'p>(name: &'p str, parts: &'p [Part]) -> impl Iterator<Item = &'p str> {
-    parts.iter().filter_map(move |part| part.name.strip_prefix(name).filter(|rest| rest.starts_with('[')))
+    parts.iter().filter_map(move |part| copy_of(name, part))
 }
 
 /// `bladder.gauge` of the copy with these indices, if that part is repeated.

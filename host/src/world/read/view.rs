@@ -1,7 +1,7 @@
 //! Reads `[view]` of a world: hidden parts, colours, and the quantity that colours facets. No equation depends on it.
 
 use super::value::one_of;
-use crate::world::assembly::{Kind, Part, View};
+use crate::world::assembly::{Kind, Part, View, whole};
 use smartbed_codegen::diagnostic::{Diagnostic, Diagnostics};
 use smartbed_codegen::model::Fields;
 use smartbed_codegen::model::colour::{self, COLOURS};
@@ -59,10 +59,10 @@ pub(super) fn read(table: &Table, parts: &[Part], found: &mut Diagnostics) -> Vi
 
 /// Indices of the parts of this name, all copies for a grid.
 fn named(name: &str, span: Span, parts: &[Part], found: &mut Diagnostics) -> Vec<usize> {
-    let own = |part: &Part| part.name.split('[').next() == Some(name);
+    let own = |part: &Part| whole(&part.name) == name;
     let numbers: Vec<usize> = (0..parts.len()).filter(|n| own(&parts[*n])).collect();
     if numbers.is_empty() {
-        let known = parts.iter().filter_map(|part| part.name.split('[').next());
+        let known = parts.iter().map(|part| whole(&part.name));
         let help = crate::suggest::help(name, known).trim_start_matches("; ").to_owned();
         let error = Diagnostic::error(format!("there is no part `{name}`"));
         found.push(error.label(span, "nothing to show has this name").help(help));

@@ -294,14 +294,20 @@ impl<S: Scalar> Touching<S> {
         Ok(memory.contacts().iter().filter_map(overlap).collect())
     }
 
-    /// Energy that each pair stores in overlaps where everything was placed last (J).
-    pub(super) fn stored(&self, island: Island<'_, S, impl Carrier<S>>) -> Vec<f64> {
+    /// Energy that each pair stores in overlaps at a state (J).
+    pub(super) fn stored(
+        &self,
+        mut island: Island<'_, S, impl Carrier<S>>,
+        t: S,
+        x: &[S],
+    ) -> Result<Vec<f64>, Fault> {
         let mut stored = vec![0.0; self.pairs.len()];
         if self.yields() {
+            island.place(t, x)?;
             World { island, things: &self.things, pairs: &self.pairs }
                 .each_yield(|point| stored[point.pair] += point.energy.to_f64());
         }
-        stored
+        Ok(stored)
     }
 
     /// Does any pair have a force law?
@@ -334,6 +340,7 @@ impl<S: Scalar> Touching<S> {
         (t, h): (S, S),
         state: &State<'_, S>,
     ) -> Result<(), Fault> {
+        let has_force_laws = self.yields();
         let Some(own) = self.located.as_mut().filter(|own| !own.pressed) else { return Ok(()) };
         own.pressed = true;
         let [struck, lifts] = &mut own.struck;
@@ -348,7 +355,7 @@ impl<S: Scalar> Touching<S> {
         let mut world = World { island, things: &self.things, pairs: &self.pairs };
         let pressing = world.press_located((t, h), state, &mut memory)?;
         let mut yields = Vec::new();
-        if self.pairs.iter().any(|pair| pair.force.is_some()) {
+        if has_force_laws {
             world.island.place(t, state.x())?;
             world.each_yield(|point| yields.push(*point));
         }
