@@ -35,7 +35,7 @@ mod table {
     use smartbed_runtime::world::Content::*;
     use smartbed_runtime::world::Thing::{self, *};
     use smartbed_runtime::world::{
-        Attachment, Carrier, Cell, Floating, InverseInertia, Pair, Place, Still, Wrench,
+        Attachment, Carrier, Cell, Floating, InverseInertia, Pair, Place, Still, Wall, Wrench,
     };
 
     include!(concat!(env!("OUT_DIR"), "/scene.rs"));

@@ -303,7 +303,8 @@ fn joined(carrier: &Program, fabric: &Fabric, run: impl Fn(&mut OnTile<'_>, &mut
         patches: None,
     })
     .expect("a body");
-    let attach = |(node, place): (usize, &[f64; 3])| Attachment { node, port: 0, place: *place };
+    let attach =
+        |(node, place): (usize, &[f64; 3])| Attachment { node, port: 0, place: *place, push: [0.0; 3] };
     let attachments: Vec<_> = places.iter().enumerate().map(attach).collect();
     let mut pos: Vec<[f64; 3]> = vec![[0.0; 3]; held];
     pos.extend(nodes.iter().map(|(_, start)| *start));

@@ -38,7 +38,7 @@ mod yielding;
 
 pub use accounts::Accounts;
 pub use carrier::{Carrier, Commanded, Floating, InverseInertia, Still, Wrench};
-pub use cell::{Cell, Content};
+pub use cell::{Cell, Content, Wall};
 pub use conserving::MeanMemory;
 pub use detect::Touch;
 pub use extent::Extent;

@@ -13,28 +13,28 @@ use smartbed_runtime::world::{
 };
 
 /// Data that a body borrows.
-struct Lists {
-    mass: Vec<f64>,
+pub(crate) struct Lists {
+    pub(crate) mass: Vec<f64>,
     fixed: Vec<bool>,
     springs: Vec<Spring<f64>>,
-    facets: Vec<[usize; 4]>,
-    inflation: Option<Inflation<f64>>,
+    pub(crate) facets: Vec<[usize; 4]>,
+    pub(crate) inflation: Option<Inflation<f64>>,
     gravity: Vec3<f64>,
-    attachments: Vec<Attachment<f64>>,
+    pub(crate) attachments: Vec<Attachment<f64>>,
     pos: Vec<Vec3<f64>>,
     vel: Vec<Vec3<f64>>,
 }
 
 /// Memory of an island.
-struct Rows([Vec<Vec3<f64>>; 2], [Frame<f64>; 1], [Wrench<f64>; 1]);
+pub(crate) struct Rows([Vec<Vec3<f64>>; 2], [Frame<f64>; 1], [Wrench<f64>; 1]);
 
 impl Lists {
-    fn rows(&self) -> Rows {
+    pub(crate) fn rows(&self) -> Rows {
         let zero = vec![[0.0; 3]; self.mass.len()];
         Rows([zero.clone(), zero], [Frame::inertial()], [Wrench::zero()])
     }
 
-    fn island<'a, C: Carrier<f64>>(
+    pub(crate) fn island<'a, C: Carrier<f64>>(
         &'a mut self,
         carrier: C,
         Rows([elastic, viscous], frames, wrenches): &'a mut Rows,
@@ -62,7 +62,7 @@ fn spring(tail: usize, head: usize, stiffness: f64, damping: f64, rest_length: f
 }
 
 fn held(node: usize, place: Vec3<f64>) -> Attachment<f64> {
-    Attachment { node, port: 0, place }
+    Attachment { node, port: 0, place, push: [0.0; 3] }
 }
 
 /// Steps of Kutta's method.
@@ -80,7 +80,7 @@ fn run_by(method: Method, system: &mut impl Ode<f64>, x: &mut [f64], h: f64, ste
 
 /// A closed cell: a 3 x 3 sheet whose rim and base (node 9) are attached, its middle (node 4) free, and a tail of two
 /// free nodes; gas inside.
-fn cell(damping: f64) -> Lists {
+pub(crate) fn cell(damping: f64) -> Lists {
     let place = |i: usize| [0.1 * (i % 3) as f64 - 0.1, 0.1 * (i / 3) as f64 - 0.1, 0.05];
     let mut lists = Lists {
         mass: vec![0.0; 12],
@@ -124,7 +124,7 @@ fn cell(damping: f64) -> Lists {
     lists
 }
 
-const FLOATING: Floating<f64> =
+pub(crate) const FLOATING: Floating<f64> =
     Floating { body: RigidBody { mass: 2.0, inertia: [0.02, 0.03, 0.04] }, gravity: [0.0; 3] };
 const POSE: [f64; 7] = [0.3, -0.2, 0.5, 1.0, 0.0, 0.0, 0.0];
 const MOMENTA: [f64; 6] = [0.2, -0.1, 0.3, 0.01, 0.05, -0.02];
@@ -388,10 +388,10 @@ fn a_commanded_frame_drives_the_mass_as_the_closed_form_says_and_pays_for_it() {
 }
 
 /// The cell's gas as a part of an island.
-fn content(facets: [usize; 2]) -> Cell<f64> {
+pub(crate) fn content(facets: [usize; 2]) -> Cell<f64> {
     let chamber = Chamber { gas: Gas::air(), exponent: 1.4, reference_volume: 2e-3, ambient: 101_325.0 };
     let state = GasState { reference_pressure: 103_325.0, mass: 2.4e-3 };
-    Cell { facets, content: Content::Sealed { chamber, state }, form: PressureForm::Exact }
+    Cell { facets, content: Content::Sealed { chamber, state }, form: PressureForm::Exact, wall: None }
 }
 
 #[test]
@@ -438,7 +438,7 @@ fn two_cells_on_two_bodies_in_one_island_move_as_each_by_itself() {
         head: s.head + nodes,
         ..*s
     }));
-    let moved = |a: &Attachment<f64>| Attachment { node: a.node + nodes, port: 1, place: a.place };
+    let moved = |a: &Attachment<f64>| Attachment { node: a.node + nodes, port: 1, ..*a };
     lists.attachments.extend(more.attachments.iter().map(moved));
     let mut bodies = [FLOATING; 2];
     let cells = [content([0, facets]), content([facets, 2 * facets])];

@@ -34,5 +34,6 @@ mod surface;
 mod systems;
 mod vector;
 mod walk;
+mod walls;
 mod world;
 mod yielding;

@@ -229,7 +229,7 @@ impl Scene {
             let mass = if held && port.is_some() { 0.0 } else { 2.5 * cell * cell };
             let node = self.node(mass, held, place, [0.0; 3]);
             if let Some(port) = port.filter(|_| held) {
-                self.attachments.push(Attachment { node, port, place });
+                self.attachments.push(Attachment { node, port, place, push: [0.0; 3] });
             }
         }
         let at = |i: usize, j: usize| first + j * n + i;
@@ -249,7 +249,7 @@ impl Scene {
         // The base: from every edge of the rim to a node below the middle.
         let below = self.node(if port.is_some() { 0.0 } else { 1.0 }, true, [0.0, 0.0, -0.05], [0.0; 3]);
         if let Some(port) = port {
-            self.attachments.push(Attachment { node: below, port, place: [0.0, 0.0, -0.05] });
+            self.attachments.push(Attachment { node: below, port, place: [0.0, 0.0, -0.05], push: [0.0; 3] });
         }
         for k in 0..n - 1 {
             for [a, b] in [
@@ -263,7 +263,7 @@ impl Scene {
         }
         let content = Content::Regulated(Regulated { gas: Gas::air(), gauge, ambient: 101_325.0 });
         let facets = [facet, self.facets.len()];
-        self.cells.push(Cell { facets, content, form: PressureForm::Exact });
+        self.cells.push(Cell { facets, content, form: PressureForm::Exact, wall: None });
         self.thing(Thing::Mesh { nodes: [first, first + n * n], facets: [facet, sheet], depth: 0.05 })
     }
 

@@ -146,7 +146,7 @@ impl CarriedWorld {
             fixed.facets.extend(lists.facets.iter().map(|corners| corners.map(|node| node + first)));
             let cell = body.gas.map(|content| {
                 let facets = [first_facet, fixed.facets.len()];
-                fixed.cells.push(Cell { facets, content, form: PressureForm::Exact });
+                fixed.cells.push(Cell { facets, content, form: PressureForm::Exact, wall: None });
                 let cell = fixed.cells.len() - 1;
                 if matches!(content, Content::Sealed { .. }) {
                     self.airs.push(Air::new(number, cell, body.lines));
@@ -187,10 +187,11 @@ impl CarriedWorld {
             for node in &attachment.nodes {
                 let node = nodes.start + node;
                 let place = frame.place(self.room.pos[node]);
-                self.fixed.attachments.push(Attachment { node, port, place });
+                self.fixed.attachments.push(Attachment { node, port, place, push: [0.0; 3] });
             }
         }
         self.find_restrained();
+        self.find_walls();
         let mut x = Vec::new();
         self.with(|mut island| {
             x = vec![0.0; island.n_x()];

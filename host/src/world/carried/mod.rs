@@ -27,6 +27,7 @@ mod stepping;
 mod stiff;
 mod subset;
 pub mod tables;
+mod walls;
 
 use super::books::Books;
 use super::carriers::HostCarrier;

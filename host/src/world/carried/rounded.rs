@@ -17,7 +17,7 @@ use smartbed_runtime::gas::{Chamber, Gas, GasState, Line, Nozzle, Regulated, Sou
 use smartbed_runtime::real::Scalar;
 use smartbed_runtime::rigid::RigidBody;
 use smartbed_runtime::vec3::Vec3;
-use smartbed_runtime::world::{Attachment, Cell, Content, Floating, Still, Wrench};
+use smartbed_runtime::world::{Attachment, Cell, Content, Floating, Still, Wall, Wrench};
 
 /// A world in f32, and the one in f64 that it was rounded from.
 #[derive(Clone, Debug)]
@@ -158,10 +158,25 @@ impl Fixed {
             damping: S::from_f64(own.damping),
             rest_length: S::from_f64(own.rest_length),
         };
-        let cell =
-            |own: &Cell<f64>| Cell { facets: own.facets, content: content(&own.content), form: own.form };
-        let attachment =
-            |own: &Attachment<f64>| Attachment { node: own.node, port: own.port, place: vector(own.place) };
+        let wall = |own: Wall<f64>| Wall {
+            first: own.first,
+            port: own.port,
+            attachments: own.attachments,
+            volume: S::from_f64(own.volume),
+            area: vector(own.area),
+        };
+        let cell = |own: &Cell<f64>| Cell {
+            facets: own.facets,
+            content: content(&own.content),
+            form: own.form,
+            wall: own.wall.map(wall),
+        };
+        let attachment = |own: &Attachment<f64>| Attachment {
+            node: own.node,
+            port: own.port,
+            place: vector(own.place),
+            push: vector(own.push),
+        };
         let mut rounded = Fixed {
             mass: numbers(&self.mass),
             inverse_mass: Vec::new(),

@@ -10,7 +10,9 @@ use smartbed_runtime::flexible::Spring;
 use smartbed_runtime::real::Scalar;
 use smartbed_runtime::surface::Frame;
 use smartbed_runtime::vec3::Vec3;
-use smartbed_runtime::world::{Accounts as Works, Attachment, Carrier, Cell, Group, Inertias, Thing, Wrench};
+use smartbed_runtime::world::{
+    Accounts as Works, Attachment, Carrier, Cell, Group, Inertias, Thing, Wall, Wrench,
+};
 use std::ops::Range;
 
 /// What has no entry among the parts.
@@ -121,8 +123,10 @@ impl<'a> Selection<'a> {
         let grids = own.map(|grid| grid.from([nodes.start, first[0]], first[1], first[2]));
         self.fixed.grids.extend(grids);
         if let Some(cell) = cell {
-            let own = Cell { facets: [first[2], self.fixed.facets.len()], ..from.cells[cell] };
-            self.fixed.cells.push(own);
+            let own = &from.cells[cell];
+            let wall = own.wall.map(|wall| Wall { first: wall.first - own.facets[0] + first[2], ..wall });
+            let facets = [first[2], self.fixed.facets.len()];
+            self.fixed.cells.push(Cell { facets, wall, ..*own });
             self.cells.push(cell);
         }
     }
@@ -134,6 +138,11 @@ impl<'a> Selection<'a> {
         let attachments =
             own.map(|held| Attachment { node: nodes[held.node], port: ports[held.port], ..*held });
         self.fixed.attachments = attachments.collect();
+        for wall in self.fixed.cells.iter_mut().filter_map(|cell| cell.wall.as_mut()) {
+            let [first, end] = wall.attachments;
+            let before = from.attachments[..first].iter().filter(|held| nodes[held.node] != NOWHERE).count();
+            *wall = Wall { port: ports[wall.port], attachments: [before, before + end - first], ..*wall };
+        }
         let own = from.restrained.iter().filter(|[first, _]| nodes[*first] != NOWHERE);
         let restrained = own.map(|[first, end]| [nodes[*first], nodes[*first] + end - first]);
         self.fixed.restrained = restrained.collect();

@@ -4,6 +4,7 @@
 //! and viscous forces, wrenches. The passes of a step each change a part of these and compute what depends on it.
 
 use super::super::carrier::{Carrier, Wrench};
+use super::super::cell::Holds;
 use super::{Attachment, Cut, Island, free_of, rate};
 use crate::flexible::force;
 use crate::flexible::grid::Grid;
@@ -80,7 +81,8 @@ impl<S: Scalar, C: Carrier<S>> Island<'_, S, C> {
         let forces = elements.eval_elastic(weights, alone, memory.pos, memory.elastic);
         forces.map_err(|_| Fault::NonFinite)?;
         for cell in self.cells {
-            cell.add_force(&self.body, elements.grids(), memory.pos, memory.elastic)?;
+            let holds = Holds { attachments: self.attachments, frames: memory.frames };
+            cell.add_force(&self.body, elements.grids(), holds, memory.pos, memory.elastic)?;
         }
         self.load_speeds();
         Ok(())

@@ -11,7 +11,7 @@ mod loads;
 use core::ops::Range;
 
 use super::carrier::{Carrier, Wrench};
-use super::cell::Cell;
+use super::cell::{Cell, Holds};
 use crate::flexible::Body;
 use crate::flexible::element::Element;
 use crate::flexible::energy::{Energies, eval_energies};
@@ -31,6 +31,9 @@ pub struct Attachment<S> {
     pub port: usize,
     /// Its position in the port's frame (m).
     pub place: Vec3<S>,
+    /// What gas pushes the facets beside it with that the same port holds, in the port's frame: force per pressure
+    /// (m^2). See [`Wall`](super::Wall).
+    pub push: Vec3<S>,
 }
 
 /// Memory of an island, lent by the caller: one entry per node, and one per port.
@@ -139,10 +142,10 @@ impl<'a, S: Scalar, C: Carrier<S>> Island<'a, S, C> {
     ///
     /// # Errors
     /// [`Fault::Shape`] if a cell names facets that do not exist, or facets of a grid that a gas of the body fills
-    /// already.
+    /// already, or if its wall names what does not exist.
     pub fn with_cells(mut self, cells: &'a [Cell<S>]) -> Result<Self, Fault> {
         self.cells = cells;
-        let known = cells.iter().all(|cell| cell.of(self.body.facets).is_some());
+        let known = cells.iter().all(|cell| cell.fits(&self.body, self.holds()));
         let held = |grid: &Grid<S>| cells.iter().any(|cell| cell.holds(grid));
         let twice = self.body.inflation.is_some() && self.body.grids.iter().any(held);
         if known && !twice { Ok(self) } else { Err(Fault::Shape) }
@@ -170,10 +173,15 @@ impl<'a, S: Scalar, C: Carrier<S>> Island<'a, S, C> {
         self.cells
     }
 
+    /// What holds the nodes, as placed last.
+    fn holds(&self) -> Holds<'_, S> {
+        Holds { attachments: self.attachments, frames: self.memory.frames }
+    }
+
     /// Volumes of the gas at the state placed last (m^3), cell by cell.
     pub fn volumes(&self) -> impl Iterator<Item = S> {
-        let volume = |cell: &Cell<S>| cell.volume_by_rows(&self.body, self.body.grids, self.memory.pos);
-        self.cells.iter().map(volume)
+        let (grids, frames) = (self.body.grids, &*self.memory.frames);
+        self.cells.iter().map(move |cell| cell.volume_held(&self.body, grids, frames, self.memory.pos))
     }
 
     /// Positions and velocities of all nodes at the state placed last.
