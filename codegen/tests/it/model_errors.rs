@@ -165,7 +165,7 @@ fn numbers_are_in_the_declared_unit_and_expressions_in_their_own() {
 #[test]
 fn an_extension_takes_over_what_it_names() {
     let base = format!(
-        "{HEAD}[parameters]\na = {{ value = 1, unit = \"m\", doc = \"length\" }}\nb = {{ value = 2, unit = \"m\" }}\n[inputs]\nF = {{ unit = \"m\" }}\n"
+        "{HEAD}[parameters]\na = {{ value = 1, unit = \"m\", doc = \"length\" }}\nb = {{ value = 2, unit = \"m\" }}\n[inputs]\nF = {{ unit = \"m\" }}\n[law]\nF = \"2*a\"\n"
     );
     let text = "format = 1\nname = \"n\"\nextends = \"base.toml\"\n[parameters]\na = { value = 5 }\n[definitions]\nb = \"3*a\"\nF = \"a\"\n";
     let load = |path: &std::path::Path| {
@@ -181,6 +181,8 @@ fn an_extension_takes_over_what_it_names() {
     );
     assert_eq!(model.parameter_defaults().as_slice(), [5.0]);
     assert!(model.inputs.is_empty());
+    // The base's law for the input that is a definition now is left out.
+    assert!(model.laws.is_empty());
     let circle = model::parse_with("models/n.toml", text, &|_| Ok("extends = \"n.toml\"".to_owned()));
     assert!(circle.expect_err("a circle").to_string().contains("in a circle"));
 }

@@ -392,14 +392,19 @@ where
         let end = if h >= left * (1.0 - f64::from(f32::EPSILON)) { to } else { t + h };
         recorder.took(taken.report, end, state.x());
         recorder.chatter.observe(end, state.x(), &plant.inputs).map_err(|fault| refused(end, fault))?;
+        // Rows that lie between a kink's moments belong to the side on which time is for what it commands.
+        let behind = kink.filter(|_| end == to).map_or(end, |[_, behind]| behind);
         // A step is booked in parts if rows lie inside it.
         let mut from = 0.0;
         while next_row <= rows {
             let at = if next_row == rows { seconds } else { next_row as f64 * interval };
             if at > end {
-                break;
+                let turns = plant.switches.first(end, at).map_err(|fault| refused(at, fault))?.is_some();
+                if at > behind || turns {
+                    break;
+                }
             }
-            let theta = ((at - t) / h).min(1.0);
+            let theta = ((at - t) / h).clamp(0.0, 1.0);
             let x = if theta < 1.0 {
                 dense(&method, plant, at, theta).map_err(|f| refused(at, f))?
             } else {

@@ -333,6 +333,37 @@ fn a_kink_of_the_motion_acts_alike_however_it_is_written() {
     );
 }
 
+/// Rows at the moment of a kink have state and command of the same side, whatever the rounding of their time.
+#[test]
+fn rows_at_a_kink_are_of_one_side() {
+    let text = "format = 1\nname = \"kick\"\ngravity = \"-9.81_m/1_s/1_s*N.z\"\n[coordinates]\n\
+        x = { unit = \"m\", closed_form = \"0.3_m*abs(3*t/1_s - 0.9)\" }\na = { unit = \"rad\", independent = true }\n\
+        [frames]\nA = { rotations = [[\"y\", \"a\"]] }\n[points]\nP = \"x*N.x - 0.3_m*A.z\"\n[bodies]\n\
+        p = { centre = \"P\", mass = 1 }\n[run]\nseconds = 0.5\nstep = 0.1\n";
+    let kicks = written("kicks.toml", text);
+    let often =
+        written("often.toml", &text.replace("0.3_m*abs(3*t/1_s - 0.9)", "0.05_m*abs(sin(2*pi*t/0.4_s))"));
+    for step in ["0.1", "0.02", "0.01", "1e-3"] {
+        for path in [&kicks, &often] {
+            let (row, imbalance) =
+                last(&["run", path, "--json", "--method", "dormand-prince", "--step", step]);
+            assert!(imbalance < 1e-7, "{path} {step}: {imbalance:e} J");
+            let off = row["imbalance"].as_f64().expect("a number").abs();
+            assert!(off < 1e-7, "{path} {step}: {off:e} J at the end");
+        }
+        let csv = smartbed(&["run", &kicks, "--csv", "-", "--method", "dormand-prince", "--step", step]).out;
+        let mut lines = csv.lines().map(|line| line.split(',').collect::<Vec<_>>());
+        let names = lines.next().expect("a header");
+        let [t, u_x, u_a] =
+            ["t", "u_x", "u_a"].map(|name| names.iter().position(|own| *own == name).expect("a column"));
+        let number = |text: &str| text.parse::<f64>().expect("a number");
+        let row = lines.find(|row| (number(row[t]) - 0.3).abs() < 1e-9).expect("a row at 0.3 s");
+        // Before: at rest below the cart; behind it: 0.3 m u_a has jumped by 2 (0.9 m/s).
+        let expected = 3.0 * (number(row[u_x]) + 0.9) / 0.9;
+        assert!((number(row[u_a]) - expected).abs() < 1e-9, "{step}: {row:?}");
+    }
+}
+
 /// A particle that nothing pushes keeps its velocity, whatever its speed multiplies it with.
 #[test]
 fn however_a_speed_reads_the_time_its_kinks_are_steps_ends_and_its_jumps_refused() {

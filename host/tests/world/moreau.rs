@@ -1,6 +1,6 @@
 //! Time-stepping without splitting: its order where nothing touches.
 
-use super::support::{json, number, scene};
+use super::support::{json, number, rows, scene};
 
 /// A mechanism with Coriolis forces and a damper, and a damped bladder that a commanded tile shakes, below a ball that
 /// does not come down in time.
@@ -114,4 +114,26 @@ fn a_heavy_plate_stays_on_three_light_balls() {
     let done = json(&[&file, "--strict"]);
     let [y, z] = ["plate.y", "plate.z"].map(|name| number(&done["last"][name]));
     assert!((z - 0.05).abs() < 1e-9 && y.abs() < 1e-9, "{y} {z}");
+}
+
+/// Four corners of a plate that can only rise and sink stand on the ground, and a box with friction on it: impulses fit
+/// in more than one way. It was shot away.
+#[test]
+fn a_box_at_rest_on_a_guided_plate_stays_there() {
+    let guided = "format = 1\nname = \"guided\"\ngravity = \"-g*N.z\"\n[parameters]\nm = { value = 2, unit = \"kg\" }\n\
+        g = { value = 9.81, unit = \"m/s^2\" }\n[coordinates]\nz = { unit = \"m\" }\n[points]\nC = \"z*N.z\"\n\
+        [bodies]\nb = { centre = \"C\", mass = \"m\" }\n[ports]\np = { frame = \"N\", point = \"C\" }\n";
+    scene("moreau_guided", guided);
+    let text = "format = 2\n[parts.ground]\nrigid = \"half_space\"\n[parts.lift]\nmechanism = \"moreau_guided\"\n\
+        start = { z = \"50_mm\" }\n[parts.plate]\nrigid = \"box\"\nsize = [1, 1, 0.1]\non = \"lift.p\"\n[parts.box]\n\
+        rigid = \"box\"\nsize = [0.1, 0.1, 0.1]\nmass = 1\nstart = { height = 0.1 }\n[[contacts]]\n\
+        between = [\"plate\", \"ground\"]\nimpact = \"moreau\"\n[[contacts]]\nbetween = [\"box\", \"plate\"]\n\
+        impact = \"moreau\"\nfriction = 0.6\n[run]\nseconds = 2\nstep = \"1_ms\"\n";
+    for step in ["1e-3", "2e-4"] {
+        let (names, rows) = rows(&[&scene("moreau_on_guided", text), "--step", step]);
+        let column = |name: &str| names.iter().position(|own| own == name).expect("a column");
+        let largest = |name: &str| rows.iter().fold(0.0_f64, |most, row| most.max(row[column(name)].abs()));
+        let [speed, lost] = ["box.vz", "impact"].map(largest);
+        assert!(speed < 1e-10 && lost < 1e-12, "step {step}: {speed:e} m/s, {lost:e} J");
+    }
 }

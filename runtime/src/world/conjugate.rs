@@ -53,12 +53,16 @@ pub(super) fn descend<S: Scalar>(
         }
         let beta = if before > S::ZERO { ((square - cross) / before).max(S::ZERO) } else { S::ZERO };
         before = square;
-        // Pushed so far that its effect does not drown in the rounding of the speeds.
-        let long = (task.fastest / worst).max(S::ONE);
+        let mut largest = S::ZERO;
         for touch in touches.iter_mut() {
             let now = vec3::scale(touch.history.end, S::ONE / mean(touch));
             let last = if beta > S::ZERO { touch.history.change } else { vec3::zero() };
             touch.history.change = vec3::axpy(now, beta, last);
+            largest = largest.max(mean(touch) * vec3::norm(touch.history.change));
+        }
+        // Pushed so far that its effect does not drown in the rounding of the speeds, and they not in its own.
+        let long = (task.fastest / largest).max(S::ONE);
+        for touch in touches.iter_mut() {
             give(touch, vec3::scale(touch.history.change, long), inertia, twists);
         }
         let (mut slope, mut curvature, mut size) = (S::ZERO, S::ZERO, S::ZERO);

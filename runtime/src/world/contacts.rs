@@ -212,10 +212,10 @@ pub(super) fn press<S: Scalar>(h: S, memory: &mut StepMemory<'_, S>) -> sweep::S
         return sweep::Sweeps { number: 0, settled: true, left: S::ZERO };
     }
     let sweeps = sweep(now, h, ports, inertias, end);
-    sweep::take_no_more(now, free, inertias, end);
     // Sweeps accumulate rounding errors in the velocities that they change: recompute them from the impulses.
     restore(now, ports, free, end);
     now.iter().for_each(|touch| touch.contact.push(inertias, end, touch.contact.impulse));
+    sweep::take_no_more(now, free, inertias, end);
     sweeps
 }
 

@@ -175,6 +175,9 @@ impl<'a, S: Scalar> Scenery<'a, S> {
         let mut best: Option<(usize, Foot<'a, S>)> = None;
         for (number, facet) in mesh.facets.iter().enumerate() {
             let Some(near) = self.over_facet(mesh, facet, (point, S::ZERO), beyond) else { continue };
+            if near.gap < -self.margin.max(near.sagitta) && self.is_around_edge(mesh, facet, point) {
+                continue;
+            }
             let faces = faces
                 .is_none_or(|(other, foot)| self.rises_over(foot, facet) && self.rises_over(&near, other));
             if faces && best.as_ref().is_none_or(|(_, (_, b))| near.gap.abs() < b.gap.abs()) {
@@ -182,6 +185,23 @@ impl<'a, S: Scalar> Scenery<'a, S> {
             }
         }
         best
+    }
+
+    /// Whether a point deep below a facet is outside the body for all that: in front of a facet beside that one, beyond
+    /// their convex edge. No step brings a point in so deep.
+    fn is_around_edge(&self, mesh: &Mesh<'a, S>, facet: &[usize; 4], point: Vec3<S>) -> bool {
+        let middle_of = |facet: &[usize; 4]| {
+            let sum = facet.iter().fold(vec3::zero(), |sum, node| vec3::add(sum, vec3::at(self.pos, *node)));
+            vec3::scale(sum, S::from_f64(0.25))
+        };
+        let middle = middle_of(facet);
+        let shared = |other: &[usize; 4]| other.iter().filter(|node| facet.contains(node)).count();
+        mesh.facets.iter().filter(|other| *other != facet && shared(other) >= 2).any(|other| {
+            let [a, b, c, d] = other.map(|node| vec3::at(self.pos, node));
+            let (normal, own) = (vec3::cross(vec3::sub(c, a), vec3::sub(d, b)), middle_of(other));
+            let before = |place: Vec3<S>| vec3::dot(normal, vec3::sub(place, own));
+            before(middle) < S::ZERO && before(point) > S::ZERO
+        })
     }
 
     /// The feet of a point on a mesh: on the nearest facet, or on the two facets of a fold around it (the nearest, and

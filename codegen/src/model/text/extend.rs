@@ -2,7 +2,7 @@
 //!
 //! An entry of the same section and name overrides the fields that it gives and keeps the others. An entry of another
 //! section with the name of a quantity replaces that quantity: a parameter of the base may become a definition, an
-//! input a law.
+//! input a definition; the law that the base has for that input goes with it.
 
 use super::document::{Key, Value};
 use super::repeat::Sections;
@@ -20,9 +20,8 @@ pub fn extend(base: Option<Sections>, extension: Sections) -> Sections {
         for (key, value) in entries {
             if QUANTITIES.contains(&section.as_str()) {
                 for other in QUANTITIES.iter().filter(|other| **other != section) {
-                    if let Some(entries) = base.tables.get_mut(*other) {
-                        entries
-                            .retain(|(known, _)| known.name != key.name || known.span.file == key.span.file);
+                    if remove(&mut base, other, &key) && *other == "inputs" {
+                        remove(&mut base, "law", &key);
                     }
                 }
             }
@@ -31,6 +30,14 @@ pub fn extend(base: Option<Sections>, extension: Sections) -> Sections {
     }
     base.configurations.extend(extension.configurations);
     base
+}
+
+/// Removes the base's entry of that name from a section; says whether there was one.
+fn remove(base: &mut Sections, section: &str, key: &Key) -> bool {
+    let Some(entries) = base.tables.get_mut(section) else { return false };
+    let before = entries.len();
+    entries.retain(|(known, _)| known.name != key.name || known.span.file == key.span.file);
+    entries.len() < before
 }
 
 /// Replaces the entry of that name, or appends.
