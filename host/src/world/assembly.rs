@@ -81,12 +81,6 @@ impl View {
     }
 }
 
-/// The name in the text of what `grid` has repeated: `tile` of its copy `tile[0,0]`.
-#[must_use]
-pub fn whole(name: &str) -> &str {
-    name.split_once('[').map_or(name, |(whole, _)| whole)
-}
-
 /// A part with its name.
 #[derive(Clone, Debug)]
 pub struct Part {

@@ -3,7 +3,6 @@
 //!
 //! In: the scene as it was read. Out: errors in the layout of those of reading.
 
-use super::assembly::whole;
 use crate::failure::Failure;
 use smartbed_codegen::diagnostic::{Diagnostic, Diagnostics};
 use smartbed_codegen::model::document::{Table, Value};
@@ -60,4 +59,10 @@ impl Places {
     pub(super) fn failure(&self, error: Diagnostic) -> Failure {
         Failure::Found(Box::new(Diagnostics::one(self.source.clone(), error)))
     }
+}
+
+/// The name in the text of what `grid` has repeated: `tile` of its copy `tile[0,0]`.
+#[must_use]
+pub fn whole(name: &str) -> &str {
+    name.split_once('[').map_or(name, |(whole, _)| whole)
 }

@@ -4,8 +4,9 @@
 //! and pushes by node and pair. Work is taken over the mean of the velocities at start and end.
 
 use super::accounts::Accounts;
+use super::attachment::Attachment;
 use super::carrier::Carrier;
-use super::island::{Attachment, Island};
+use super::island::Island;
 use super::observer::{Forces, Observer, Push};
 use super::sweep;
 use super::whole::{StepMemory, World};

@@ -4,7 +4,7 @@
 //! volume is the one that the facets enclose, independent of the origin because the surface is closed. Facets that a
 //! port holds make a [`Wall`], which turns as a whole and costs no sum over facets.
 
-use super::island::Attachment;
+use super::attachment::Attachment;
 use crate::flexible::block::Pushes;
 use crate::flexible::grid::{CellVolume, ElasticForces, Grid};
 use crate::flexible::pressure::{PressureForm, Volume, enclosed_volume};

@@ -10,6 +10,7 @@
 //! ```
 
 mod accounts;
+mod attachment;
 mod booking;
 mod carrier;
 mod cell;
@@ -37,6 +38,7 @@ mod whole;
 mod yielding;
 
 pub use accounts::Accounts;
+pub use attachment::Attachment;
 pub use carrier::{Carrier, Commanded, Floating, InverseInertia, Still, Wrench};
 pub use cell::{Cell, Content, Wall};
 pub use conserving::MeanMemory;
@@ -45,7 +47,7 @@ pub use extent::Extent;
 pub use group::Group;
 pub use impact::{Setting, Spare};
 pub use inertia::{Coupling, Inertias};
-pub use island::{Attachment, Island, IslandEnergy, Memory};
+pub use island::{Island, IslandEnergy, Memory};
 pub use located::{LocatedMemory, LocatedReport};
 pub use observer::{Ends, Forces, Observer, Push, Strike};
 pub use pressed::Pressing;

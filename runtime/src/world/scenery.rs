@@ -3,8 +3,8 @@
 //! In: things, and the frames and nodes that carry them. Out: sides of contacts, the facet below a point, the two
 //! facets of a fold around it.
 
+use super::attachment::Attachment;
 use super::extent::Extent;
-use super::island::Attachment;
 use super::thing::Thing;
 use crate::flexible::Body;
 use crate::real::Scalar;

@@ -4,7 +4,8 @@
 
 use super::mechanism::idle;
 use super::value::{Bound, list, named_unit, needed, number, refuse_unit_unnamed, scalar};
-use crate::world::assembly::{Controlling, Kind, Part, whole};
+use crate::world::assembly::{Controlling, Kind, Part};
+use crate::world::places::whole;
 use smartbed_codegen::diagnostic::{Diagnostic, Diagnostics};
 use smartbed_codegen::model::Fields;
 use smartbed_codegen::model::document::{Key, Value, wrong_kind};

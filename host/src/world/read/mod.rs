@@ -23,8 +23,9 @@ mod view;
 
 pub use mechanism::Find;
 
-use super::assembly::{Assembly, Kind, Part, Run, whole};
+use super::assembly::{Assembly, Kind, Part, Run};
 use super::places::Places;
+use super::places::whole;
 use crate::scene::fields::is_too_much;
 use smartbed_codegen::diagnostic::{Diagnostic, Diagnostics};
 use smartbed_codegen::model::Fields;

@@ -1,7 +1,8 @@
 //! Reads `[view]` of a world: hidden parts, colours, and the quantity that colours facets. No equation depends on it.
 
 use super::value::one_of;
-use crate::world::assembly::{Kind, Part, View, whole};
+use crate::world::assembly::{Kind, Part, View};
+use crate::world::places::whole;
 use smartbed_codegen::diagnostic::{Diagnostic, Diagnostics};
 use smartbed_codegen::model::Fields;
 use smartbed_codegen::model::colour::{self, COLOURS};

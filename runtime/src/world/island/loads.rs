@@ -3,9 +3,10 @@
 //! In: a state placed by [`Island::place`]. Out, in the island's memory: positions and velocities of all nodes, elastic
 //! and viscous forces, wrenches. The passes of a step each change a part of these and compute what depends on it.
 
+use super::super::attachment::Attachment;
 use super::super::carrier::{Carrier, Wrench};
 use super::super::cell::Holds;
-use super::{Attachment, Cut, Island, free_of, rate};
+use super::{Cut, Island, free_of, rate};
 use crate::flexible::force;
 use crate::flexible::grid::Grid;
 use crate::mechanism::Fault;

@@ -10,6 +10,7 @@ mod loads;
 
 use core::ops::Range;
 
+use super::attachment::Attachment;
 use super::carrier::{Carrier, Wrench};
 use super::cell::{Cell, Holds};
 use crate::flexible::Body;
@@ -21,20 +22,6 @@ use crate::ode::Ode;
 use crate::real::Scalar;
 use crate::surface::Frame;
 use crate::vec3::{self, Vec3};
-
-/// A node that is held in the frame of a port.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Attachment<S> {
-    /// The node; the body must mark it as fixed and give it no mass.
-    pub node: usize,
-    /// The port.
-    pub port: usize,
-    /// Its position in the port's frame (m).
-    pub place: Vec3<S>,
-    /// What gas pushes the facets beside it with that the same port holds, in the port's frame: force per pressure
-    /// (m^2). See [`Wall`](super::Wall).
-    pub push: Vec3<S>,
-}
 
 /// Memory of an island, lent by the caller: one entry per node, and one per port.
 #[derive(Debug)]
