@@ -24,6 +24,9 @@ use crate::rigid::impact::InverseMass;
 use crate::rigid::narrow::{Placed, core_points, features};
 use crate::vec3::{self, Vec3};
 
+/// A gap of this many rounding units of the contact's coordinates counts as closed.
+const ROUNDED: f64 = 64.0;
+
 /// Contact numbers from here on are those of a shape's points over facets; smaller ones are those of nodes.
 pub(super) const OF_SHAPE: u32 = 1 << 30;
 /// Most points of a shape: contacts over the next facet are numbered this much higher.
@@ -73,7 +76,13 @@ impl<S: Scalar> Touch<S> {
             return Some(-(opening.max(came).max(S::ZERO)));
         }
         let turned = if came > S::ZERO { -came } else { -(e * came) };
-        closed.then_some(turned)
+        (self.gap <= self.rounding()).then_some(turned)
+    }
+
+    /// A gap (m) that is rounding of where the contact is: what stands there stands on it.
+    fn rounding(&self) -> S {
+        let farthest = self.point.iter().fold(S::ZERO, |most, x| most.max(x.abs()));
+        S::from_f64(ROUNDED) * S::EPSILON * farthest
     }
 
     /// Relative velocity n, t1, t2 (m/s) at the start of the step, or before an impact.
