@@ -398,6 +398,10 @@ fn a_derived_crate_has_the_start_of_its_model() {
     passes(&folder, "started", STARTED);
 }
 
+/// Bars for compiling a derived crate: processor time (s), and share of that of the one library it depends on, libm, in
+/// the same minutes. This takes 2 s on a quiet core; on a busy one a time alone tells more of what else it does.
+const COMPILED: [f64; 2] = [0.5, 0.25];
+
 #[test]
 fn a_derived_crate_compiles_in_half_a_second_of_processor_time() {
     // The numbers of the runtime, which stand beside the equations, are compiled with them.
@@ -406,20 +410,34 @@ fn a_derived_crate_compiles_in_half_a_second_of_processor_time() {
         let done = smartbed(&["derive", model, "--crate", &folder.display().to_string()]);
         assert_eq!(done.status, 0, "{done:?}");
         lock(&folder);
-        let compile = || {
+        let compile = |build: &str| {
             let mut shell = Command::new("sh");
-            let build = "touch src/lib.rs && \"$CARGO\" build --quiet --release && times";
             shell.args(["-c", build]).current_dir(&folder).env("CARGO", env!("CARGO"));
             shell.env("CARGO_PROFILE_RELEASE_OPT_LEVEL", "2").env("CARGO_TARGET_DIR", builds("timed"));
             let done = finish(shell);
             assert_eq!((done.status, done.err.as_str()), (0, ""), "{model}");
             children_seconds(&done.out)
         };
+        let own = || compile("touch src/lib.rs && \"$CARGO\" build --quiet --release && times");
+        let library = || {
+            // The shell that cleans is not the one that counts.
+            compile(
+                "\"$CARGO\" clean --quiet --release -p libm && sh -c '\"$CARGO\" build --quiet --release -p libm && times'",
+            )
+        };
         // The first compiles libm too.
-        compile();
-        let fastest = least_time(0.5, 30, compile);
+        own();
+        let mut fastest = least_time(COMPILED[0], 15, own);
         println!("{model}: {fastest:.2} s");
-        assert!(fastest <= 0.5, "{model}: {fastest} s");
+        if fastest > COMPILED[0] {
+            let mut of_library = f64::INFINITY;
+            let share = least_time(COMPILED[1], 4, || {
+                (fastest, of_library) = (fastest.min(own()), of_library.min(library()));
+                fastest / of_library
+            });
+            println!("{model}: {share:.2} of libm's {of_library:.2} s");
+            assert!(share <= COMPILED[1], "{model}: {fastest} s, libm {of_library} s");
+        }
     }
 }
 
