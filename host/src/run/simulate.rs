@@ -398,11 +398,10 @@ where
         let mut from = 0.0;
         while next_row <= rows {
             let at = if next_row == rows { seconds } else { next_row as f64 * interval };
-            if at > end {
-                let turns = plant.switches.first(end, at).map_err(|fault| refused(at, fault))?.is_some();
-                if at > behind || turns {
-                    break;
-                }
+            if at > behind
+                || at > end && plant.switches.first(end, at).map_err(|fault| refused(at, fault))?.is_some()
+            {
+                break;
             }
             let theta = ((at - t) / h).clamp(0.0, 1.0);
             let x = if theta < 1.0 {

@@ -190,15 +190,11 @@ impl<'a, S: Scalar> Scenery<'a, S> {
     /// Whether a point deep below a facet is outside the body for all that: in front of a facet beside that one, beyond
     /// their convex edge. No step brings a point in so deep.
     fn is_around_edge(&self, mesh: &Mesh<'a, S>, facet: &[usize; 4], point: Vec3<S>) -> bool {
-        let middle_of = |facet: &[usize; 4]| {
-            let sum = facet.iter().fold(vec3::zero(), |sum, node| vec3::add(sum, vec3::at(self.pos, *node)));
-            vec3::scale(sum, S::from_f64(0.25))
-        };
-        let middle = middle_of(facet);
+        let middle = self.middle(facet);
         let shared = |other: &[usize; 4]| other.iter().filter(|node| facet.contains(node)).count();
         mesh.facets.iter().filter(|other| *other != facet && shared(other) >= 2).any(|other| {
             let [a, b, c, d] = other.map(|node| vec3::at(self.pos, node));
-            let (normal, own) = (vec3::cross(vec3::sub(c, a), vec3::sub(d, b)), middle_of(other));
+            let (normal, own) = (vec3::cross(vec3::sub(c, a), vec3::sub(d, b)), self.middle(other));
             let before = |place: Vec3<S>| vec3::dot(normal, vec3::sub(place, own));
             before(middle) < S::ZERO && before(point) > S::ZERO
         })
@@ -240,10 +236,15 @@ impl<'a, S: Scalar> Scenery<'a, S> {
         }
     }
 
+    /// The mean of a facet's corners.
+    fn middle(&self, facet: &[usize; 4]) -> Vec3<S> {
+        let sum = facet.iter().fold(vec3::zero(), |sum, node| vec3::add(sum, vec3::at(self.pos, *node)));
+        vec3::scale(sum, S::from_f64(0.25))
+    }
+
     /// Whether the middle of a facet lies above the tangent plane at a foot.
     fn rises_over(&self, near: &FacetNearest<S>, facet: &[usize; 4]) -> bool {
-        let sum = facet.iter().fold(vec3::zero(), |sum, node| vec3::add(sum, vec3::at(self.pos, *node)));
-        let way = vec3::sub(vec3::scale(sum, S::from_f64(0.25)), near.foot);
+        let way = vec3::sub(self.middle(facet), near.foot);
         vec3::dot(near.normal, way) > S::from_f64(FOLD) * vec3::norm(way)
     }
 

@@ -81,8 +81,8 @@ impl<S: Scalar, C: Carrier<S>> Island<'_, S, C> {
         let alone = |grid: &Grid<S>| !self.cells.iter().any(|cell| cell.holds(grid));
         let forces = elements.eval_elastic(weights, alone, memory.pos, memory.elastic);
         forces.map_err(|_| Fault::NonFinite)?;
+        let holds = Holds { attachments: self.attachments, frames: memory.frames };
         for cell in self.cells {
-            let holds = Holds { attachments: self.attachments, frames: memory.frames };
             cell.add_force(&self.body, elements.grids(), holds, memory.pos, memory.elastic)?;
         }
         self.load_speeds();
