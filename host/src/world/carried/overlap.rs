@@ -11,7 +11,7 @@ use smartbed_codegen::diagnostic::Diagnostic;
 impl CarriedWorld {
     /// Refuses the deepest overlap of two parts.
     pub(super) fn refuse_overlaps(&mut self, assembly: &Assembly) -> Result<(), Failure> {
-        let Some(touching) = self.touching.take() else { return Ok(()) };
+        let Some(touching) = self.touching.take_if(|own| !own.pairs.is_empty()) else { return Ok(()) };
         let (t, x) = (self.t, self.x.clone());
         let found = self.with(|island| touching.overlaps(island, t, &x));
         self.touching = Some(touching);

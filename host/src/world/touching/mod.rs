@@ -68,8 +68,6 @@ pub(super) struct Touching<S = f64> {
     located: Option<Located<S>>,
     /// Made when a step first asks for it.
     means: Option<Means<S>>,
-    /// Numbers of the state.
-    n: usize,
 }
 
 /// Pairs with the parts of each, and which of them can move.
@@ -243,7 +241,6 @@ impl<S: Scalar> Touching<S> {
             pairs,
             located,
             means: None,
-            n,
         }
     }
 
@@ -275,9 +272,6 @@ impl<S: Scalar> Touching<S> {
         t: S,
         x: &[S],
     ) -> Result<Vec<Overlap>, Fault> {
-        if self.pairs.is_empty() {
-            return Ok(Vec::new());
-        }
         let mut room = self.room.clone();
         let mut memory = room.memory();
         World { island, things: &self.things, pairs: &self.pairs }.look(t, x, &mut memory)?;
@@ -397,8 +391,8 @@ impl<S: Scalar> Touching<S> {
         (found, books): (&mut Vec<Event>, Option<&mut Books>),
     ) -> Result<Stepped<S>, Fault> {
         self.moved();
-        let [ports, points, _] = self.room.sizes();
-        let sizes = [self.n, points, ports];
+        let [ports, points, _, n] = self.room.sizes();
+        let sizes = [n, points, ports];
         let mut memory = self.room.memory();
         let mut world = World { island, things: &self.things, pairs: &self.pairs };
         let mut watch = Watch { parts: &self.parts, bodies: &self.bodies, found: &mut *found, books };

@@ -32,8 +32,6 @@ impl Touching {
             parts: self.parts.clone(),
             moves: self.moves.clone(),
         };
-        let [ports, points, answers] = self.room.sizes();
-        let size = [ports, points, answers, self.n];
-        Touching::with(things, pairs, located, size)
+        Touching::with(things, pairs, located, self.room.sizes())
     }
 }
