@@ -9,6 +9,7 @@ mod commanded;
 mod conserving;
 mod costs;
 mod edges;
+mod facets;
 mod followed;
 mod friction;
 mod islands;

@@ -4,7 +4,7 @@
 //! each with its impulse, and the velocities that they leave.
 
 use super::carrier::{Carrier, Wrench};
-use super::detect::Touch;
+use super::detect::{Touch, keep_only};
 use super::extent::Extent;
 use super::island::{Cut, Memory};
 use super::scenery::Scenery;
@@ -56,18 +56,18 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
     }
 
     /// Detects contacts at the positions placed last (the middle, at t), their inverse masses, and the velocities of
-    /// their nodes at the start and, under the forces in memory, at the end. Impulses of the last
-    /// step are not taken as a start, which would save a tenth of the sweeps: a step depends on the state alone, so
-    /// that a run that is resumed, and parts that step apart, give the same bits.
+    /// their nodes at the start and, under the forces in memory, at the end; returns how near (m) they are listed.
+    /// Impulses of the last step are not taken as a start, which would save a tenth of the sweeps: a step depends on
+    /// the state alone, so that a run that is resumed, and parts that step apart, give the same bits.
     pub(super) fn find_contacts(
         &mut self,
         (t, h): (S, S),
         middle: &[S],
         memory: &mut StepMemory<'_, S>,
-    ) -> Result<(), Fault> {
+    ) -> Result<S, Fault> {
         memory.counts[0] = 0;
         if self.pairs.is_empty() {
-            return Ok(());
+            return Ok(S::ZERO);
         }
         self.scenery(&[], S::ZERO, false).measure(memory.extents);
         let margin = self.margin(h, memory);
@@ -76,7 +76,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         let island = &mut self.island;
         counts[0] = count;
         if count == 0 {
-            return Ok(());
+            return Ok(margin);
         }
         let Cut { q, u, .. } = island.parts(middle)?;
         let touched = |port: usize| now.iter().take(count).any(|touch| touch.contact.touches_body(port));
@@ -91,7 +91,16 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
             touch.inverse_mass = touch.contact.inverse_mass(inertias);
         }
         self.read_touched(h, memory);
-        Ok(())
+        Ok(margin)
+    }
+
+    /// Leaves out the contacts of points that are outside for all their depth, given how far (m) a step of h
+    /// (s) can bring them.
+    pub(super) fn leave_out_behind(&self, (h, way): (S, S), memory: &mut StepMemory<'_, S>) {
+        let StepMemory { normals, touches: [now, _], counts, .. } = memory;
+        let scenery = self.scenery(normals, way, false);
+        let now = now.get_mut(..counts[0]).unwrap_or_default();
+        counts[0] = keep_only(now, 0, |_, touch, _| !scenery.is_outside(self.pairs, touch, (h, way)));
     }
 
     /// Velocities of the nodes that touch, at the start and, under the forces in memory, at the end.

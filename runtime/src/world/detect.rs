@@ -359,7 +359,7 @@ impl<'a, S: Scalar> Scenery<'a, S> {
     }
 
     /// Of a contact between two meshes: the one whose node touches, and the one whose facet does.
-    fn meshes(&self, [one, other]: [&'a Thing<S>; 2], id: u32) -> Option<[Mesh<'a, S>; 2]> {
+    pub(super) fn meshes(&self, [one, other]: [&'a Thing<S>; 2], id: u32) -> Option<[Mesh<'a, S>; 2]> {
         let (a, b) = (self.mesh(one)?, self.mesh(other)?);
         Some(if (a.nodes[0] < b.nodes[0]) == (id < OF_SHAPE) { [a, b] } else { [b, a] })
     }

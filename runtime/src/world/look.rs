@@ -16,6 +16,6 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
     pub fn look(&mut self, t: S, x: &[S], memory: &mut StepMemory<'_, S>) -> Result<(), Fault> {
         self.island.place(t, x)?;
         // In no time nothing comes nearer.
-        self.find_contacts((t, S::ZERO), x, memory)
+        self.find_contacts((t, S::ZERO), x, memory).map(|_| ())
     }
 }

@@ -11,6 +11,7 @@
 
 mod accounts;
 mod attachment;
+mod behind;
 mod booking;
 mod carrier;
 mod cell;

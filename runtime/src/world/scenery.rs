@@ -187,19 +187,6 @@ impl<'a, S: Scalar> Scenery<'a, S> {
         best
     }
 
-    /// Whether a point deep below a facet is outside the body for all that: in front of a facet beside that one, beyond
-    /// their convex edge. No step brings a point in so deep.
-    fn is_around_edge(&self, mesh: &Mesh<'a, S>, facet: &[usize; 4], point: Vec3<S>) -> bool {
-        let middle = self.middle(facet);
-        let shared = |other: &[usize; 4]| other.iter().filter(|node| facet.contains(node)).count();
-        mesh.facets.iter().filter(|other| *other != facet && shared(other) >= 2).any(|other| {
-            let [a, b, c, d] = other.map(|node| vec3::at(self.pos, node));
-            let (normal, own) = (vec3::cross(vec3::sub(c, a), vec3::sub(d, b)), self.middle(other));
-            let before = |place: Vec3<S>| vec3::dot(normal, vec3::sub(place, own));
-            before(middle) < S::ZERO && before(point) > S::ZERO
-        })
-    }
-
     /// The feet of a point on a mesh: on the nearest facet, or on the two facets of a fold around it (the nearest, and
     /// the nearest of those that face it) in the order of the mesh. A point below both, at the bottom of a fold,
     /// projects onto neither, so the facets are extended behind their edge in proportion to the point's depth.
@@ -237,7 +224,7 @@ impl<'a, S: Scalar> Scenery<'a, S> {
     }
 
     /// The mean of a facet's corners.
-    fn middle(&self, facet: &[usize; 4]) -> Vec3<S> {
+    pub(super) fn middle(&self, facet: &[usize; 4]) -> Vec3<S> {
         let sum = facet.iter().fold(vec3::zero(), |sum, node| vec3::add(sum, vec3::at(self.pos, *node)));
         vec3::scale(sum, S::from_f64(0.25))
     }

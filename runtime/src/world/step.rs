@@ -120,7 +120,11 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
 
         // Contact impulses act as forces at the middle.
         self.carry_twists([t, t_end], h, middle, dot, new, memory)?;
-        self.find_contacts((t_middle, h), middle, memory)?;
+        let way = self.find_contacts((t_middle, h), middle, memory)?;
+        // A relaxation, in which no time passes, moves out of one another what starts so.
+        if t_end > t {
+            self.leave_out_behind((h, way), memory);
+        }
         if !course.rebounds {
             memory.touches[0].iter_mut().for_each(|touch| touch.contact.restitution = S::ZERO);
         }

@@ -187,7 +187,9 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         self.island.load_seams()?;
         self.island.accelerate(t + half, middle, rates)?;
         self.carry_twists([t, t + h], h, middle, rates, spare, memory)?;
-        self.find_contacts((t + half, h), middle, memory)
+        let way = self.find_contacts((t + half, h), middle, memory)?;
+        self.leave_out_behind((h, way), memory);
+        Ok(())
     }
 
     /// Iterates the rates of a span until they converge; returns the worst pivot and the last sweeps.

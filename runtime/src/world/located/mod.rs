@@ -80,6 +80,8 @@ pub struct LocatedReport<S> {
 struct Rounding<S> {
     /// Gap (m).
     gap: S,
+    /// How far a point may come in a step (m).
+    way: S,
     /// How far a lasting contact may be from where it was detected (m).
     drift: S,
     /// Speed (m/s).
@@ -148,7 +150,7 @@ impl<'m, S: Scalar> LocatedMemory<'m, S> {
             known: 0,
             held: 0,
             h,
-            rounding: Rounding { gap: S::ZERO, drift: S::ZERO, rate: S::ZERO, still: S::ZERO },
+            rounding: Rounding { gap: S::ZERO, way: S::ZERO, drift: S::ZERO, rate: S::ZERO, still: S::ZERO },
         })
     }
 }
@@ -363,6 +365,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         let rate = lowest + S::from_f64(64.0) * S::EPSILON * speed;
         way.rounding = Rounding {
             gap: (S::from_f64(2.0 / 3.0) * S::EPSILON.ln()).exp() * size,
+            way: S::from_f64(2.0) * way.h * speed,
             drift: S::from_f64(DRIFT) * size,
             rate,
             still: rate,
@@ -378,10 +381,12 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         Pressed::read_twists(self, twists);
         let found = self.detect((way.rounding.gap, true), normals, extents, now)?;
         let found = now.get_mut(..found).unwrap_or_default();
+        let scenery = self.scenery(normals, way.rounding.gap, true);
         let count = keep_only(found, 0, |_, touch, _| {
             touch.start = touch.contact.relative(twists);
             let rides = way.pressed.get(touch.pair).is_some_and(|own| *own);
-            touch.gap <= way.rounding.gap || rides && touch.start[0].abs() <= way.rounding.still
+            let near = touch.gap <= way.rounding.gap || rides && touch.start[0].abs() <= way.rounding.still;
+            near && !scenery.is_outside(self.pairs, touch, (way.h, way.rounding.way))
         });
         (counts[0], way.known) = (count, count);
         Ok(())

@@ -22,13 +22,13 @@ fn far<S: Scalar>() -> S {
 
 impl<S: Scalar> Touch<S> {
     /// Clearance of a contact that is not held, given the same at the start of the piece.
-    fn clearance(&self, before: Option<&Self>, gap_rate: S, rounding: &Rounding<S>) -> S {
+    fn clearance(&self, before: Option<&Self>, rounding: &Rounding<S>) -> S {
         // An overlap that is opening counts as new only where it goes deeper.
         let depth = before.map_or(S::ZERO, |own| own.gap.min(S::ZERO));
         let by_gap = (self.gap - depth) / rounding.gap + S::ONE;
         // What slides above or below a facet, within its sagitta, comes nearer to it also where nothing closes; no law
         // acts on a known contact that opens, wherever it goes.
-        let by_rate = gap_rate / rounding.rate;
+        let by_rate = self.start[0] / rounding.rate;
         match (self.gap <= -self.sagitta, before) {
             (true, None) => by_gap,
             (true, Some(_)) => by_gap.max(by_rate - S::ONE),
@@ -121,11 +121,14 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         let count = self.detect((way.rounding.gap, true), normals, extents, found)?;
         let known = known.get(..way.known).unwrap_or_default();
         let mut clear = far::<S>();
-        for touch in found.iter().take(count) {
-            if !list.iter().any(|own| touch.is(own.pair, own.id)) {
+        let scenery = self.scenery(normals, way.rounding.gap, true);
+        for touch in found.iter_mut().take(count) {
+            touch.start = touch.contact.relative(twists);
+            if !list.iter().any(|own| touch.is(own.pair, own.id))
+                && !scenery.is_outside(self.pairs, touch, (way.h, way.rounding.way))
+            {
                 let before = known.iter().find(|own| own.is(touch.pair, touch.id));
-                let gap_rate = touch.contact.relative(twists)[0];
-                clear = clear.min(touch.clearance(before, gap_rate, &way.rounding));
+                clear = clear.min(touch.clearance(before, &way.rounding));
             }
         }
         let force = |own: &Pressing<S>| own.held.contact.impulse;

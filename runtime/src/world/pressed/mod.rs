@@ -50,6 +50,8 @@ pub struct Pressing<S> {
     pub kept: S,
     /// How much the gap (m) may change while it slides on a smooth surface with the normals of the facet below it.
     pub sagitta: S,
+    /// How far (m) it may be off the facet for having been so at the start of the piece of a step.
+    pub(super) off: S,
     /// Contact point in N (m).
     pub place: Vec3<S>,
     /// Sides, axes, force (N), inverse mass.
@@ -89,6 +91,7 @@ impl<S: Scalar> Pressing<S> {
             gap: S::ZERO,
             kept: S::ZERO,
             sagitta: S::ZERO,
+            off: S::ZERO,
             place: zero,
             held,
             slip,
@@ -142,11 +145,12 @@ impl<S: Scalar> Pressing<S> {
         }
     }
 
-    /// The gap (m) to which a projection moves the contact: the present one, as long as it is within the sagitta.
-    /// Forces act along the normals of a smooth surface, and to move the contact back to the facet would do work
-    /// against them.
+    /// The gap (m) to which a projection moves the contact: the present one, as long as it is within the sagitta, now or
+    /// before the facet flattened. Forces act along the normals of a smooth surface, and to move the contact back to the
+    /// facet would do work against them.
     fn aim(&self) -> S {
-        self.gap.max(self.kept - self.sagitta).min(self.kept + self.sagitta)
+        let off = self.sagitta.max(self.off);
+        self.gap.max(self.kept - off).min(self.kept + off)
     }
 
     /// Force that a sticking contact is missing, 1 where slip starts. `gained`: accelerations by the forces of all
