@@ -55,15 +55,17 @@ impl FileKind {
         if lines.clone().any(|line| ["[parts.", "[parts]", "parts."].iter().any(|w| line.starts_with(w))) {
             return FileKind::World;
         }
-        if marks(text) > MANY {
-            // By how its lines begin.
-            let gives = |line: &str, key: &str| {
-                line.strip_prefix(key).is_some_and(|rest| rest.trim_start().starts_with('='))
-            };
-            let is_body = lines.any(|line| gives(line, "shape") || gives(line, "points"));
-            return if is_body { FileKind::Body } else { FileKind::Unknown };
-        }
-        Self::of_table(&text.parse::<toml::Table>().unwrap_or_default())
+        let table = if marks(text) > MANY { None } else { text.parse::<toml::Table>().ok() };
+        table.map_or_else(
+            || {
+                let gives = |line: &str, key: &str| {
+                    line.strip_prefix(key).is_some_and(|rest| rest.trim_start().starts_with('='))
+                };
+                let is_body = lines.any(|line| gives(line, "shape") || gives(line, "points"));
+                if is_body { FileKind::Body } else { FileKind::Unknown }
+            },
+            |table| Self::of_table(&table),
+        )
     }
 
     fn of_table(table: &toml::Table) -> Self {

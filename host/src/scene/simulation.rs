@@ -70,17 +70,18 @@ struct Links {
 }
 
 impl Links {
-    fn new<S: Scalar>(mass: &[S], springs: &[Spring<S>]) -> Links {
+    fn new<S: Scalar>(mass: &[S], fixed: &[bool], springs: &[Spring<S>]) -> Links {
+        // What is held in space needs no mass.
+        let is_massless =
+            |point: usize| mass.get(point) == Some(&S::ZERO) && fixed.get(point) == Some(&false);
         let mut of_point = vec![Vec::new(); mass.len()];
         for (number, spring) in springs.iter().enumerate() {
-            for end in [spring.tail, spring.head] {
-                if mass.get(end).is_some_and(|m| *m == S::ZERO) {
-                    of_point[end].push(number);
-                }
+            for end in [spring.tail, spring.head].into_iter().filter(|end| is_massless(*end)) {
+                of_point[end].push(number);
             }
         }
         let mut links = Links { first: vec![0], ..Links::default() };
-        for (point, _) in mass.iter().enumerate().filter(|(_, m)| **m == S::ZERO) {
+        for point in (0..mass.len()).filter(|point| is_massless(*point)) {
             links.points.push(point);
             links.springs.append(&mut of_point[point]);
             links.first.push(links.springs.len());
@@ -112,7 +113,7 @@ impl<S: Scalar> Simulation<S> {
         let springs: Vec<Spring<S>> = lists.elements(0).collect();
         let grid = Woven::new(lists, [0; 3]);
         let mut simulation = Simulation {
-            massless: Links::new(&mass, &springs),
+            massless: Links::new(&mass, &lists.fixed, &springs),
             patches: if grid.is_none() { Patched::new(&springs, n) } else { None },
             grid,
             marcher: None,

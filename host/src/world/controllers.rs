@@ -3,7 +3,7 @@
 //!
 //! In: the scene's description of each, the rows' columns, the sensors' readings. Out: values of an engine's inputs.
 //! ```text
-//! e = target(t) - reading,   I += integral * period * e  (not where the output is at a limit and e drives it further)
+//! e = target(t) - reading,   I += integral * period * e  (not further than to where the output is at a limit)
 //! output = bias + gain * e + I, within the limits
 //! ```
 //! They act through inputs alone: valves of gas, and inputs of mechanisms for which the model has no law.
@@ -152,11 +152,12 @@ impl Controller {
         let error = self.own.target_at(t) - reading;
         let added = integral * self.period as f64 * step * error;
         let output = |sum: f64| bias + gain * error + sum;
-        let (kept, gone) = (output(self.integral), output(self.integral + added));
-        let further = gone > high && gone > kept || gone < low && gone < kept;
-        if !further {
-            self.integral += added;
-        }
+        // Up to the limit, and no further: what would be beyond is not wound up.
+        let kept = output(self.integral);
+        self.integral += match added > 0.0 {
+            true => added.min((high - kept).max(0.0)),
+            false => added.max((low - kept).min(0.0)),
+        };
         output(self.integral).clamp(low, high)
     }
 }

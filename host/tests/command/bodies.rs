@@ -82,9 +82,46 @@ fn dampers_that_do_not_count_are_told() {
     assert!(told.contains("s.toml:4: `C`: 6 of 7 dampers left out"), "{told}");
 }
 
+/// A point that is held in space below the floor was put on the floor when a step had many events.
+#[test]
+fn fixed_points_below_the_floor_stay_there() {
+    let text = "format = 1\npoints = [[0, 0, 0.3], [0.2, 0, 0.5]]\nsprings = [[0, 1]]\nfixed = [0]\nT = 1\n\
+                floor = { offset = 0.4 }\n";
+    let file = written("fixed_below.toml", text);
+    for law in ["compensation", "newton", "moreau"] {
+        for method in ["", "verlet", "rk4"].into_iter().filter(|method| law != "moreau" || method.is_empty())
+        {
+            let set = format!("law={law}");
+            let mut arguments = vec!["run", &file, "--set", &set, "--csv", "-"];
+            if !method.is_empty() {
+                arguments.extend(["--method", method]);
+            }
+            let rows = smartbed(&arguments);
+            assert_eq!(rows.status, 0, "{}", rows.err);
+            let mut lines = rows.out.lines();
+            let column = lines.next().expect("names").split(',').position(|name| name == "z0").expect("z0");
+            let moved =
+                lines.filter(|row| row.split(',').nth(column).map(str::parse) != Some(Ok(0.3_f64))).count();
+            assert_eq!(moved, 0, "{law}, {method}");
+        }
+    }
+}
+
+#[test]
+fn a_fixed_point_needs_no_mass() {
+    let text = "format = 1\npoints = [[0, 0, 0], [0, 0, 1]]\nsprings = [[0, 1]]\nfixed = [0]\nT = 0.1\nlaw = \"none\"\n";
+    let total = |mass: &str| {
+        let file = written("no_mass.toml", &format!("{text}mass = {mass}\n"));
+        smartbed(&["run", &file, "--json"]).json()["total"].clone()
+    };
+    // The potential energy of a fixed point at height 0 is 0 whatever its mass.
+    assert_eq!(total("[0, 1]"), total("[1, 1]"));
+}
+
 #[test]
 fn slips_are_answered_with_what_to_write() {
     let nothing = written("nothing.toml", "format = 1\ntitle = \"nothing\"\n");
+    let beyond = written("beyond.toml", "format = 1\npoints = [[0, 0, 1]]\ng = 1e400\n");
     for (arguments, words) in [
         (
             &["run", "truss", "--set", "eta=.5"][..],
@@ -108,6 +145,7 @@ fn slips_are_answered_with_what_to_write() {
             "method = \"damped_verlet\", which dampers do not limit",
         ),
         (&["run", &nothing], "a scene needs a `shape` or `points`"),
+        (&["run", &beyond], ":3: floating-point number overflowed"),
     ] {
         let done = smartbed(arguments);
         assert!(done.message().contains(words), "{arguments:?}: {}", done.err);

@@ -126,6 +126,11 @@ fn a_held_input_is_what_a_law_of_that_value_is() {
     let held = "[controllers.hold]\nreads = \"arm.q1\"\ndrives = \"arm.T\"\ntarget = 0\nperiod = \"10_ms\"\nbias = 0.3\n";
     assert_eq!(run("held_input", held), run("law", "law = { T = 0.3 }"));
     assert_ne!(run("held_input", held), run("free", ""));
+    // An integral that would pass its limit within one sample goes up to it; it was left where it was, at 0 for ever.
+    let wound = "[controllers.hold]\nreads = \"arm.q1\"\ndrives = \"arm.T\"\ntarget = 100\nperiod = \"10_ms\"\n\
+                 integral = 1e3\nlimits = [-0.2, 0.3]\n";
+    assert_eq!(run("wound", wound), run("law", "law = { T = 0.3 }"));
+    assert_eq!(run("unwound", &wound.replace("100", "-100")), run("law", "law = { T = -0.2 }"));
 }
 
 /// A noisy sensor that is read late, and sampled at times of its own.

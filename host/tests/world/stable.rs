@@ -93,6 +93,27 @@ fn what_holds_a_node_has_the_stable_step_of_a_node_of_its_mass() {
     }
 }
 
+/// Without springs, and with springs so weak that they do not matter: h = 2 m/c at a node on a fixed damper or in air,
+/// half of it between two nodes.
+#[test]
+fn dampers_and_drag_alone_limit_the_step() {
+    let spring = |more: &str| format!("points = [[0, 0, 2], [0, 0, 3]]\nsprings = [[0, 1]]\n{more}");
+    let cases = [
+        ("points = [[0, 0, 2]]\nsprings = []\nair_drag = 5\n".to_owned(), 4e-4),
+        (spring("K = 0\nC = 5\nfixed = [1]\n"), 4e-4),
+        (spring("K = 1e-12\nC = 5\nfixed = [1]\n"), 4e-4),
+        (spring("K = 1e-12\nC = 5\n"), 2e-4),
+    ];
+    for (part, limit) in cases {
+        let text = |step: f64| {
+            format!("format = 2\n[parts.lump]\n{part}mass = 0.001\n[run]\nseconds = 0.02\nstep = {step}\n")
+        };
+        let (who, told) = refused(&text(1e-2));
+        assert!(who == "lump" && (told / limit - 1.0).abs() < 1e-3, "{who}: {told}\n{part}");
+        assert!(engine(&read(&text(0.99 * limit))).is_ok(), "{part}");
+    }
+}
+
 /// A ball and a node on one spring are faster than either alone: w^2 = k/m + k/M.
 #[test]
 fn a_node_and_what_holds_the_other_end_of_its_spring_are_judged_together() {

@@ -18,8 +18,11 @@ use crate::real::Scalar;
 use crate::vec3::{self, Vec3};
 
 /// The formula of [`largest_stable_step`], for messages.
-pub const FORMULA: &str = "h_max = min over points of (sqrt(C^2 + K m) - C)/K, with 2 K and 2 C the largest eigenvalues of the sums \
-     of k d d^T + max(T, 0)/l (1 - d d^T) and of c d d^T over the springs of a point, with tension T and length l, and the ground";
+pub const FORMULA: &str = "h_max = min over points of (sqrt(C^2 + K m) - C)/K, m/(2 C) where K is 0, with 2 K and 2 C the largest eigenvalues of the sums \
+     of k d d^T + max(T, 0)/l (1 - d d^T) and of c d d^T + air_drag/2 over the springs of a point, with tension T and length l, and the ground";
+
+/// Steps that differ by this many rounding units are alike.
+const ALIKE: f64 = 64.0;
 
 /// Squarings of A/trace(A) before its largest eigenvalue is read off: the 64th power.
 const SQUARINGS: usize = 6;
@@ -56,7 +59,8 @@ impl<S: Scalar> Sums<S> {
     }
 }
 
-/// Largest step (s) for which velocity Verlet and similar methods are stable; None where no spring bounds it.
+/// Largest step (s) for which velocity Verlet and similar methods are stable; None where nothing bounds it. Dampers or
+/// drag alone do, by m/(2 C).
 ///
 /// `sums` is memory, one entry per point.
 #[must_use]
@@ -94,10 +98,18 @@ pub fn largest_step_beside<S: Scalar, R: Repertoire<S>>(
             continue;
         }
         let [stiffer, damper] = beside(i);
-        let stiffness = half * largest_eigenvalue(sum.stiffness) + stiffer * *mass;
-        let damping = half * (largest_eigenvalue(sum.damping) + half * system.body.air_drag) + damper * *mass;
-        if stiffness > S::ZERO {
-            let step = ((damping * damping + stiffness * *mass).sqrt() - damping) / stiffness;
+        let step_by = |largest: fn([Vec3<S>; 3]) -> S| {
+            let stiffness = half * largest(sum.stiffness) + stiffer * *mass;
+            let damping = half * (largest(sum.damping) + half * system.body.air_drag) + damper * *mass;
+            // (sqrt(C^2 + K m) - C)/K, without the difference of equal numbers where dampers prevail.
+            let reach = (damping * damping + stiffness * *mass).sqrt() + damping;
+            (reach > S::ZERO).then(|| *mass / reach)
+        };
+        // Most points of a sheet are alike: a bound that costs little says that they have no smaller step.
+        let enough = smallest.is_some_and(|least| {
+            step_by(largest_row).is_none_or(|step| step >= least * (S::ONE - S::from_f64(ALIKE) * S::EPSILON))
+        });
+        if !enough && let Some(step) = step_by(largest_eigenvalue) {
             smallest = Some(smallest.map_or(step, |s| if step < s { step } else { s }));
         }
     }
@@ -149,6 +161,11 @@ fn slopes<S: Scalar, R: Repertoire<S>>(
         }
         _ => (S::ZERO, S::ZERO),
     }
+}
+
+/// Upper bound of the largest eigenvalue: the largest sum of absolute values of a row (Gershgorin).
+fn largest_row<S: Scalar>(a: [Vec3<S>; 3]) -> S {
+    a.iter().fold(S::ZERO, |most, [x, y, z]| most.max(x.abs() + y.abs() + z.abs()))
 }
 
 /// Largest eigenvalue of a symmetric positive semidefinite matrix, by repeated squaring.

@@ -36,7 +36,10 @@ pub(super) fn lift_departing<S: Scalar, R: Repertoire<S>>(
     let points = blocks.flat_map(|(block, modes)| {
         modes.iter().enumerate().map(move |(i, mode)| (block * PASSED_OVER + i, mode))
     });
-    for (i, _) in points.filter(|(_, m)| **m == ContactState::Departing) {
+    let departs = |(i, mode): &(usize, &ContactState)| {
+        **mode == ContactState::Departing && system.body.inverse_mass(*i) > S::ZERO
+    };
+    for (i, _) in points.filter(departs) {
         let leaves = ground.gap_rate(vec3::at(work.end.vel, i)) >= S::ZERO;
         if leaves && ground.is_deep(vec3::at(work.end.pos, i)) {
             lift(&ground, &mut work.end, i);

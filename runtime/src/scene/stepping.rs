@@ -62,11 +62,11 @@ pub(super) fn finish<'a, S: Scalar, R: Repertoire<S>, O: Observer<S, R>>(
     }
     work.finish(&Frozen { system, modes: state.modes }, &state.motion)?;
     if let Some(ground) = &ground {
-        (0..system.body.points()).filter(|i| state.modes.get(*i).is_some_and(|m| m.is_held())).for_each(
-            |i| {
-                lift(ground, &mut work.end, i);
-            },
-        );
+        // What is held in space stays there, even below the ground.
+        let lies = |i: &usize| {
+            system.body.inverse_mass(*i) > S::ZERO && state.modes.get(*i).is_some_and(|m| m.is_held())
+        };
+        (0..system.body.points()).filter(lies).for_each(|i| lift(ground, &mut work.end, i));
     }
     close(system, state, tau, taken, work, observer);
     state.anchor = state.anchor - taken.impact - taken.friction;

@@ -40,7 +40,8 @@ impl Held {
     /// The largest step that resolves its motion while all free nodes are at rest.
     fn step(&self) -> Option<f64> {
         let [stiffness, damping] = self.rates;
-        (stiffness > 0.0).then(|| ((damping * damping + stiffness).sqrt() - damping) / stiffness)
+        let reach = (damping * damping + stiffness).sqrt() + damping;
+        (reach > 0.0).then(|| 1.0 / reach)
     }
 }
 
@@ -183,7 +184,7 @@ pub(super) fn refuse_larger(
     // A scene that says no step takes that of every scene, which stands nowhere.
     let step = assembly.places.key(&["run", "step"]);
     let error = if step == Span::default() { error } else { error.label(step, "this step") };
-    let error = error.label(place, "too stiff for it");
+    let error = error.label(place, "too stiff, or damped too strongly, for it");
     Err(assembly.places.failure(error.help("take a smaller `step` under [run]")))
 }
 
