@@ -125,7 +125,7 @@ impl Numbers {
 /// Where a facet that is slid over flattened, its contact was moved onto it, step by step, with energy from nothing:
 /// up to 1e-3 of it, however small the step.
 #[test]
-fn bodies_that_slide_over_facets_keep_their_energy_and_what_turns_them() {
+fn bodies_that_slide_over_facets_keep_their_energy() {
     let mut numbers = Numbers(7);
     let mut longest = 0.0_f64;
     for case in 0..24 {

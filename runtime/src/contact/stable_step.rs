@@ -101,8 +101,12 @@ pub fn largest_step_beside<S: Scalar, R: Repertoire<S>>(
         let step_by = |largest: fn([Vec3<S>; 3]) -> S| {
             let stiffness = half * largest(sum.stiffness) + stiffer * *mass;
             let damping = half * (largest(sum.damping) + half * system.body.air_drag) + damper * *mass;
-            // (sqrt(C^2 + K m) - C)/K, without the difference of equal numbers where dampers prevail.
-            let reach = (damping * damping + stiffness * *mass).sqrt() + damping;
+            // (sqrt(C^2 + K m) - C)/K, without the difference of equal numbers where dampers prevail, and without squares,
+            // which overflow.
+            let elastic = stiffness.sqrt() * mass.sqrt();
+            let (more, less) = (damping.max(elastic), damping.min(elastic));
+            let share = if more > S::ZERO { less / more } else { S::ZERO };
+            let reach = more * (S::ONE + share * share).sqrt() + damping;
             (reach > S::ZERO).then(|| *mass / reach)
         };
         // Most points of a sheet are alike: a bound that costs little says that they have no smaller step.
