@@ -56,16 +56,15 @@ impl FileKind {
             return FileKind::World;
         }
         let table = if marks(text) > MANY { None } else { text.parse::<toml::Table>().ok() };
-        table.map_or_else(
-            || {
-                let gives = |line: &str, key: &str| {
-                    line.strip_prefix(key).is_some_and(|rest| rest.trim_start().starts_with('='))
-                };
-                let is_body = lines.any(|line| gives(line, "shape") || gives(line, "points"));
-                if is_body { FileKind::Body } else { FileKind::Unknown }
-            },
-            |table| Self::of_table(&table),
-        )
+        if let Some(table) = table {
+            return Self::of_table(&table);
+        }
+        // By how its lines begin.
+        let gives = |line: &str, key: &str| {
+            line.strip_prefix(key).is_some_and(|rest| rest.trim_start().starts_with('='))
+        };
+        let is_body = lines.any(|line| gives(line, "shape") || gives(line, "points"));
+        if is_body { FileKind::Body } else { FileKind::Unknown }
     }
 
     fn of_table(table: &toml::Table) -> Self {

@@ -101,13 +101,7 @@ pub fn largest_step_beside<S: Scalar, R: Repertoire<S>>(
         let step_by = |largest: fn([Vec3<S>; 3]) -> S| {
             let stiffness = half * largest(sum.stiffness) + stiffer * *mass;
             let damping = half * (largest(sum.damping) + half * system.body.air_drag) + damper * *mass;
-            // (sqrt(C^2 + K m) - C)/K, without the difference of equal numbers where dampers prevail, and without squares,
-            // which overflow.
-            let elastic = stiffness.sqrt() * mass.sqrt();
-            let (more, less) = (damping.max(elastic), damping.min(elastic));
-            let share = if more > S::ZERO { less / more } else { S::ZERO };
-            let reach = more * (S::ONE + share * share).sqrt() + damping;
-            (reach > S::ZERO).then(|| *mass / reach)
+            stable_step(*mass, [stiffness, damping])
         };
         // Most points of a sheet are alike: a bound that costs little says that they have no smaller step.
         let enough = smallest.is_some_and(|least| {
@@ -118,6 +112,17 @@ pub fn largest_step_beside<S: Scalar, R: Repertoire<S>>(
         }
     }
     smallest
+}
+
+/// (sqrt(C^2 + K m) - C)/K (s) for a mass, K and C; None where both are 0. It is m/(sqrt(C^2 + K m) + C): no difference of
+/// equal numbers where dampers prevail, and no squares, which overflow.
+#[must_use]
+pub fn stable_step<S: Scalar>(mass: S, [stiffness, damping]: [S; 2]) -> Option<S> {
+    let elastic = stiffness.sqrt() * mass.sqrt();
+    let (more, less) = (damping.max(elastic), damping.min(elastic));
+    let share = if more > S::ZERO { less / more } else { S::ZERO };
+    let both = more * (S::ONE + share * share).sqrt() + damping;
+    (both > S::ZERO).then(|| mass / both)
 }
 
 fn add_bonds<S: Scalar, R: Repertoire<S>>(system: &System<S, R>, pos: &[Vec3<S>], sums: &mut [Sums<S>]) {

@@ -10,11 +10,10 @@
 //! bring them are: what has just gone in is caught.
 
 use super::detect::{OF_SHAPE, Touch};
-use super::scenery::{EDGE, Mesh, Scenery};
+use super::scenery::{Mesh, Scenery, edge};
 use super::thing::Pair;
 use crate::real::Scalar;
 use crate::rigid::narrow::core_points;
-use crate::surface::facet::{Facet, FacetNearest};
 use crate::vec3::{self, Vec3};
 
 /// Least rate of closing, relative to the speed along the surface: at less, where a point came from is not known well.
@@ -48,13 +47,13 @@ impl<'a, S: Scalar> Scenery<'a, S> {
         if touch.gap >= -(S::from_f64(LEFT) * mesh.depth) {
             return false;
         }
-        let over = |point: Vec3<S>, farthest: S, least: S| {
-            let mut feet = mesh.facets.iter().filter_map(|facet| self.nearest_on(facet, point, farthest));
-            feet.any(|near| near.gap > least)
+        let feet = |point: Vec3<S>, farthest: S| {
+            let near = move |facet| Some(self.nearest_on(facet, point, farthest, edge())?.0);
+            mesh.facets.iter().filter_map(near).filter(move |near| near.gap.abs() <= farthest)
         };
         let close = S::from_f64(CLOSE) * -touch.gap;
         let is_beside = || mesh.facets.iter().any(|facet| self.distance(facet, point) < close);
-        over(point, -touch.gap, S::ZERO) || is_beside() || {
+        feet(point, -touch.gap).any(|near| near.gap > S::ZERO) || is_beside() || {
             let [rate, x, y] = touch.start;
             let slide = (x * x + y * y).sqrt();
             let closes = -rate > (S::from_f64(STEEP) * slide).max(S::EPSILON.sqrt() * mesh.depth / h);
@@ -62,7 +61,7 @@ impl<'a, S: Scalar> Scenery<'a, S> {
             let foot = vec3::axpy(point, -touch.gap, touch.contact.axes[0]);
             let came = vec3::axpy(foot, -(touch.gap / rate), slip);
             let near = touch.sagitta.max(S::from_f64(NEAR) * -touch.gap);
-            closes && !over(came, near, -near - near)
+            closes && feet(came, near).next().is_none()
         }
     }
 
@@ -84,19 +83,6 @@ impl<'a, S: Scalar> Scenery<'a, S> {
             }
             (Some(_), Some(_)) => None,
         }
-    }
-
-    /// The foot of a point on a facet, not farther than this from it.
-    fn nearest_on(&self, facet: &[usize; 4], point: Vec3<S>, farthest: S) -> Option<FacetNearest<S>> {
-        let corners = facet.map(|node| vec3::at(self.pos, node));
-        let (middle, square) = (self.middle(facet), |x: Vec3<S>| vec3::dot(x, x));
-        let reach = corners.iter().fold(S::ZERO, |most, x| most.max(square(vec3::sub(*x, middle)))).sqrt();
-        if square(vec3::sub(point, middle)) > (reach + farthest) * (reach + farthest) {
-            return None;
-        }
-        let normals = self.corner_normals(facet, &corners);
-        let near = (Facet { corners, normals }).nearest(point, S::from_f64(EDGE) * S::EPSILON)?;
-        (near.gap.abs() <= farthest).then_some(near)
     }
 
     /// Distance of a point from a facet, taken as two triangles (m).

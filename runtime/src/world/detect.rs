@@ -14,7 +14,7 @@
 //! on itself, are not detected.
 
 use super::extent::Extent;
-use super::scenery::{EDGE, Feet, Foot, Mesh, Over, Scenery, Standing, shares};
+use super::scenery::{Feet, Foot, Mesh, Over, Scenery, Standing, edge, shares};
 use super::thing::{Pair, Thing};
 use crate::mechanism::Fault;
 use crate::real::Scalar;
@@ -314,7 +314,7 @@ impl<'a, S: Scalar> Scenery<'a, S> {
     /// Whether the foot of a box's corner is a node, up to rounding, that touches the box itself.
     fn on_a_node(&self, mesh: &Mesh<S>, (facet, near): &Foot<S>, shape: &Standing<S>) -> bool {
         shares(facet, near).into_iter().any(|(node, weight)| {
-            weight > S::ONE - S::from_f64(EDGE) * S::EPSILON
+            weight > S::ONE - edge()
                 && mesh.has(node)
                 && self.node_over_shape(mesh, node, shape).is_some_and(|meeting| meeting.gap <= self.margin)
         })

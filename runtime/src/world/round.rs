@@ -14,7 +14,7 @@
 //! kept. Nothing is left out unless what stands for it is a contact itself.
 
 use super::detect::{Found, OF_SHAPE, POINTS, Touch};
-use super::scenery::{Beyond, EDGE, Mesh, Scenery, Standing, shares};
+use super::scenery::{Beyond, Mesh, Scenery, Standing, edge, shares};
 use super::thing::Pair;
 use crate::real::Scalar;
 use crate::surface::facet::FacetNearest;
@@ -38,7 +38,7 @@ impl<S: Scalar> Scenery<'_, S> {
         (first, found): (usize, &mut Found<S>),
     ) {
         let feet = found.count;
-        let rounding = S::from_f64(EDGE) * S::EPSILON;
+        let rounding: S = edge();
         for (facet, corners) in (0..).zip(mesh.facets) {
             let Some(near) = self.over_facet(mesh, corners, (point, radius), Beyond::Edges) else { continue };
             let same = rounding * (radius + vec3::norm(near.foot));
@@ -104,7 +104,7 @@ impl<S: Scalar> Scenery<'_, S> {
             }
         }
         let (share, node) = nearest;
-        let on_it = share > S::ONE - S::from_f64(EDGE) * S::EPSILON;
+        let on_it = share > S::ONE - edge();
         let nearer = share > S::from_f64(AT_NODE) || mean < (near.gap - radius).abs();
         on_it || (nearer && share > S::ZERO && self.lies_on(mesh, node, shape))
     }

@@ -28,7 +28,12 @@ const FOLD: f64 = 0.2;
 const BEYOND: f64 = 8.0;
 
 /// A foot within this many rounding units of a facet's edge or corner, relative to the facet, is on it.
-pub(super) const EDGE: f64 = 1e3;
+const EDGE: f64 = 1e3;
+
+/// [`EDGE`] in the scalar's rounding units.
+pub(super) fn edge<S: Scalar>() -> S {
+    S::from_f64(EDGE) * S::EPSILON
+}
 
 /// Geometry of all things at one instant.
 pub(super) struct Scenery<'a, S> {
@@ -243,23 +248,13 @@ impl<'a, S: Scalar> Scenery<'a, S> {
         (point, radius): (Vec3<S>, S),
         beyond: Beyond,
     ) -> Option<FacetNearest<S>> {
-        let corners = facet.map(|node| vec3::at(self.pos, node));
-        let [a, _, c, _] = corners;
-        let middle = vec3::scale(vec3::add(a, c), S::from_f64(0.5));
-        let square = |x: Vec3<S>| vec3::dot(x, x);
-        let reach = corners.iter().fold(S::ZERO, |most, x| most.max(square(vec3::sub(*x, middle)))).sqrt();
         // A foot on the facet is |radius + gap| away, with the gap between -depth and the margin.
         let within = radius + self.margin;
         let beside =
             if self.rides || beyond != Beyond::Edges { radius + mesh.depth } else { mesh.depth - radius };
-        let far = reach + within.max(beside);
-        if square(vec3::sub(point, middle)) > far * far {
-            return None;
-        }
-        let normals = self.corner_normals(facet, &corners);
-        let edge = S::from_f64(EDGE) * S::EPSILON;
+        let edge = edge();
         let widest = if beyond == Beyond::Edges { edge } else { S::ONE };
-        let near = (Facet { corners, normals }).nearest(point, widest)?;
+        let (near, reach) = self.nearest_on(facet, point, within.max(beside), widest)?;
         let gap = near.gap - radius;
         let outside = -near.weights.iter().fold(S::ZERO, |least, weight| least.min(*weight));
         let allowed = match beyond {
@@ -269,6 +264,28 @@ impl<'a, S: Scalar> Scenery<'a, S> {
         };
         let margin = if self.rides { self.margin.max(near.sagitta) } else { self.margin };
         (-mesh.depth <= gap && gap <= margin && outside <= allowed).then_some(near)
+    }
+
+    /// The foot of a point on a facet that is extended beyond its edges by `widest` of its width, and the facet's reach
+    /// (m); None also where the facet is surely farther away than this.
+    pub(super) fn nearest_on(
+        &self,
+        facet: &[usize; 4],
+        point: Vec3<S>,
+        farthest: S,
+        widest: S,
+    ) -> Option<(FacetNearest<S>, S)> {
+        let corners = facet.map(|node| vec3::at(self.pos, node));
+        let [a, _, c, _] = corners;
+        let middle = vec3::scale(vec3::add(a, c), S::from_f64(0.5));
+        let square = |x: Vec3<S>| vec3::dot(x, x);
+        let reach = corners.iter().fold(S::ZERO, |most, x| most.max(square(vec3::sub(*x, middle)))).sqrt();
+        let far = reach + farthest;
+        if square(vec3::sub(point, middle)) > far * far {
+            return None;
+        }
+        let normals = self.corner_normals(facet, &corners);
+        Some(((Facet { corners, normals }).nearest(point, widest)?, reach))
     }
 
     /// Normals at the corners of a facet, by which its own normals are interpolated.

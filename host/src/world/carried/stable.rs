@@ -11,7 +11,7 @@ use crate::world::assembly::{Assembly, Kind};
 use smartbed_codegen::diagnostic::Diagnostic;
 use smartbed_codegen::source::Span;
 use smartbed_runtime::contact::System;
-use smartbed_runtime::contact::stable_step::{Sums, largest_stable_step, largest_step_beside};
+use smartbed_runtime::contact::stable_step::{Sums, largest_stable_step, largest_step_beside, stable_step};
 use smartbed_runtime::flexible::Body;
 use smartbed_runtime::flexible::element::{Bond, Element};
 use smartbed_runtime::mechanism::Fault;
@@ -39,9 +39,7 @@ struct Held {
 impl Held {
     /// The largest step that resolves its motion while all free nodes are at rest.
     fn step(&self) -> Option<f64> {
-        let [stiffness, damping] = self.rates;
-        let reach = (damping * damping + stiffness).sqrt() + damping;
-        (reach > 0.0).then(|| 1.0 / reach)
+        stable_step(1.0, self.rates)
     }
 }
 

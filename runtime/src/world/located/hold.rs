@@ -51,7 +51,6 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
     /// Selects the contacts that push from here on, and whether each sticks or slides.
     pub(super) fn hold_at_start(&mut self, t: S, way: &mut PartialStep<S>) -> Result<(), Fault> {
         let (rate, deepest) = (way.rounding.rate, -S::from_f64(OVERLAP) * way.rounding.gap);
-        let twice = S::from_f64(2.0);
         let overlaps = |touch: &Touch<S>| touch.gap < deepest;
         *way.overlaps &= way.touches().iter().any(overlaps);
         way.held = 0;
@@ -59,7 +58,9 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         for touch in way.memory.touches[0].iter().take(way.known).filter(rests) {
             let own = way.pressing.get_mut(way.held).ok_or(Fault::TooManyContacts)?;
             let kept = if *way.overlaps && overlaps(touch) { touch.gap } else { S::ZERO };
-            let off = if (touch.gap - kept).abs() > -deepest { twice * touch.gap.abs() } else { S::ZERO };
+            // Twice: it goes on as it went. What is off by rounding alone is put back.
+            let off = if kept < S::ZERO || touch.gap.abs() <= -deepest { S::ZERO } else { touch.gap.abs() };
+            let off = S::from_f64(2.0) * off;
             *own = Pressing { pair: touch.pair, id: touch.id, kept, off, ..Pressing::empty() };
             (own.held.contact, own.normal) = (touch.contact, touch.contact.axes[0]);
             let [_, x, y] = touch.start;
