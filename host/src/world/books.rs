@@ -190,10 +190,10 @@ impl Books {
     ) -> f64 {
         let (ports, impulse, mut sum) = (self.ports.len(), contact.to_inertial(contact.impulse), 0.0);
         let first = self.part_of_first(contact, bodies);
-        for (side, sign, part) in [(0, S::ONE, first), (1, -S::ONE, 1 - first)] {
-            for point in contact.sides[side].points() {
+        for (side, part) in [(0, first), (1, 1 - first)] {
+            for (point, impulse) in contact.on_side(side, impulse) {
                 let velocity = mean(ends, point.body, point.arm);
-                let work = (sign * duration * point.weight * vec3::dot(impulse, velocity)).to_f64();
+                let work = (duration * vec3::dot(impulse, velocity)).to_f64();
                 self.pairs[pair].to[part] += work;
                 sum += work;
                 if point.body >= ports {

@@ -6,7 +6,7 @@
 //!
 //! A [`Side`] of a contact is a weighted sum of points of bodies: no point (fixed in space), a point of a rigid body or
 //! of a port, a node (a point without arm), a facet (its corners by weight, each a node or a point of the body that
-//! holds it).
+//! holds it). A point that is off a facet is carried along by the facet's turning: see [`Contact::couple`].
 
 use super::impact::InverseMass;
 use super::{RigidBody, RigidState, contact_axes};
@@ -71,6 +71,11 @@ pub struct Contact<S> {
     pub restitution: S,
     /// Impulse (N s) or force (N) on the first side, along n, t1, t2.
     pub impulse: Vec3<S>,
+    /// By point of the second side, c_i = -g a_i, where the first side is a gap g off a facet whose weights change by
+    /// a_i along it: the velocity there is sum w_i v_i + c_i (n . v_i), as of a point fixed to the facet's tangent
+    /// plane, and an impulse P there is w_i P + n (c_i . P) at the points, so that action and reaction leave no moment.
+    /// None where both sides share one point.
+    pub couple: Option<[Vec3<S>; 4]>,
 }
 
 impl<S: Scalar> Mobility<S> {
@@ -151,6 +156,17 @@ impl<S: Scalar> Side<S> {
         side
     }
 
+    /// The same with a value beside each point, in the order of the side's points; weights may be 0.
+    #[must_use]
+    pub fn blend_with<T: Copy>(points: [Option<(Point<S>, T)>; 4], none: T) -> (Side<S>, [T; 4]) {
+        let (mut side, mut values) = (Side::fixed(), [none; 4]);
+        let places = side.points.iter_mut().zip(&mut values);
+        for ((place, beside), (point, value)) in places.zip(points.into_iter().flatten()) {
+            (*place, *beside, side.count) = (point, value, side.count + 1);
+        }
+        (side, values)
+    }
+
     /// The same side with other arms.
     #[must_use]
     pub fn with_arms(mut self, arm: impl Fn(&Point<S>) -> Vec3<S>) -> Side<S> {
@@ -161,15 +177,6 @@ impl<S: Scalar> Side<S> {
     /// Its points.
     pub fn points(&self) -> impl Iterator<Item = &Point<S>> {
         self.points.iter().take(self.count)
-    }
-
-    /// Velocity (m/s, in N).
-    #[must_use]
-    pub fn velocity(&self, twists: &[Twist<S>]) -> Vec3<S> {
-        self.points().fold(vec3::zero(), |sum, point| {
-            let twist = twists.get(point.body).copied().unwrap_or_else(Twist::zero);
-            vec3::axpy(sum, point.weight, twist.at(point.arm))
-        })
     }
 }
 
@@ -190,14 +197,42 @@ impl<S: Scalar> Contact<S> {
             friction: S::ZERO,
             restitution: S::ZERO,
             impulse: vec3::zero(),
+            couple: None,
         }
     }
 
     /// Velocity of the first side relative to the second, along n, t1, t2 (m/s).
     #[must_use]
     pub fn relative(&self, twists: &[Twist<S>]) -> Vec3<S> {
-        let [one, other] = self.sides.each_ref().map(|side| side.velocity(twists));
+        self.relative_by(|point| twists.get(point.body).copied().unwrap_or_else(Twist::zero).at(point.arm))
+    }
+
+    /// The same, given the velocity of each point in N.
+    fn relative_by(&self, velocity: impl Fn(&Point<S>) -> Vec3<S>) -> Vec3<S> {
+        let sum = |sum, point: &Point<S>| vec3::axpy(sum, point.weight, velocity(point));
+        let [one, mut other] = self.sides.each_ref().map(|side| side.points().fold(vec3::zero(), sum));
+        if let Some(couple) = &self.couple {
+            let points = self.sides[1].points().zip(couple);
+            other = points
+                .fold(other, |sum, (point, c)| vec3::axpy(sum, vec3::dot(self.axes[0], velocity(point)), *c));
+        }
         vec3::apply(&self.axes, vec3::sub(one, other))
+    }
+
+    /// The points of a side, each with the impulse on it, given that on the first side in N.
+    pub fn on_side(&self, side: usize, impulse: Vec3<S>) -> impl Iterator<Item = (&Point<S>, Vec3<S>)> {
+        let couple = self.couple.as_ref().filter(|_| side == 1);
+        let impulse = if side == 1 { vec3::scale(impulse, -S::ONE) } else { impulse };
+        self.sides[side & 1].points().enumerate().map(move |(k, point)| {
+            let own = vec3::scale(impulse, point.weight);
+            let turning = couple.and_then(|couple| couple.get(k));
+            (point, turning.map_or(own, |c| vec3::axpy(own, vec3::dot(*c, impulse), self.axes[0])))
+        })
+    }
+
+    /// All points, each with the impulse on it.
+    fn dealt(&self, impulse: Vec3<S>) -> impl Iterator<Item = (&Point<S>, Vec3<S>)> {
+        self.on_side(0, impulse).chain(self.on_side(1, impulse))
     }
 
     /// Largest speed of its points (m/s).
@@ -223,13 +258,10 @@ impl<S: Scalar> Contact<S> {
     #[must_use]
     pub fn inverse_mass(&self, inertia: &(impl Inertia<S> + ?Sized)) -> InverseMass<S> {
         let column = |d: Vec3<S>| {
-            let mut sum = vec3::zero();
-            for (mine, at) in self.points() {
-                for (theirs, seen) in self.points() {
-                    sum = vec3::axpy(sum, mine * theirs, inertia.response(at, d, seen));
-                }
-            }
-            vec3::apply(&self.axes, sum)
+            self.relative_by(|seen| {
+                self.dealt(d)
+                    .fold(vec3::zero(), |sum, (at, own)| vec3::add(sum, inertia.response(at, own, seen)))
+            })
         };
         let [[nn, xn, yn], [_, xx, yx], [_, _, yy]] = self.axes.map(column);
         [[nn, xn, yn], [xn, xx, yx], [yn, yx, yy]]
@@ -244,17 +276,15 @@ impl<S: Scalar> Contact<S> {
 
     /// Changes the twists by an impulse along n, t1, t2 on the first side and its opposite on the second.
     pub fn push(&self, inertia: &(impl Inertia<S> + ?Sized), twists: &mut [Twist<S>], impulse: Vec3<S>) {
-        let impulse = self.to_inertial(impulse);
-        for (share, at) in self.points() {
-            inertia.push(at, vec3::scale(impulse, share), twists);
+        for (at, own) in self.dealt(self.to_inertial(impulse)) {
+            inertia.push(at, own, twists);
         }
     }
 
     /// Distributes an impulse along n, t1, t2 to the bodies: calls `give` with body, arm, impulse in N.
     pub fn deal(&self, impulse: Vec3<S>, mut give: impl FnMut(usize, Vec3<S>, Vec3<S>)) {
-        let impulse = self.to_inertial(impulse);
-        for (share, at) in self.points() {
-            give(at.body, at.arm, vec3::scale(impulse, share));
+        for (at, own) in self.dealt(self.to_inertial(impulse)) {
+            give(at.body, at.arm, own);
         }
     }
 }

@@ -171,6 +171,22 @@ fn slopes<S: Scalar>(u: S, v: S) -> ([S; 4], [S; 4]) {
     ([-q, q, v, -v], [-p, -u, u, p])
 }
 
+/// a_i (1/m): how the weights of the corners x_i change as the foot moves across the normal n. sum a_i = 0, and
+/// sum x_i (a_i . d) = d but for a part along n: the tangent plane at the foot turns with angular velocity
+/// n x sum a_i (n . v_i), given the velocities v_i of the corners. 0 where n lies in that plane.
+#[must_use]
+pub fn weight_slopes<S: Scalar>(corners: &[Vec3<S>; 4], near: &FacetNearest<S>) -> [Vec3<S>; 4] {
+    let ([_, b, c, d], n) = (near.weights, near.normal);
+    let (wu, wv) = slopes(b + c, c + d);
+    let [x, y] = [&wu, &wv].map(|w| blend(w, corners));
+    let [du, dv] = [vec3::cross(y, n), vec3::cross(n, x)];
+    let area = vec3::dot(x, du);
+    let scale = if area == S::ZERO { S::ZERO } else { S::ONE / area };
+    let slope = |[u, v]: [S; 2]| vec3::scale(vec3::axpy(vec3::scale(du, u), v, dv), scale);
+    let [[a, b, c, d], [e, f, g, h]] = [wu, wv];
+    [[a, e], [b, f], [c, g], [d, h]].map(slope)
+}
+
 /// Weighted sum of four vectors.
 fn blend<S: Scalar>(weights: &[S; 4], vectors: &[Vec3<S>; 4]) -> Vec3<S> {
     weights.iter().zip(vectors).fold(vec3::zero(), |sum, (w, x)| vec3::axpy(sum, *w, *x))

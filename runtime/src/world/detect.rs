@@ -10,8 +10,8 @@
 //! in a fold         a node or corner between two facets that face each other is over both
 //! ```
 //! Both sides of a contact share one point, a node's or the foot on a facet, so that action and reaction lie on one
-//! line. Exception: a node over a facet, where friction has the gap as its arm. Edges of facets that cross, and a mesh
-//! on itself, are not detected.
+//! line. A node over a facet is a gap off it: what lies below it turns with the facet (`Contact::couple`). Edges of
+//! facets that cross, and a mesh on itself, are not detected.
 
 use super::extent::Extent;
 use super::scenery::{Feet, Foot, Mesh, Over, Scenery, Standing, edge, shares};
@@ -322,8 +322,9 @@ impl<'a, S: Scalar> Scenery<'a, S> {
 
     /// The contact of a node with a facet.
     fn node_over_facet(&self, node: usize, (facet, near): Foot<'a, S>) -> Meeting<S> {
-        let sides = [self.side_of_node(node), self.side_of_facet(facet, &near)];
-        let contact = Contact::between(sides, near.normal);
+        let (below, couple) = self.side_below(facet, &near);
+        let contact = Contact::between([self.side_of_node(node), below], near.normal);
+        let contact = Contact { couple: Some(couple), ..contact };
         Meeting { sagitta: near.sagitta, ..Meeting::exact(near.gap, vec3::at(self.pos, node), contact) }
     }
 

@@ -9,7 +9,7 @@ use super::thing::Thing;
 use crate::flexible::Body;
 use crate::real::Scalar;
 use crate::rigid::contact::{Point, Side};
-use crate::surface::facet::{Facet, FacetNearest};
+use crate::surface::facet::{Facet, FacetNearest, weight_slopes};
 use crate::surface::{Frame, Nearest, Shape, Surface};
 use crate::vec3::{self, Vec3};
 
@@ -148,6 +148,20 @@ impl<'a, S: Scalar> Scenery<'a, S> {
 
     pub(super) fn side_of_facet(&self, facet: &[usize; 4], near: &FacetNearest<S>) -> Side<S> {
         Side::blend(shares(facet, near).map(|(node, weight)| self.point_of_node(node, weight)))
+    }
+
+    /// The same where the other side is a gap g off it, with c_i = -g a_i of each point (see [`Contact::couple`]).
+    pub(super) fn side_below(&self, facet: &[usize; 4], near: &FacetNearest<S>) -> (Side<S>, [Vec3<S>; 4]) {
+        let corners = facet.map(|node| vec3::at(self.pos, node));
+        let [a, b, c, d] = weight_slopes(&corners, near).map(|slope| vec3::scale(slope, -near.gap));
+        let couple = if facet[2] == facet[3] { [a, b, vec3::add(c, d), vec3::zero()] } else { [a, b, c, d] };
+        let (shares, is_none) = (shares(facet, near), |value: &Vec3<S>| *value == vec3::zero());
+        let point = |k: usize| {
+            let (node, weight) = shares[k];
+            let acts = weight != S::ZERO || !is_none(&couple[k]);
+            self.point_of_node(node, weight).filter(|_| acts).map(|point| (point, couple[k]))
+        };
+        Side::blend_with(core::array::from_fn(point), vec3::zero())
     }
 
     /// Whether the shape's bounding sphere is near the box around the mesh's nodes; if not, none of them is near the

@@ -2,7 +2,7 @@
 
 use crate::random::Random;
 use crate::vector::{Vector, along, cross, dot, sub, unit};
-use smartbed_runtime::surface::facet::{Facet, vertex_normals};
+use smartbed_runtime::surface::facet::{Facet, vertex_normals, weight_slopes};
 use smartbed_runtime::surface::{Capsule, Cuboid, Frame, Proximity, Shape, Sphere, Surface, proximity};
 
 fn shapes() -> [Shape<f64>; 5] {
@@ -241,5 +241,32 @@ fn over_an_edge_both_facets_agree_and_rates_are_those_of_finite_differences() {
         let gap = |t: f64| facet(0, t).nearest(along(foot, t, velocity), 1.0).expect("near").gap;
         let rate = near(foot).gap_rate(velocity, &facets[0].map(|k| speeds[k]));
         assert!(((gap(d) - gap(-d)) / (2.0 * d) - rate).abs() <= 1e-7, "{rate}");
+    }
+}
+
+/// What lies a gap off a facet turns with its tangent plane: shares of an impulse at the corners, w_i P + n (c_i . P),
+/// have the sum P and the moment x x P of the place itself, also where the normals are not the facet's own.
+#[test]
+fn shares_below_a_facet_leave_no_moment() {
+    let mut random = Random::new(5);
+    for case in 0..1000 {
+        let mut corners = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]]
+            .map(|[x, y]| along([x, y, 0.0], 0.2, random.vector(1.0)));
+        if case % 2 == 1 {
+            corners[3] = corners[2];
+        }
+        let normals = corners.map(|_| unit(along([0.0, 0.0, 1.0], 0.5, random.vector(1.0))));
+        let start = along([0.5, 0.4, random.between(-0.1, 0.1)], 0.2, random.vector(1.0));
+        let Some(near) = (Facet { corners, normals }).nearest(start, 0.0) else { continue };
+        let (impulse, slopes) = (random.vector(1.0), weight_slopes(&corners, &near));
+        let (mut sum, mut moment) = ([0.0; 3], [0.0; 3]);
+        for ((corner, weight), slope) in corners.iter().zip(near.weights).zip(slopes) {
+            let turning = -near.gap * dot(slope, impulse);
+            let share = along(impulse.map(|p| weight * p), turning, near.normal);
+            (sum, moment) = (along(sum, 1.0, share), along(moment, 1.0, cross(*corner, share)));
+        }
+        let place = along(near.foot, near.gap, near.normal);
+        assert!(sub(sum, impulse).iter().all(|x| x.abs() <= 1e-12), "{sum:?}, {impulse:?}");
+        assert!(sub(moment, cross(place, impulse)).iter().all(|x| x.abs() <= 1e-12), "case {case}");
     }
 }
