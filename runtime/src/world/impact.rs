@@ -10,7 +10,8 @@
 //!   D_k += w d/m_k;  D_i -= w d/m_i;   then u >= 0 like J0, so that D moves no side into the other: W D >= 0
 //! A = D.M D/2;  B = v.M D;  A lambda^2 + B lambda = Q;  v += lambda D;  J = J0 + lambda u
 //! ```
-//! A contact that presses by no more than rounding was at rest and is no source of D, or the last digit would decide.
+//! A contact that stops no more than the rounding of speeds was at rest and is no source of D, or the last digit would
+//! decide.
 //! The smaller root is taken if B <= 0, J >= 0 and no side enters another, else the larger one. Springs and contacts
 //! give opposite impulses along one line, so linear and angular momentum are conserved. Without a spring that could
 //! take energy both sides rebound along J0. All contacts of one instant share one lambda.
@@ -19,7 +20,7 @@ use crate::contact::compensation::FLATTEST_RECEIVER;
 use crate::flexible::Body;
 use crate::flexible::element::Element;
 use crate::real::Scalar;
-use crate::rigid::contact::{Inertia, Twist};
+use crate::rigid::contact::{Inertia, Point, Twist};
 use crate::rigid::law::Kind;
 use crate::rigid::plastic::{compensate_all, rub_within, stop};
 use crate::rigid::several::strike_all;
@@ -86,7 +87,9 @@ impl<S: Scalar, I: Inertia<S> + ?Sized> Setting<'_, S, I> {
         let settled = stop(struck, self.inertia, twists);
         field.fill(Twist::zero());
         let mut receivers = false;
-        self.each_link(struck, |[i, k], d, w| {
+        let fastest = before.iter().fold(S::ZERO, |most, twist| most.max(vec3::norm(twist.velocity)));
+        let least = S::from_f64(ROUNDING) * S::EPSILON * fastest;
+        self.each_link((struck, least), |[i, k], d, w| {
             receivers = true;
             for (node, impulse) in [(k, w), (i, -w)] {
                 let change = vec3::scale(d, impulse * self.body.inverse_mass(node));
@@ -113,7 +116,7 @@ impl<S: Scalar, I: Inertia<S> + ?Sized> Setting<'_, S, I> {
                 |node: usize| list.get(self.ports + node).map_or_else(vec3::zero, |twist| twist.velocity);
             vec3::dot(d, vec3::sub(at(k), at(i)))
         };
-        self.each_link(struck, |link, d, w| {
+        self.each_link((struck, least), |link, d, w| {
             a = a + half * w * between(field, link, d);
             b = b + w * between(twists, link, d);
         });
@@ -151,12 +154,12 @@ impl<S: Scalar, I: Inertia<S> + ?Sized> Setting<'_, S, I> {
         settled && lifted && rubbed
     }
 
-    /// Shows the springs from pressed nodes to nodes without contact: both nodes, the direction d, the share w > 0.
-    fn each_link(&self, struck: &[Struck<S>], mut show: impl FnMut([usize; 2], Vec3<S>, S)) {
-        let most = struck.iter().map(Struck::stopped).fold(S::ZERO, S::max);
-        let least = S::from_f64(ROUNDING) * S::EPSILON * most;
+    /// Shows the springs from pressed nodes to nodes without contact: both nodes, the direction d, the share w > 0. A
+    /// contact that stops no more than `least` (m/s) is not pressed.
+    fn each_link(&self, (struck, least): (&[Struck<S>], S), mut show: impl FnMut([usize; 2], Vec3<S>, S)) {
         let touches = |node: usize| {
-            struck.iter().any(|s| s.contact.points().any(|(_, point)| point.body == self.ports + node))
+            let is = |(share, point): (S, &Point<S>)| share != S::ZERO && point.body == self.ports + node;
+            struck.iter().any(|s| s.contact.points().any(is))
         };
         self.body.elements().each_link(&mut |[tail, head]| {
             for [i, k] in [[tail, head], [head, tail]] {
