@@ -21,6 +21,13 @@ pub const ACCOUNTS: [&str; 12] = [
 /// One more, of driven mechanisms.
 pub const DRIVE: &str = "drive";
 
+/// The column of a coordinate or a speed: `coordinate.NAME` or `speed.NAME` where an energy or an account has the name.
+#[must_use]
+pub fn of_state(kind: &str, name: &str) -> String {
+    let is_taken = [DRIVE].into_iter().chain(ACCOUNTS).any(|own| own == name);
+    if is_taken { format!("{kind}.{name}") } else { name.to_owned() }
+}
+
 /// Names of outputs and inputs in the order of the model: `output.NAME` or `input.NAME` where an earlier column has the
 /// name. `None` for an output that repeats a coordinate in closed form, which has a column already.
 #[must_use]

@@ -48,7 +48,7 @@ impl Evaluated {
         ];
         if let Some((what, _)) = lists.into_iter().find(|(_, list)| list.iter().any(|x| !x.is_finite())) {
             return Some(format!(
-                "{what} is not finite: the configuration is singular, or a number too large"
+                "{what} is not finite: the configuration is singular, a number too large, or a derivative does not exist there"
             ));
         }
         (!named.is_empty()).then(|| {

@@ -7,7 +7,7 @@ use super::energies;
 use super::panels::{self, Shown};
 use super::pattern;
 use super::{Recording, chart::Panel};
-use crate::columns::told_apart;
+use crate::columns::{of_state, told_apart};
 use crate::failure::Failure;
 use smartbed_codegen::model::{Coordinate, Model, SpeedMeaning};
 
@@ -90,7 +90,7 @@ pub(crate) fn columns(model: &Model, seconds: f64) -> Vec<Column> {
     let natural = |c: &Coordinate| if c.unit == "rad" { 1.0 } else { 0.0 };
     let coordinates = model.coordinates.iter().map(|c| {
         let (unit, factor) = (c.written_unit.0.clone(), c.written_unit.1);
-        Column { name: c.name.clone(), unit, factor, natural: natural(c), by_default: true }
+        Column { name: of_state("coordinate", &c.name), unit, factor, natural: natural(c), by_default: true }
     });
     let speeds = model.speeds.iter().map(|s| match &s.meaning {
         // A rate in the unit of its coordinate.
@@ -99,9 +99,9 @@ pub(crate) fn columns(model: &Model, seconds: f64) -> Vec<Column> {
             let (written, factor) = &coordinate.written_unit;
             let unit = if written == "1" { "1/s".to_owned() } else { format!("{written}/s") };
             let natural = natural(coordinate) / seconds.max(SHORTEST);
-            Column { name: s.name.clone(), unit, factor: *factor, natural, by_default: false }
+            Column { name: of_state("speed", &s.name), unit, factor: *factor, natural, by_default: false }
         }
-        SpeedMeaning::Combination(_) => plain(&s.name, &s.unit, false),
+        SpeedMeaning::Combination(_) => plain(&of_state("speed", &s.name), &s.unit, false),
     });
     let (outputs, inputs) = told_apart(model);
     let outputs = outputs.into_iter().zip(model.outputs.iter());

@@ -72,7 +72,8 @@ fn a_commanded_joint_moves_as_a_closed_form_by_hand() {
     }
     // Its unit and range stay: a plain number is refused, and a way beyond the range is told of.
     let plain = part("plain", JOINED, "command = { z = \"3\" }");
-    assert!(fails(&["run", &plain]).contains("`z` needs a unit"));
+    let told = fails(&["run", &plain]);
+    assert!(told.contains("`z` needs a unit") && told.contains("for example"), "{told}");
     let far = json(&[&part("far", JOINED, "command = { z = \"0.06_m*sin(t/0.1_s)\" }")]);
     assert!(far["warnings"].to_string().contains("left the ranges"), "{}", far["warnings"]);
 }

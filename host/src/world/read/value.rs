@@ -245,10 +245,27 @@ pub(super) fn refuse_without_unit(
         let error = Diagnostic::error(format!(
             "`{name}` needs a unit: numbers of a scene are in SI units, those of its model in {unit}"
         ));
-        let example = match unit.chars().all(char::is_alphabetic) {
-            true => format!("for example \"{shown}_{unit}\""),
-            false => "give it in quotes with its units, as in \"0.2_N*1_s/1_m\"".to_owned(),
-        };
+        let example = format!("for example \"{}\"", with_units(&shown, unit));
         found.push(error.label(value.span(), "without unit").help(example));
     }
+}
+
+/// A number with its unit as expressions write it: 2 with `mN m/deg` is `2_mN*1_m/1_deg`.
+fn with_units(number: &str, unit: &str) -> String {
+    let mut written = number.to_owned();
+    for (n, part) in unit.split('/').enumerate() {
+        for (k, factor) in
+            part.split([' ', '*']).filter(|factor| !factor.is_empty() && *factor != "1").enumerate()
+        {
+            let (name, power) = factor.split_once('^').unwrap_or((factor, "1"));
+            for time in 0..power.parse::<u32>().unwrap_or(1) {
+                written += &match (n, k, time) {
+                    (0, 0, 0) => format!("_{name}"),
+                    (0, ..) => format!("*1_{name}"),
+                    _ => format!("/1_{name}"),
+                };
+            }
+        }
+    }
+    written
 }
