@@ -99,6 +99,20 @@ fn squared(model: &Model, e: &Expr) -> Vec<Expr> {
     }
 }
 
+/// The factors of a number by which it changes sign; the number itself where it is no product.
+pub(crate) fn factors(model: &Model, e: &Expr) -> Vec<Expr> {
+    match &e.kind {
+        ExprKind::Multiply(a, b) | ExprKind::Divide(a, b) => [factors(model, a), factors(model, b)].concat(),
+        ExprKind::Negate(a) => factors(model, a),
+        ExprKind::Power(base, n) if n % 2 != 0 => factors(model, base),
+        ExprKind::Definition(id) => {
+            let own = factors(model, &model.definitions[*id].value);
+            if own.len() == 1 { vec![e.clone()] } else { own }
+        }
+        _ => vec![e.clone()],
+    }
+}
+
 /// The scalar factors of a vector.
 fn along(model: &Model, vector: &Expr) -> Vec<Expr> {
     match &vector.kind {

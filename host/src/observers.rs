@@ -339,10 +339,13 @@ fn kinks_of(model: &Model, expr: &Expr) -> Vec<Expr> {
     found
 }
 
-/// Arguments in an expression, and in the definitions that it reads, that are no functions of the state.
+/// Arguments in an expression, and in the definitions that it reads, that are no functions of the state: each factor of
+/// them, since two that change sign at once, or shortly one after the other, leave no trace in their product.
 fn of_time(model: &Model, expr: &Expr, arguments: &dyn Fn(&Expr) -> Vec<Expr>) -> Vec<Expr> {
     let mut found = Vec::new();
-    visit(model, expr, &mut |e| found.extend(arguments(e)));
+    visit(model, expr, &mut |e| {
+        found.extend(arguments(e).iter().flat_map(|argument| jumps::factors(model, argument)));
+    });
     found.retain(|e| !mentions(model, e, &|e| is_state(model, e)));
     found
 }

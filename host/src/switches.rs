@@ -3,7 +3,8 @@
 //!
 //! In: a model's observers. Out: these times, and the speeds behind a kink. A function of time may have a kink where an
 //! argument of `abs` or `sign`, or the difference of those of `min` or `max`, changes sign (`jumps.rs` lists all); that
-//! time is found by bisection, up to the rounding of times. What gives a place, be it a coordinate in closed form, a
+//! time is found by bisection, up to the rounding of times. What changes its sign there and back within the time looked
+//! at is found where it comes nearest to 0 in between. What gives a place, be it a coordinate in closed form, a
 //! position or a constraint, may not jump: its values on both sides are compared. A drive that changes its speed at
 //! once gives an impulse, which leaves the momenta of all speeds that are not commanded:
 //! ```text
@@ -28,6 +29,12 @@ const WIDER: f64 = 10.0;
 
 /// Rounding units by which a value may change.
 const UNITS: f64 = 64.0;
+
+/// Which way a value goes is seen over this part of a time.
+const BEGINNING: f64 = 1.0 / 64.0;
+
+/// Of a time that is searched, the part that is left by each value of the golden section.
+const GOLDEN: f64 = 0.618_033_988_749_894_8;
 
 /// Most switches at which a step is cut.
 pub const MOST: usize = 64;
@@ -70,15 +77,7 @@ impl<S: Scalar> Switches<S> {
     /// # Errors
     /// The engine's.
     pub fn moment(&mut self, t: S) -> Result<S, Fault> {
-        if !self.any() {
-            return Ok(t);
-        }
-        let here = self.signs(t)?;
-        if !here.contains(&Ordering::Equal) {
-            return Ok(t);
-        }
-        let later = t + S::from_f64(BEHIND).max(S::from_f64(ROUNDING) * S::EPSILON * t.abs());
-        Ok(if self.signs(later)? == here { t } else { later })
+        Ok(self.at(t)?.0)
     }
 
     /// Signs of the functions; where something switches those behind it.
@@ -86,40 +85,126 @@ impl<S: Scalar> Switches<S> {
     /// # Errors
     /// The engine's.
     pub fn sides(&mut self, t: S) -> Result<Vec<Ordering>, Fault> {
-        let t = self.moment(t)?;
-        self.signs(t)
+        Ok(signs(&self.at(t)?.1))
     }
 
-    fn signs(&mut self, t: S) -> Result<Vec<Ordering>, Fault> {
+    /// The moment of a time, and the values of the functions then.
+    fn at(&mut self, t: S) -> Result<(S, Vec<S>), Fault> {
+        if !self.any() {
+            return Ok((t, Vec::new()));
+        }
+        let here = self.values(t)?;
+        if !signs(&here).contains(&Ordering::Equal) {
+            return Ok((t, here));
+        }
+        let later = t + S::from_f64(BEHIND).max(S::from_f64(ROUNDING) * S::EPSILON * t.abs());
+        let behind = self.values(later)?;
+        Ok(if signs(&behind) == signs(&here) { (t, here) } else { (later, behind) })
+    }
+
+    /// Whether something switches between two times, as they are.
+    ///
+    /// # Errors
+    /// The engine's.
+    pub fn differ(&mut self, [a, b]: [f64; 2]) -> Result<bool, Fault> {
+        Ok(self.any() && self.sides(S::from_f64(a))? != self.sides(S::from_f64(b))?)
+    }
+
+    fn values(&mut self, t: S) -> Result<Vec<S>, Fault> {
         let [q, u] = &self.state;
-        let values = self.functions.outputs(t, q, u, &self.inputs)?;
-        Ok(values.iter().map(|value| value.partial_cmp(&S::ZERO).unwrap_or(Ordering::Equal)).collect())
+        self.functions.outputs(t, q, u, &self.inputs)
     }
 
-    /// Times (s) before and after the first switch that is met on the way from one time to another, back or ahead.
+    /// Times (s) before and after the first switch that is met on the way from one time to another, back or ahead. One
+    /// that lies beyond by rounding alone is met too: a method's last stage may be there.
     ///
     /// # Errors
     /// The engine's.
     pub fn first(&mut self, from: f64, to: f64) -> Result<Option<[f64; 2]>, Fault> {
-        if !self.any() {
+        if !self.any() || from == to {
             return Ok(None);
         }
-        let mut at = |t: f64| self.sides(S::from_f64(t));
-        let (own, width) = (at(from)?, rounding::<S>(from.max(to)));
-        if at(to)? == own {
-            return Ok(None);
-        }
-        let (mut before, mut after) = (from, to);
-        while (after - before).abs() > width {
-            let middle = 0.5 * (before + after);
-            if at(middle)? == own { before = middle } else { after = middle }
-        }
+        let width = rounding::<S>(from.abs().max(to.abs()));
         let way = width.copysign(to - from);
+        let [start, end] = [from, to + way];
+        let [(_, own), (_, there)] = [self.at(S::from_f64(start))?, self.at(S::from_f64(end))?];
+        let differs = signs(&own) != signs(&there);
+        let mut other = if differs { Some(end) } else { self.dip([start, end], [&own, &there], width)? };
+        let mut found = None;
+        // Before a switch of one function another one may switch there and back.
+        for _ in 0..=self.number {
+            let Some(beyond) = other else { break };
+            let (mut before, mut after) = (start, beyond);
+            while (after - before).abs() > width {
+                let middle = 0.5 * (before + after);
+                let is_before = self.sides(S::from_f64(middle))? == signs(&own);
+                if is_before { before = middle } else { after = middle }
+            }
+            found = Some([before, after]);
+            let (_, there) = self.at(S::from_f64(before))?;
+            other = self.dip([start, before], [&own, &there], width)?;
+        }
         let [low, high] = [from.min(to), from.max(to)];
-        Ok(Some([(before - way).clamp(low, high), (after + way).clamp(low, high)]))
+        Ok(found.map(|[before, after]| [(before - way).clamp(low, high), (after + way).clamp(low, high)]))
     }
 
-    /// The same over a long time ahead, in parts, in each of which no function switches there and back.
+    /// A time at which a function has another sign than at both ends, where it comes nearest to 0 in between: from
+    /// both ends, where the functions have these values, it goes towards 0. `width`: the rounding of times.
+    fn dip(
+        &mut self,
+        [from, to]: [f64; 2],
+        [own, there]: [&[S]; 2],
+        width: f64,
+    ) -> Result<Option<f64>, Fault> {
+        if (to - from).abs() <= width {
+            return Ok(None);
+        }
+        let near = BEGINNING * (to - from);
+        let [early, late] = [from + near, to - near].map(|t| self.values(S::from_f64(t)));
+        let (early, late) = (early?, late?);
+        for k in 0..self.number {
+            let side = if own[k] > S::ZERO { S::ONE } else { -S::ONE };
+            let [a, b, c, d] = [own[k], early[k], late[k], there[k]].map(|value| side * value);
+            if !(a > S::ZERO && d > S::ZERO && b < a && c < d) {
+                continue;
+            }
+            if let Some(t) = self.below_zero([from, to], (k, side), width)? {
+                return Ok(Some(t));
+            }
+        }
+        Ok(None)
+    }
+
+    /// A time between two at which the function k, times 1 or -1, is below 0, on the way to its least value: golden
+    /// section.
+    fn below_zero(
+        &mut self,
+        [mut low, mut high]: [f64; 2],
+        (k, side): (usize, S),
+        width: f64,
+    ) -> Result<Option<f64>, Fault> {
+        let mut at = |t: f64| Ok::<S, Fault>(side * self.values(S::from_f64(t))?[k]);
+        let mut inner = [high - GOLDEN * (high - low), low + GOLDEN * (high - low)];
+        let mut found = [at(inner[0])?, at(inner[1])?];
+        while (high - low).abs() > width {
+            let least = usize::from(found[1] < found[0]);
+            if found[least] < S::ZERO {
+                return Ok(Some(inner[least]));
+            }
+            if least == 0 {
+                high = inner[1];
+                inner = [high - GOLDEN * (high - low), inner[0]];
+                found = [at(inner[0])?, found[0]];
+            } else {
+                low = inner[0];
+                inner = [inner[1], low + GOLDEN * (high - low)];
+                found = [found[1], at(inner[1])?];
+            }
+        }
+        Ok(None)
+    }
+
+    /// The same over a long time ahead, in parts, in each of which a function switches there and back once at most.
     ///
     /// # Errors
     /// The engine's.
@@ -127,9 +212,10 @@ impl<S: Scalar> Switches<S> {
         let mut start = from;
         while self.any() && start < to {
             let end = (start + part).min(to);
-            let found = self.first(start, end)?;
-            if found.is_some() {
-                return Ok(found);
+            if let Some(kink) = self.first(start, end)? {
+                // The end of a part is none of the motion: a switch there ends behind it.
+                let beyond = end + 4.0 * rounding::<S>(end);
+                return if kink[1] < end { Ok(Some(kink)) } else { self.first(start, beyond) };
             }
             start = end;
         }
@@ -185,6 +271,10 @@ impl<S: Scalar> Switches<S> {
         });
         Ok(found.cloned())
     }
+}
+
+fn signs<S: Scalar>(values: &[S]) -> Vec<Ordering> {
+    values.iter().map(|value| value.partial_cmp(&S::ZERO).unwrap_or(Ordering::Equal)).collect()
 }
 
 /// Rounding of a time: no shorter part of a step is stepped.

@@ -1,11 +1,10 @@
 //! A mechanism as a subject of the report.
 
-use super::clock;
 use super::clock::{Deadline, Stop};
 use super::point::Control;
 use super::sheet::Sheet;
 use super::sheet_mechanism::{self, Plant64};
-use super::subject::{Kind, Method, Subject, Time, Trace, parts};
+use super::subject::{Kind, Method, Subject, Time, Trace};
 use crate::engine::{self, EngineKind, EngineScalar, ScalarKind, explain};
 use crate::failure::Failure;
 use crate::model_argument;
@@ -16,22 +15,14 @@ use crate::run::arguments::Arguments;
 use crate::run::settings::{self, Settings};
 use crate::run::simulate::{Plant, Row, Setup, columns, simulate};
 use crate::run::start::start;
-use crate::scene::dop853::Dop853;
 use clap::ValueEnum;
 use smartbed_codegen::model::Model;
 use smartbed_codegen::words::count;
 use smartbed_codegen::{Interpreted, Program, program};
-use smartbed_runtime::mechanism::Fault;
-use smartbed_runtime::ode::Ode;
-use smartbed_runtime::ode::State;
-use smartbed_runtime::ode::step_size::Tolerance;
-use smartbed_runtime::ode::{DormandPrince, dormand_prince};
 use std::time::Duration;
 
 /// A ladder begins at this multiple of the model's own step.
 const COARSE: f64 = 32.0;
-/// Steps between two checks of the clock: a check costs as much as a short step.
-const LOOK: usize = 1024;
 /// Rows of a graph.
 const ROWS: f64 = 500.0;
 
@@ -39,11 +30,11 @@ const ROWS: f64 = 500.0;
 pub struct Mechanism {
     name: String,
     model: Model,
-    settings: Settings,
-    program: Program,
+    pub(super) settings: Settings,
+    pub(super) program: Program,
     observers: Observers,
-    start: Vec<f64>,
-    engine: EngineKind,
+    pub(super) start: Vec<f64>,
+    pub(super) engine: EngineKind,
 }
 
 impl Mechanism {
@@ -70,7 +61,7 @@ impl Mechanism {
         let start = start(&model, &program, &settings)?;
         let mut plant: Plant64 = Plant::new(Box::new(Interpreted::new(&program)), &program, &observers);
         let leap = plant
-            .leap(&start, settings.seconds, settings.row_interval())
+            .leap(&start, settings.seconds, settings.step)
             .map_err(|f| Failure::Wrong(explain(f).to_owned()))?;
         if let Some((command, t)) = leap {
             return Err(Failure::Wrong(format!(
@@ -94,131 +85,13 @@ impl Mechanism {
         Ok(Plant::new(engine, program, &self.observers))
     }
 
-    fn plant<S: EngineScalar>(
+    pub(super) fn plant<S: EngineScalar>(
         &self,
         kind: EngineKind,
     ) -> Result<Plant<Box<dyn engine::Engine<S>>, S>, String> {
         let engine = engine::new::<S>(kind, &self.program).map_err(|e| e.to_string())?;
         Ok(Plant::new(engine, &self.program, &self.observers))
     }
-
-    /// The motion in steps that end at samples.
-    fn to_samples(&self, e: f64, Time { seconds, samples: count, limit }: Time) -> Result<Trace, Stop> {
-        let deadline = Deadline::within(limit);
-        let mut plant: Plant64 = self.plant(self.engine)?;
-        let mut x = self.start.clone();
-        let (n, n_q) = (x.len(), self.program.q.len());
-        let (mut low, mut memory) = (vec![0.0; n], vec![0.0; dormand_prince::scratch(n)]);
-        let refused = |fault| explain(fault).to_owned();
-        let mut state = State::new(&mut x, &mut low).map_err(refused)?;
-        let interval = seconds / count as f64;
-        let (first, tolerance) = (self.settings.step.min(interval), Tolerance { absolute: e, relative: e });
-        let begin = clock::now();
-        let mut method = DormandPrince::new(n, tolerance, first, &mut memory).map_err(refused)?;
-        let (mut t, mut samples) = (0.0, Vec::with_capacity(count));
-        for i in 1..=count {
-            let end = i as f64 * interval;
-            loop {
-                let before = t;
-                match method.advance_to(&mut plant, &mut t, end, LOOK as u32, &mut state) {
-                    Ok(_) => break,
-                    // The limit of steps was reached, but time advanced.
-                    Err(Fault::StepSize) if t > before => deadline.check(t)?,
-                    Err(fault) => return Err(refused(fault).into()),
-                }
-            }
-            samples.push(state.x()[..n_q].to_vec());
-        }
-        Ok(Trace { samples, evaluations: Some(plant.evaluations()), elapsed: clock::now() - begin })
-    }
-
-    fn trace<S: EngineScalar>(
-        &self,
-        method: settings::Method,
-        control: Control,
-        time: Time,
-    ) -> Result<Trace, Stop> {
-        let deadline = Deadline::within(time.limit);
-        let mut plant = self.plant::<S>(self.engine)?;
-        let mut x: Vec<S> = self.start.iter().map(|x| S::from_f64(*x)).collect();
-        let (n, n_q) = (x.len(), self.program.q.len());
-        let mut low = vec![S::ZERO; n];
-        let mut state = State::new(&mut x, &mut low).map_err(|f| explain(f).to_owned())?;
-        let mut samples = Vec::with_capacity(time.samples);
-        let mut keep = |x: &[S]| samples.push(x[..n_q].iter().map(|x| x.to_f64()).collect());
-        let interval = time.seconds / time.samples as f64;
-        let refused = |fault| explain(fault).to_owned();
-        let begin = clock::now();
-        match (method.fixed(), control) {
-            (Some(fixed), Control::Step(longest)) => {
-                let steps = parts(interval, longest);
-                let mut scratch = vec![S::ZERO; fixed.scratch(n)];
-                let h = interval / steps as f64;
-                for i in 0..time.samples * steps {
-                    let t = S::from_f64(i as f64 * h);
-                    fixed.step(&mut plant, t, S::from_f64(h), &mut state, &mut scratch).map_err(refused)?;
-                    if i % LOOK == 0 {
-                        deadline.check(t.to_f64())?;
-                    }
-                    if (i + 1) % steps == 0 {
-                        keep(state.x());
-                    }
-                }
-            }
-            (None, Control::Tolerance(e)) => {
-                let tolerance = Tolerance { absolute: S::from_f64(e), relative: S::from_f64(e) };
-                let mut memory = vec![S::ZERO; dormand_prince::scratch(n)];
-                let first = S::from_f64(self.settings.step);
-                let mut method = DormandPrince::new(n, tolerance, first, &mut memory).map_err(refused)?;
-                free(&mut method, &mut plant, (time, &deadline), &mut state, keep)?;
-            }
-            _ => return Err("a fixed method needs a step, an adaptive one a tolerance".to_owned().into()),
-        }
-        Ok(Trace { samples, evaluations: Some(plant.evaluations()), elapsed: clock::now() - begin })
-    }
-}
-
-/// Takes the steps that `run` takes, which passes over samples and interpolates there: at a kink of a force the error
-/// depends on where steps end, and would be another one if they ended at samples.
-fn free<S: EngineScalar>(
-    method: &mut DormandPrince<'_, S>,
-    plant: &mut Plant<Box<dyn engine::Engine<S>>, S>,
-    (Time { seconds, samples, .. }, deadline): (Time, &Deadline),
-    state: &mut State<'_, S>,
-    mut keep: impl FnMut(&[S]),
-) -> Result<(), Stop> {
-    let refused = |fault| explain(fault).to_owned();
-    let mut inside = vec![S::ZERO; state.x().len()];
-    let (mut t, mut next) = (0.0, 1);
-    for n in 0.. {
-        if next > samples {
-            break;
-        }
-        let left = seconds - t;
-        let taken = method.step(plant, S::from_f64(t), S::from_f64(left), state).map_err(refused)?;
-        let h = taken.h.to_f64();
-        let end = if h >= left * (1.0 - f64::from(f32::EPSILON)) { seconds } else { t + h };
-        while next <= samples {
-            let at = if next == samples { seconds } else { seconds * next as f64 / samples as f64 };
-            if at > end {
-                break;
-            }
-            if at < end {
-                method.dense(S::from_f64((at - t) / h), &mut inside).map_err(refused)?;
-                plant.set_time(S::from_f64(at));
-                plant.project(&mut inside).map_err(refused)?;
-                keep(&inside);
-            } else {
-                keep(state.x());
-            }
-            next += 1;
-        }
-        t = end;
-        if n % LOOK == 0 {
-            deadline.check(t)?;
-        }
-    }
-    Ok(())
 }
 
 impl Subject for Mechanism {
@@ -267,30 +140,8 @@ impl Subject for Mechanism {
         }
     }
 
-    /// Without projections: at this tolerance the constraints remain satisfied up to rounding.
-    fn reference(&self, Time { seconds, samples: count, limit }: Time) -> Result<Trace, Stop> {
-        let deadline = Deadline::within(limit);
-        let mut plant: Plant64 = self.plant(EngineKind::Interpreter)?;
-        let mut fault = None;
-        let begin = clock::now();
-        let rates = |t: f64, x: &[f64], x_dot: &mut [f64]| {
-            if let Err(f) = plant.rates(t, x, x_dot) {
-                fault = Some(f);
-                x_dot.fill(f64::NAN);
-            }
-        };
-        let mut solver = Dop853::new(rates, 0.0, self.start.clone(), 1e-13, self.settings.step);
-        let mut samples = Vec::new();
-        for i in 1..=count {
-            let end = seconds * i as f64 / count as f64;
-            while solver.t < end {
-                solver.advance(end).map_err(|t| format!("t = {t} s: no step of DOP853 was small enough"))?;
-                deadline.check(solver.t)?;
-            }
-            samples.push(solver.y[..self.program.q.len()].to_vec());
-        }
-        let evaluations = Some(solver.evaluations as u64);
-        Ok(Trace { samples, evaluations, elapsed: clock::now() - begin })
+    fn reference(&self, time: Time) -> Result<Trace, Stop> {
+        self.by_dop853(time)
     }
 
     fn second_reference(&self, time: Time) -> Result<(&'static str, Trace), Stop> {

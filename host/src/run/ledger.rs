@@ -87,29 +87,37 @@ pub struct Ledger {
     law: Interpreted<f64>,
     law_inputs: Vec<usize>,
     switches: Switches<f64>,
+    /// Rounding of times of the run, relative: as far from where f64 has it a kink may be found.
+    rounding: f64,
     inputs: Vec<f64>,
     last: Moment,
     accounts: Accounts,
 }
 
 impl Ledger {
-    /// Opens the ledger at a state x = [q, u].
+    /// Opens the ledger at a state x = [q, u]; `rounding` of times of the run, relative.
     ///
     /// # Errors
     /// [`Fault::Shape`] if the state does not have the program's length.
-    pub fn open(program: &Program, observers: &Observers, t: f64, x: &[f64]) -> Result<Self, Fault> {
+    pub fn open(
+        program: &Program,
+        observers: &Observers,
+        (t, x): (f64, &[f64]),
+        rounding: f64,
+    ) -> Result<Self, Fault> {
         let mut ledger = Self {
             mechanism: Interpreted::new(program),
             observer: Interpreted::new(&observers.ledger()),
             law: Interpreted::new(&observers.laws()),
             law_inputs: observers.law_inputs.clone(),
             switches: Switches::new(observers),
+            rounding,
             inputs: vec![0.0; program.inputs.len()],
             last: Moment::default(),
             accounts: Accounts::default(),
         };
         ledger.accounts.drive = program.drive.map(|_| 0.0);
-        ledger.last = ledger.moment(t, x)?;
+        ledger.last = ledger.moment(t, x, 1.0)?;
         ledger.store();
         ledger.accounts.start = ledger.accounts.total();
         Ok(ledger)
@@ -126,7 +134,7 @@ impl Ledger {
     /// # Errors
     /// As [`Ledger::open`].
     pub fn step(&mut self, t: f64, x: &[f64]) -> Result<(), Fault> {
-        let new = self.moment(t, x)?;
+        let new = self.moment(t, x, -1.0)?;
         let h = t - self.last.t;
         let ends = self.last.x.iter().zip(&new.x).zip(self.last.x_dot.iter().zip(&new.x_dot));
         let middle: Vec<f64> =
@@ -139,7 +147,7 @@ impl Ledger {
     /// # Errors
     /// As [`Ledger::open`].
     pub fn step_through(&mut self, between: &[Vec<f64>], t: f64, x: &[f64]) -> Result<(), Fault> {
-        let new = self.moment(t, x)?;
+        let new = self.moment(t, x, -1.0)?;
         self.book(between, new)
     }
 
@@ -149,7 +157,7 @@ impl Ledger {
     /// As [`Ledger::open`].
     pub fn leap(&mut self, t: f64, x: &[f64]) -> Result<(), Fault> {
         let before = self.accounts.total();
-        self.last = self.moment(t, x)?;
+        self.last = self.moment(t, x, 1.0)?;
         self.store();
         let change = self.accounts.total() - before;
         self.accounts.drive = self.accounts.drive.map(|work| work + change);
@@ -180,8 +188,12 @@ impl Ledger {
         [self.accounts.gravity, self.accounts.spring] = [self.last.entries[0], self.last.entries[1]];
     }
 
-    fn moment(&mut self, time: f64, x: &[f64]) -> Result<Moment, Fault> {
-        let t = self.switches.moment(time)?;
+    /// A state at the start (`way` = 1) or the end (-1) of a part in which nothing switches. Where f64 has a kink
+    /// beyond what the run took for one, the side of that part counts.
+    fn moment(&mut self, time: f64, x: &[f64], way: f64) -> Result<Moment, Fault> {
+        let inside = time + way * 2.0 * self.rounding * time.abs();
+        let beyond = self.switches.first(inside, time)?;
+        let t = self.switches.moment(beyond.map_or(time, |[side, _]| side))?;
         let entries = self.entries(t, x)?;
         let (q, u) = x.split_at_checked(self.mechanism.n_q()).ok_or(Fault::Shape)?;
         let mut x_dot = vec![0.0; x.len()];

@@ -18,7 +18,7 @@ pub struct Plant<E, S> {
     law_inputs: Vec<usize>,
     closed_forms: Interpreted<S>,
     /// Times at which commands, laws and loads switch.
-    pub(super) switches: Switches<S>,
+    pub(crate) switches: Switches<S>,
     pub(super) inputs: Vec<S>,
     projections: u8,
     is_redundant: bool,

@@ -36,6 +36,7 @@ mod settings;
 mod support;
 #[cfg(feature = "parquet")]
 mod sweep_parquet;
+mod switched;
 mod tile;
 mod view;
 mod view_world;

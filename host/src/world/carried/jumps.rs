@@ -71,14 +71,11 @@ impl<S: Scalar> CarriedWorld<S> {
         self.each_mechanism(self.of_carriers(&x), |_, ported, _, _, _| {
             let own = &mut ported.switches;
             let (mut last, next) = (own.first(now, back)?, own.first(now, ahead)?);
-            let mut changes = |from: f64, to: f64| -> Result<bool, Fault> {
-                Ok(own.sides(S::from_f64(from))? != own.sides(S::from_f64(to))?)
-            };
-            if now < BEYOND * h && changes(now - BEYOND * h, 0.0)? {
+            if now < BEYOND * h && own.first(now - BEYOND * h, 0.0)?.is_some() {
                 // The motion before time 0 is none of the world's.
                 last = last.or(Some([0.0; 2]));
             }
-            let cuts = changes(now, end)?;
+            let cuts = next.is_some() && own.first(now, end)?.is_some();
             if let Some([before, after]) =
                 next.filter(|next| cuts && first.is_none_or(|first| next[0] < first[0]))
             {

@@ -1,0 +1,148 @@
+//! Laws, loads and commands that switch at times: pulses of every length, at ends of steps, for every method and row.
+
+use crate::support::{smartbed, written};
+
+/// A mass of 1 kg under a force, or tied by a spring to what is commanded.
+fn pushed(name: &str, law: &str) -> String {
+    let text = format!(
+        "format = 1\nname = \"{name}\"\n[inputs]\nF = {{ unit = \"N\" }}\n[coordinates]\nx = {{ unit = \"m\" }}\n\
+         [points]\nP = \"x*N.x\"\n[bodies]\nb = {{ centre = \"P\", mass = 1 }}\n[forces]\n\
+         f = {{ point = \"P\", force = \"F*N.x\" }}\n[law]\nF = \"{law}\"\n[run]\nseconds = 1\nstep = 1e-3\n"
+    );
+    written(&format!("{name}.toml"), &text)
+}
+
+/// These columns of the last row.
+fn last<const N: usize>(arguments: &[&str], columns: [&str; N]) -> [f64; N] {
+    let done = smartbed(&[&["run", "--json", "--strict"], arguments].concat());
+    assert_eq!(done.status, 0, "{arguments:?}: {done:?}");
+    let row = done.json()["last"].clone();
+    columns.map(|name| row[name].as_f64().unwrap_or_else(|| panic!("no {name}: {row}")))
+}
+
+/// Steps, methods and rows that a motion cut at every switch does not depend on.
+const WAYS: [&[&str]; 9] = [
+    &["--method=rk4"],
+    &["--method=rk4", "--step=1e-2"],
+    &["--method=rk4", "--step=5e-2", "--every=20"],
+    &["--method=dormand-prince"],
+    &["--method=dormand-prince", "--every=10"],
+    &["--method=dormand-prince", "--every=500"],
+    &["--method=dormand-prince", "--every=1000"],
+    &["--method=dormand-prince", "--step=5e-2"],
+    &["--error=1e-6", "--every=1000"],
+];
+
+/// It was dropped without a word where a row interval, or a step, held all of it, and 3.3 times as long where a stage
+/// of a step happened to see it.
+#[test]
+fn a_pulse_that_is_written_as_a_product_is_seen_whole() {
+    for (number, [from, to]) in [[0.3, 0.302], [0.3031, 0.3051], [0.5, 0.5003]].into_iter().enumerate() {
+        let law = format!("50_N*(1 + sign((t - {from}_s)*({to}_s - t)/1_s/1_s))/2");
+        let model = pushed(&format!("pulse_{number}"), &law);
+        let speed = 50.0 * (to - from);
+        let place = speed * (1.0 - 0.5 * (from + to));
+        for way in WAYS {
+            let [x, u] = last(&[&[model.as_str()], way].concat(), ["x", "u_x"]);
+            let off = (x - place).abs().max((u - speed).abs());
+            assert!(off < 1e-11, "{from} to {to}, {way:?}: x = {x}, u = {u}");
+        }
+    }
+}
+
+/// No product, but a function that comes back: above 0.9999 within 1.8 ms of its peaks, at 0.1 s, 0.5 s and 0.9 s.
+#[test]
+fn a_pulse_within_a_step_is_seen_where_its_function_turns() {
+    let model = pushed("peaks", "50_N*(1 + sign(sin(2*pi*t/0.4_s) - 0.9999))/2");
+    let half = 0.4 / std::f64::consts::TAU * 0.9999_f64.acos();
+    let speed = 50.0 * 2.0 * half;
+    let place = speed * (0.9 + 0.5 + 0.1);
+    for way in WAYS {
+        let [x, u] = last(&[&[model.as_str()], way].concat(), ["x", "u_x"]);
+        let off = (x - place).abs().max((u - 3.0 * speed).abs());
+        assert!(off < 1e-10, "{way:?}: x = {x}, u = {u}");
+    }
+}
+
+/// Another switch in the same step does not hide it.
+#[test]
+fn a_pulse_before_another_switch_of_the_step_is_seen() {
+    let model = pushed("both", "50_N*(1 + sign(sin(2*pi*t/0.4_s) - 0.9999))/2 + 3_N*(1 + sign(t - 0.13_s))");
+    let speed = 50.0 * 2.0 * 0.4 / std::f64::consts::TAU * 0.9999_f64.acos();
+    for step in ["--step=1e-3", "--step=2e-2", "--step=5e-2", "--step=0.2"] {
+        let [x, u] = last(&[&model, step, "--seconds=0.2", "--method=rk4"], ["x", "u_x"]);
+        let off = (x - 0.1 * speed - 3.0 * 0.07 * 0.07).abs().max((u - speed - 6.0 * 0.07).abs());
+        assert!(off < 1e-11, "{step}: x = {x}, u = {u}");
+    }
+}
+
+/// A spring is pulled by a bump of 30 ms; SciPy's DOP853 at 1e-12, cut at the bump's ends.
+#[test]
+fn a_bump_of_a_command_is_seen_whatever_the_rows() {
+    let text = "format = 1\nname = \"bump\"\n[coordinates]\n\
+                s = { unit = \"m\", closed_form = \"max(0, 2*(t - 0.30_s)*(0.33_s - t)*1_m/1_s/1_s)\" }\n\
+                x = { unit = \"m\", independent = true }\n[points]\nP = \"x*N.x\"\n[bodies]\n\
+                b = { centre = \"P\", mass = 1 }\n[forces]\n\
+                f = { point = \"P\", force = \"-400_N/1_m*(x - s)*N.x\" }\n[run]\nseconds = 1\nstep = 1e-3\n\
+                method = \"dormand-prince\"\n";
+    let model = written("bump.toml", text);
+    for every in ["--every=1", "--every=100", "--every=1000"] {
+        let [x, u] = last(&[&model, every], ["x", "u_x"]);
+        assert!((x - 1.6161e-4).abs() < 2e-8 && (u - 1.51048e-3).abs() < 3e-8, "{every}: {x}, {u}");
+    }
+}
+
+/// sin(2 pi t/T) at t = 3 T is 0 but for rounding: its switch lies behind the end of a step by less than the last stage
+/// of Runge's method, which saw the other side: 10 N for a sixth of a step.
+#[test]
+fn a_switch_at_the_end_of_a_step_but_for_rounding_is_at_its_end() {
+    for (scalar, allowed) in [("--scalar=f64", 1e-12), ("--scalar=f32", 2e-5)] {
+        let model = pushed("thirds", "5_N*sign(sin(2*pi*t/0.07_s)) + 3_N*max(0, sign(t - 0.07_s))");
+        for step in ["--step=4e-3", "--step=2e-3", "--step=1e-3", "--step=5e-4"] {
+            // Of 0.3 s the sine is positive in the first half of 0.07 s, four times, and in the last 20 ms.
+            let [u] = last(&[&model, scalar, step, "--seconds=0.3", "--method=rk4"], ["u_x"]);
+            assert!((u - (5.0 * 0.02 + 3.0 * 0.23)).abs() < allowed, "{scalar} {step}: {u}");
+        }
+    }
+}
+
+/// The accounts are in f64, the run's kinks are where f32 has them: powers were taken from the other side of a kink at
+/// the end of a step. Closed form of both: c (A pi/T)^2/2.
+#[test]
+fn accounts_of_a_run_in_single_precision_are_of_the_sides_of_its_kinks() {
+    let text = "format = 1\nname = \"hops\"\n[coordinates]\n\
+                s = { unit = \"m\", closed_form = \"0.03_m*abs(sin(pi*t/0.05_s))\" }\n\
+                x = { unit = \"m\", independent = true }\n[points]\nS = \"s*N.x\"\nP = \"x*N.x\"\n[bodies]\n\
+                b = { centre = \"P\", mass = 1 }\nh = { centre = \"S\", mass = 1 }\n[forces]\n\
+                d = { point = \"S\", force = \"-3_N*1_s/1_m*(u_s - 1_m/1_s)*N.x\" }\n[run]\nseconds = 1\n";
+    let (model, work) = (written("hops.toml", text), 1.5 * (0.03 * std::f64::consts::PI / 0.05_f64).powi(2));
+    for (scalar, allowed) in [("--scalar=f64", 2e-8_f64), ("--scalar=f32", 2e-4)] {
+        for way in [&["--step=5e-3"][..], &["--step=1e-3"], &["--method=dormand-prince", "--tolerance=1e-6"]]
+        {
+            let allowed = if way.len() == 2 { allowed.max(2e-5) } else { allowed };
+            let works = last(&[&[model.as_str(), scalar], way].concat(), ["damping", "drive"]);
+            let off = works.map(|own| (own / work - 1.0).abs());
+            assert!(off[0].max(off[1]) < allowed, "{scalar} {way:?}: {works:?} of {work} J");
+        }
+    }
+}
+
+/// Two columns had one name: readers took the energy for the coordinate.
+#[test]
+fn a_coordinate_named_like_an_energy_has_a_column_of_its_own() {
+    let text = "format = 1\nname = \"spring\"\n[coordinates]\nspring = { unit = \"m\" }\n[points]\n\
+                P = \"spring*N.x\"\n[bodies]\nb = { centre = \"P\", mass = 2 }\n[springs]\n\
+                k = { coordinate = \"spring\", stiffness = \"50_N/1_m\", rest = 0.1 }\n[start]\nspring = 0.3\n\
+                [run]\nseconds = 0.1\nstep = 1e-3\n";
+    let model = written("named_spring.toml", text);
+    let [place, energy] = last(&[&model], ["coordinate.spring", "spring"]);
+    let stretch = 0.2 * 0.5_f64.cos();
+    assert!((place - 0.1 - stretch).abs() < 1e-9 && (energy - 25.0 * stretch * stretch).abs() < 1e-8);
+    let done = smartbed(&["run", &model, "--csv", "-"]);
+    let header = done.out.lines().next().unwrap_or_default().to_owned();
+    let mut names: Vec<&str> = header.split(',').collect();
+    let all = names.len();
+    names.sort_unstable();
+    names.dedup();
+    assert_eq!(names.len(), all, "{header}");
+}
