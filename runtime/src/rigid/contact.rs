@@ -148,12 +148,9 @@ impl<S: Scalar> Side<S> {
     /// A weighted sum of points, such as the corners of a facet; None stands for a corner fixed in space.
     #[must_use]
     pub fn blend(points: [Option<Point<S>>; 4]) -> Side<S> {
-        let mut side = Side::fixed();
-        let real = points.into_iter().flatten().filter(|point| point.weight != S::ZERO);
-        for (place, point) in side.points.iter_mut().zip(real) {
-            (*place, side.count) = (point, side.count + 1);
-        }
-        side
+        let real =
+            |point: Option<Point<S>>| point.filter(|point| point.weight != S::ZERO).map(|point| (point, ()));
+        Side::blend_with(points.map(real), ()).0
     }
 
     /// The same with a value beside each point, in the order of the side's points; weights may be 0.
