@@ -74,6 +74,8 @@ pub struct Health {
     epsilon: f64,
     /// Rounding as a fraction of the energies.
     rounding: f64,
+    /// Most of the energy (J) that contacts had taken, and most that they gave after that.
+    taken: [f64; 2],
     /// What chatters, as a message.
     chatter: Option<String>,
 }
@@ -96,7 +98,19 @@ impl Health {
         let (outside, infinite) = (BTreeMap::new(), BTreeMap::new());
         let (pivot, chatter) = ((1.0, None), None);
         let (imbalance, moved, size, rounding) = (0.0, 0.0, 0.0, ROUNDING * epsilon);
-        Self { ranges, outside, infinite, pivot, imbalance, moved, size, epsilon, rounding, chatter }
+        Self {
+            ranges,
+            outside,
+            infinite,
+            pivot,
+            imbalance,
+            moved,
+            size,
+            epsilon,
+            rounding,
+            taken: [0.0; 2],
+            chatter,
+        }
     }
 
     /// Observes a coordinate at a time.
@@ -131,6 +145,12 @@ impl Health {
         self.imbalance = worst(self.imbalance, at.imbalance);
     }
 
+    /// Observes the energy (J) that contacts have taken so far, which never falls.
+    pub fn taken(&mut self, by_contacts: f64) {
+        let [most, given] = self.taken;
+        self.taken = [most.max(by_contacts), worst(given, most.max(by_contacts) - by_contacts)];
+    }
+
     /// Energies are differences of numbers of this size (J), whose rounding they have.
     pub fn differences_of(&mut self, size: f64) {
         self.size = self.size.max(size);
@@ -152,7 +172,14 @@ impl Health {
     #[must_use]
     pub fn findings(&self) -> Vec<String> {
         let chatter = self.chatter.clone();
-        let findings = [self.unbalanced(), self.left_ranges(), self.singular(), self.not_finite(), chatter];
+        let findings = [
+            self.unbalanced(),
+            self.given(),
+            self.left_ranges(),
+            self.singular(),
+            self.not_finite(),
+            chatter,
+        ];
         findings.into_iter().flatten().collect()
     }
 
@@ -177,6 +204,19 @@ impl Health {
                 "energy: {:.1e} J of the {:.1e} J that were converted are in no account (allowed: {IMBALANCE:e} of \
                  them); the motion is not to be trusted: take a smaller --step or another --method",
                 self.imbalance, self.moved
+            )
+        })
+    }
+
+    fn given(&self) -> Option<String> {
+        let [_, given] = self.taken;
+        let allowed = IMBALANCE * self.moved + self.rounding * self.size;
+        (given > allowed).then(|| {
+            format!(
+                "energy: contacts gave {given:.1e} J of the {:.1e} J that were converted, where they can only take \
+                 (allowed: {IMBALANCE:e} of them); the motion is not to be trusted: take a smaller --step, or \
+                 method = \"moreau\" where it is energy_momentum",
+                self.moved
             )
         })
     }

@@ -207,6 +207,7 @@ impl Kept {
             self.health.place(&columns[place].name, row.state[place], row.t);
         }
         self.health.energies(Moved { stored: &stored, moved: &moved, imbalance });
+        self.health.taken(energies.impact + friction);
     }
 }
 

@@ -312,14 +312,19 @@ pub(crate) fn onto_disc<S: Scalar>([x, y]: [S; 2], radius: S) -> [S; 2] {
     if size > radius { [x * (radius / size), y * (radius / size)] } else { [x, y] }
 }
 
+/// One contact's friction that stops the slip that is left; None where that is beyond the friction disc.
+pub(crate) fn stopping<S: Scalar>(k: &InverseMass<S>, at: [S; 2], slip: [S; 2], radius: S) -> Option<[S; 2]> {
+    let [x, y] = solve_tangential(k, slip);
+    let rest = [at[0] - x, at[1] - y];
+    (rest[0] * rest[0] + rest[1] * rest[1] <= radius * radius).then_some(rest)
+}
+
 /// One contact's friction for the slip that is left: the one that stops it, or one on the rim of the friction disc.
 ///
 /// On the rim: a gradient step of the contact's own energy, scaled by the inverse of the larger eigenvalue of `K_tt`;
 /// it is the exact solution where the contact's inverse mass is the same in all tangential directions, as a node's is.
 pub(crate) fn rubbed<S: Scalar>(k: &InverseMass<S>, at: [S; 2], slip: [S; 2], radius: S) -> [S; 2] {
-    let [x, y] = solve_tangential(k, slip);
-    let rest = [at[0] - x, at[1] - y];
-    if rest[0] * rest[0] + rest[1] * rest[1] <= radius * radius {
+    if let Some(rest) = stopping(k, at, slip, radius) {
         return rest;
     }
     let half = S::from_f64(0.5);

@@ -11,19 +11,21 @@
 //! v is linear in dP, so the energy balance is exact for any length of the piece; a piece ends where the first E_j
 //! becomes 0. Every E >= 0 and friction opposes slip, so no impact creates energy, whatever e, mu and the shapes.
 
-use super::contact::{Inertia, Twist, rubbed};
+use super::contact::{Inertia, Twist, rubbed, stopping};
 use super::impact::{Touch, resolve};
 use super::plastic::stop;
-use super::struck::{Outcome, Struck};
+use super::struck::{Group, Outcome, Struck};
 use crate::ode::root::reach;
 use crate::real::Scalar;
 use crate::vec3;
 
 /// Most pieces of one impact; the rest is then resolved with e = 0.
 const PIECES: usize = 10_000;
-/// Length of a piece in units of 1/sqrt(sum of K_nn). Impulses are as exact as its square: 2e-4 for three balls in a
-/// row.
-const PIECE: f64 = 0.04;
+/// Length of a piece in units of 1/sqrt(sum of K_nn). Impulses are as exact as its square: 1e-4 for three balls in a
+/// row; where a contact begins to push within a piece they are off by some 1e-4, too.
+const PIECE: f64 = 0.0297;
+/// Length of a piece in which friction may stop a slip, relative to the others.
+const STOPPING: f64 = 0.5;
 /// Most friction sweeps of one piece: stopped early, friction still opposes slip within its cone.
 const RUBS: usize = 60;
 /// Closing speeds below this share of the fastest do not start to push any more: less than the error of the pieces.
@@ -31,13 +33,15 @@ const RUBS: usize = 60;
 const SLOWEST: f64 = 1e-6;
 /// Restitution coefficients below this do not shorten pieces: the end of the contact is located anyway.
 const SOFTEST: f64 = 0.05;
+/// An impulse (N s) along n, t1, t2 that another contact feels if it feels any: in no special direction.
+const ASKING: [f64; 3] = [1.0, 0.618_034, 0.414_214];
 /// Share of the energy of a contact that is a rounding error, in rounding units.
 const ROUNDED: f64 = 256.0;
 
 impl<S: Scalar> Struck<S> {
     /// Whether it pushes, or starts to.
     fn active(&self, closing: S) -> bool {
-        self.stored > S::ZERO || self.before[0] < -closing
+        self.group == Group::Now && (self.stored > S::ZERO || self.before[0] < -closing)
     }
 
     /// The stiffness of the unloading spring, 1/e^2.
@@ -64,6 +68,14 @@ impl<S: Scalar> Struck<S> {
             S::ZERO
         };
         length * fallen.max(half * force)
+    }
+
+    /// Whether friction may stop its slip within a piece of this length.
+    fn stops_within(&self, length: S, closing: S) -> bool {
+        let [_, x, y] = self.before;
+        let slip = (x * x + y * y).sqrt();
+        let [_, [_, a, _], [_, _, b]] = self.inverse_mass;
+        slip > closing && slip < self.contact.friction * self.press(length, closing) * a.max(b)
     }
 
     /// E after the normal velocity has changed from `before` to v over the impulse of the piece, and how much the
@@ -95,7 +107,7 @@ impl<S: Scalar> Struck<S> {
 
 /// Resolves the impact of all these contacts at once; contacts that open or rest take part if others close them.
 ///
-/// One contact alone is resolved in closed form ([`resolve`]). `twists` and the contacts' impulses are changed;
+/// Contacts that do not feel one another's impulses are resolved apart, one contact alone in closed form ([`resolve`]). `twists` and the contacts' impulses are changed;
 /// `spare` is working memory, one entry per body.
 pub fn strike_all<S: Scalar>(
     struck: &mut [Struck<S>],
@@ -103,34 +115,82 @@ pub fn strike_all<S: Scalar>(
     twists: &mut [Twist<S>],
     spare: &mut [Twist<S>],
 ) -> Outcome {
-    let mut fastest = S::ZERO;
     for s in struck.iter_mut() {
         s.before = s.contact.relative(twists);
         (s.contact.impulse, s.stored, s.ratio) = (vec3::zero(), S::ZERO, [S::ZERO; 2]);
-        fastest = fastest.max(-s.before[0]);
+        s.group = Group::Later;
     }
-    if let [only] = struck {
-        strike_one(only, inertia, twists);
-        return Outcome { pieces: 1, complete: true };
-    }
-    let rounding = S::from_f64(64.0) * S::EPSILON;
-    let closing = rounding.max(S::from_f64(SLOWEST)) * fastest;
-    let (mut pieces, mut complete) = (0, false);
-    while pieces < PIECES && !complete {
-        match piece_length(struck, closing) {
-            Some(length) => {
-                shorten(struck, inertia, twists, spare, length, closing);
-                accept(struck, twists, spare);
-                pieces += 1;
+    let (mut all, mut rests) = (Outcome { pieces: 0, complete: true }, true);
+    while gather(struck, inertia, spare) {
+        let own = || struck.iter().filter(|s| s.group == Group::Now);
+        let fastest = own().fold(S::ZERO, |most, s| most.max(-s.before[0]));
+        let rounding = S::from_f64(64.0) * S::EPSILON * fastest;
+        if own().count() == 1 {
+            if let Some(only) = struck.iter_mut().find(|s| s.group == Group::Now && s.before[0] < S::ZERO) {
+                strike_one(only, inertia, twists);
+                all.pieces += 1;
             }
-            None => complete = true,
+        } else {
+            let closing = rounding.max(S::from_f64(SLOWEST) * fastest);
+            let done = strike_group(struck, inertia, twists, spare, closing);
+            all = Outcome { pieces: all.pieces + done.pieces, complete: all.complete && done.complete };
+            rests &= !struck.iter().any(|s| s.group == Group::Now && s.before[0] < -rounding);
         }
+        struck.iter_mut().filter(|s| s.group == Group::Now).for_each(|s| s.group = Group::Done);
     }
-    if !complete || struck.iter().any(|s| s.before[0] < -(rounding * fastest)) {
+    if !all.complete || !rests {
         // Whether or not the sweeps were enough: what is left is slow, or the impact was cut short.
         let _ = stop(struck, inertia, twists);
     }
-    Outcome { pieces, complete }
+    all
+}
+
+/// Takes the next contacts that may feel one another's impulses, directly or through others; false if none is left.
+fn gather<S: Scalar>(
+    struck: &mut [Struck<S>],
+    inertia: &(impl Inertia<S> + ?Sized),
+    spare: &mut [Twist<S>],
+) -> bool {
+    let Some(first) = struck.iter_mut().find(|s| s.group == Group::Later) else { return false };
+    first.group = Group::Asks;
+    while let Some(at) = struck.iter().position(|s| s.group == Group::Asks) {
+        let Some(asks) = struck.get_mut(at) else { break };
+        asks.group = Group::Now;
+        let contact = asks.contact;
+        if !struck.iter().any(|s| s.group == Group::Later) {
+            continue;
+        }
+        spare.fill(Twist::zero());
+        contact.push(inertia, spare, ASKING.map(S::from_f64));
+        for other in struck.iter_mut().filter(|s| s.group == Group::Later) {
+            // What is rounding of a shared inverse inertia makes no group.
+            if vec3::norm(other.contact.relative(spare)) > S::EPSILON * other.inverse_mass[0][0] {
+                other.group = Group::Asks;
+            }
+        }
+    }
+    true
+}
+
+/// Resolves the impact of the contacts of a group.
+fn strike_group<S: Scalar>(
+    struck: &mut [Struck<S>],
+    inertia: &(impl Inertia<S> + ?Sized),
+    twists: &mut [Twist<S>],
+    spare: &mut [Twist<S>],
+    closing: S,
+) -> Outcome {
+    for pieces in 0..PIECES {
+        let Some(length) = piece_length(struck, closing) else {
+            return Outcome { pieces, complete: true };
+        };
+        // The error of a piece in which a slip stops is of its length.
+        let stops = struck.iter().any(|s| s.stops_within(length, closing));
+        let length = if stops { S::from_f64(STOPPING) * length } else { length };
+        shorten(struck, inertia, twists, spare, length, closing);
+        accept(struck, twists, spare);
+    }
+    Outcome { pieces: PIECES, complete: false }
 }
 
 fn strike_one<S: Scalar>(
@@ -233,7 +293,8 @@ fn accept<S: Scalar>(struck: &mut [Struck<S>], twists: &mut [Twist<S>], spare: &
     }
 }
 
-/// Friction of a piece, against the slip at its end, in the cone of its normal impulse; by Gauss-Seidel sweeps.
+/// Friction of a piece in the cone of its normal impulse, by Gauss-Seidel sweeps: it stops the slip where it can, else
+/// it acts against the mean of the slips before and after, so that it takes the work mu P |mean slip|.
 fn rub<S: Scalar>(struck: &mut [Struck<S>], inertia: &(impl Inertia<S> + ?Sized), twists: &mut [Twist<S>]) {
     let presses = |s: &Struck<S>| s.contact.friction > S::ZERO && s.piece[0] > S::ZERO;
     if !struck.iter().any(presses) {
@@ -244,7 +305,9 @@ fn rub<S: Scalar>(struck: &mut [Struck<S>], inertia: &(impl Inertia<S> + ?Sized)
         for s in struck.iter_mut().filter(|s| presses(s)) {
             let radius = s.contact.friction * s.piece[0];
             let [_, x, y] = s.contact.relative(twists);
-            let next = rubbed(&s.inverse_mass, [s.piece[1], s.piece[2]], [x, y], radius);
+            let own = [s.piece[1], s.piece[2]];
+            let next = stopping(&s.inverse_mass, own, [x, y], radius)
+                .unwrap_or_else(|| rubbed(&s.inverse_mass, own, [x + s.before[1], y + s.before[2]], radius));
             let change = [S::ZERO, next[0] - s.piece[1], next[1] - s.piece[2]];
             (s.piece[1], s.piece[2]) = (next[0], next[1]);
             s.contact.push(inertia, twists, change);
@@ -255,13 +318,16 @@ fn rub<S: Scalar>(struck: &mut [Struck<S>], inertia: &(impl Inertia<S> + ?Sized)
             break;
         }
     }
-    // If sweeps that stopped early would add energy, the piece has no friction.
-    let work = |s: &Struck<S>| {
-        let [_, x, y] = s.contact.relative(twists);
-        let half = S::from_f64(0.5);
-        half * (s.piece[1] * (x + s.before[1]) + s.piece[2] * (y + s.before[2]))
-    };
-    if struck.iter().fold(S::ZERO, |sum, s| sum + work(s)) > S::ZERO {
+    // If sweeps that stopped early would add energy, the piece has no friction. The work of one that sticks is rounding.
+    let half = S::from_f64(0.5);
+    let (mut work, mut rounding) = (S::ZERO, S::ZERO);
+    for s in struck.iter().filter(|s| presses(s)) {
+        let ([_, x, y], [_, p, q]) = (s.contact.relative(twists), s.piece);
+        work = work + half * (p * (x + s.before[1]) + q * (y + s.before[2]));
+        let speed = vec3::norm(s.before) + (S::from_f64(2.0) * s.stored * s.inverse_mass[0][0]).sqrt();
+        rounding = rounding + S::from_f64(ROUNDED) * S::EPSILON * (p.abs() + q.abs()) * speed;
+    }
+    if work > rounding {
         for s in struck.iter_mut().filter(|s| presses(s)) {
             let back = [S::ZERO, -s.piece[1], -s.piece[2]];
             s.contact.push(inertia, twists, back);

@@ -25,6 +25,20 @@ pub struct Struck<S> {
     pub(super) ended: bool,
     /// Friction per normal impulse in the last piece, from which the next one starts.
     pub(super) ratio: [S; 2],
+    pub(super) group: Group,
+}
+
+/// Contacts of an impact that may feel one another's impulses are resolved together.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Group {
+    /// Its group has its turn later.
+    Later,
+    /// It belongs to the group that has its turn; which others feel its impulse is not known yet.
+    Asks,
+    /// It belongs to the group that has its turn.
+    Now,
+    /// Its group is resolved.
+    Done,
 }
 
 /// Result of an impact at several points.
@@ -53,6 +67,7 @@ impl<S: Scalar> Struck<S> {
             before,
             ended: false,
             ratio,
+            group: Group::Later,
         }
     }
 

@@ -196,13 +196,15 @@ impl<S: Scalar> RigidScene<'_, S> {
     }
 
     /// Whether the bounces of a contact that closes have died out: the height that one loses, (1 - e^2) v^2/(2 g), is
-    /// less than the gap that counts as zero, in which no touch is located, or it has sunk in bounce by bounce. With
-    /// e = 1 no bounce dies out.
+    /// less than the gap that counts as zero, in which no touch is located, or it has sunk in bounce by bounce. What
+    /// comes from higher has not, however deep it is: a lasting contact that was put back onto its surface moves others
+    /// too. With e = 1 no bounce dies out.
     fn has_died_out(&self, t: &Touching<S>, rounding: Rounding<S>) -> bool {
         let (e, v) = (t.held.contact.restitution, t.velocity[0]);
         let (lost, height) = (S::ONE - e * e, S::from_f64(0.5) * v * v / vec3::norm(self.gravity));
-        let low = lost * height <= rounding.gap && height <= S::from_f64(HIGHEST) * rounding.gap;
-        lost > S::ZERO && (low || t.gap < -S::from_f64(OVERLAP) * rounding.gap)
+        let is_low = height <= S::from_f64(HIGHEST) * rounding.gap;
+        let has_sunk = t.gap < -S::from_f64(OVERLAP) * rounding.gap;
+        lost > S::ZERO && is_low && (has_sunk || lost * height <= rounding.gap)
     }
 
     /// Advances over all the time left, or to the first new contact, end of slip or passage of a contact to another

@@ -52,7 +52,8 @@ impl<S: Scalar> PartialStep<'_, '_, S> {
             let (lost, highest) = (S::ONE - touch.contact.restitution, S::from_f64(HIGHEST) * gap);
             let again = is_first || earlier.iter().any(|own| own.is(touch.pair, touch.id));
             let has_sunk = is_first && !*self.overlaps && touch.gap < deepest - touch.sagitta;
-            lost <= S::ZERO || (!has_sunk && (!again || height > highest || lost * height > gap))
+            let has_died_out = has_sunk || (again && lost * height <= gap);
+            lost <= S::ZERO || height > highest || !has_died_out
         };
         if self.touches().iter().any(|touch| touch.start[0] < -rate && bounces(touch)) {
             return;
