@@ -213,11 +213,11 @@ impl Probe {
     fn save(&self) -> Vec<f64> {
         let memory = self.sensor.memory();
         let felt = match self.kind {
-            Kind::Switch(switch) => [tick_number(switch.changed), f64::from(u8::from(switch.closed))],
-            Kind::Pressure(Membrane { follows: Some((at, pressure)), .. }) => {
-                [tick_number(Some(at)), pressure]
+            Kind::Switch(switch) => [tick_number(switch.changed), f64::from(u8::from(switch.closed)), 0.0],
+            Kind::Pressure(Membrane { follows: Some((at, [pressure, felt])), .. }) => {
+                [tick_number(Some(at)), felt, pressure]
             }
-            _ => [tick_number(None), 0.0],
+            _ => [tick_number(None), 0.0, 0.0],
         };
         let pending = memory.pending.iter().flat_map(|sample| match sample {
             Some((at, reading)) => [tick_number(Some(*at)), *reading],
@@ -231,11 +231,11 @@ impl Probe {
     }
 
     fn load(&mut self, numbers: &mut impl Iterator<Item = f64>) -> Option<()> {
-        let [drifted, last, shown, at, felt] = [(); 5].map(|()| numbers.next());
-        let (at, felt) = (tick(at?), felt?);
+        let [drifted, last, shown, at, felt, pressure] = [(); 6].map(|()| numbers.next());
+        let (at, felt, pressure) = (tick(at?), felt?, pressure?);
         match &mut self.kind {
             Kind::Switch(switch) => (switch.changed, switch.closed) = (at, felt != 0.0),
-            Kind::Pressure(membrane) => membrane.follows = at.map(|at| (at, felt)),
+            Kind::Pressure(membrane) => membrane.follows = at.map(|at| (at, [pressure, felt])),
             Kind::Plain | Kind::Lvdt(_) => {}
         }
         let mut pending = [None; DEPTH];

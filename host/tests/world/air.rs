@@ -133,6 +133,22 @@ fn a_held_input_is_what_a_law_of_that_value_is() {
     assert_eq!(run("unwound", &wound.replace("100", "-100")), run("law", "law = { T = -0.2 }"));
 }
 
+/// What a membrane feels of a swinging angle, at steps of half its lag and a tenth of that: it lagged half a step less.
+#[test]
+fn a_membrane_lags_as_long_whatever_the_step() {
+    let felt = |step: &str| {
+        let text = format!(
+            "[parts.arm]\nmechanism = \"double_pendulum\"\n[sensors.felt]\nof = \"arm.q1\"\nkind = \"pressure\"\n\
+             lag = \"20_ms\"\n[run]\nseconds = 0.5\nstep = \"{step}\"\n"
+        );
+        let done = json(&[&scene(&format!("membrane_{step}"), &text)]);
+        ["sensors.felt", "arm.q1", "arm.u_q1"].map(|name| number(&done["last"][name]))
+    };
+    let ([coarse, ..], [fine, q, u]) = (felt("10_ms"), felt("1_ms"));
+    assert!((coarse - fine).abs() < 2e-3 * u.abs() * 20e-3, "{coarse} {fine}");
+    assert!((q - fine - 20e-3 * u).abs() < 0.3 * (20e-3 * u).abs(), "it lags: {q} {fine} {u}");
+}
+
 /// A noisy sensor that is read late, and sampled at times of its own.
 fn sampled() -> String {
     let held = HELD.replace(

@@ -73,8 +73,8 @@ impl<S: Scalar> Switch<S> {
 pub struct Membrane<S> {
     /// Time constant in ticks, >= 0.
     pub lag: S,
-    /// Tick of the last update, and the pressure felt then.
-    pub follows: Option<(u64, S)>,
+    /// Tick of the last update, the pressure then, and what was felt of it.
+    pub follows: Option<(u64, [S; 2])>,
 }
 
 impl<S: Scalar> Membrane<S> {
@@ -84,17 +84,22 @@ impl<S: Scalar> Membrane<S> {
         Membrane { lag, follows: None }
     }
 
-    /// Updates it with the pressure (Pa) at a tick; returns the pressure felt: p' = (pressure - p)/lag, exact for
-    /// constant pressure.
+    /// Updates it with the pressure (Pa) at a tick; returns the pressure felt: f' = (p - f)/lag, exact where p is linear
+    /// between two ticks. It then runs r lag behind, r the rate of p, and forgets how far it was off:
+    /// ```text
+    /// f = p - r lag + (f0 - p0 + r lag) exp(-passed/lag)
+    /// ```
     pub fn observe(&mut self, tick: u64, pressure: S) -> S {
         let felt = match self.follows {
-            Some((before, felt)) if self.lag > S::ZERO => {
+            Some((before, [old, felt])) if self.lag > S::ZERO && tick > before => {
                 let passed = super::noise::whole::<S>(tick.saturating_sub(before));
-                pressure + (felt - pressure) * (-(passed / self.lag)).exp()
+                let behind = (pressure - old) / passed * self.lag;
+                pressure - behind + (felt - old + behind) * (-(passed / self.lag)).exp()
             }
+            Some((_, [_, felt])) if self.lag > S::ZERO => felt,
             _ => pressure,
         };
-        self.follows = Some((tick, felt));
+        self.follows = Some((tick, [pressure, felt]));
         felt
     }
 }

@@ -177,9 +177,24 @@ fn transducers_do_what_their_makers_say() {
     // A membrane: the step response of first order.
     let mut membrane = Membrane::new(20.0);
     assert_eq!(membrane.observe(0, 100.0), 100.0);
+    // The step takes one tick, from 0 to 1, in which the pressure is linear; 3 ticks at a time say the same.
+    let decay = |ticks: f64| (-ticks / 20.0_f64).exp();
+    let first = 300.0 - 200.0 * 20.0 * (1.0 - decay(1.0));
+    let mut rarely = membrane;
     for tick in 1..200_u64 {
-        let exact = 300.0 - 200.0 * (-(tick as f64) / 20.0_f64).exp();
-        assert!((membrane.observe(tick, 300.0) - exact).abs() <= 1e-10);
+        let exact = 300.0 + (first - 300.0) * decay(tick as f64 - 1.0);
+        assert!((membrane.observe(tick, 300.0) - exact).abs() <= 1e-10, "{tick}");
+        if tick % 3 == 1 {
+            assert!((rarely.observe(tick, 300.0) - exact).abs() <= 1e-10, "{tick}");
+        }
+    }
+    // A pressure that rises at a constant rate is felt `lag` later, whatever the step.
+    for step in [1, 4, 20] {
+        let mut membrane = Membrane::new(8.0);
+        let felt = (0..=50).map(|k| membrane.observe(step * k, 3.0 * (step * k) as f64)).last();
+        let t = (50 * step) as f64;
+        let exact = 3.0 * (t - 8.0 + 8.0 * (-t / 8.0_f64).exp());
+        assert!((felt.expect("a pressure") - exact).abs() <= 1e-10 * t, "{step}: {felt:?} for {exact}");
     }
 }
 
