@@ -1,6 +1,6 @@
 //! `smartbed import`: converts a robot in URDF to a model made of joints.
 //!
-//! In: the XML text. Out: the text of a model. `urdf` reads links and joints, `tree` finds the kinematic tree and
+//! In: the XML text. Out: the text of a model. `urdf` reads links and joints by `xml`, `tree` finds the kinematic tree and
 //! merges links connected by fixed joints, `write` writes the model, `pose` has the arithmetic of rotations and
 //! inertias.
 
@@ -9,6 +9,7 @@ mod pose;
 mod tree;
 mod urdf;
 mod write;
+mod xml;
 
 pub use write::{Base, Imported};
 

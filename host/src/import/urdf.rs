@@ -3,6 +3,7 @@
 //! Only the kinematics and inertias are read; other elements are counted, so that a message can list them.
 
 use super::pose::{self, Vector};
+use super::xml::{check, child, needed, number_or, numbers, place};
 use roxmltree::{Document, Node, ParsingOptions};
 use std::collections::BTreeMap;
 
@@ -87,16 +88,10 @@ pub struct Robot {
     pub links: Vec<Link>,
     /// Joints in the order of the text.
     pub joints: Vec<Joint>,
-    /// Elements that are not read, and how often they occur.
-    pub left_out: BTreeMap<&'static str, usize>,
+    /// Elements and attributes that are not read, and how often they occur.
+    pub left_out: BTreeMap<String, usize>,
     /// What was read in another way than it is written, a line each.
     pub notes: Vec<String>,
-}
-
-/// The place of an element, for messages.
-fn place(node: Node<'_, '_>) -> String {
-    let at = node.document().text_pos_at(node.range().start);
-    format!("line {}, column {}", at.row, at.col)
 }
 
 /// Reads a robot.
@@ -141,11 +136,12 @@ pub fn read(text: &str) -> Result<Robot, String> {
                 }
                 robot.joints.push(joint);
             }
-            "transmission" => *robot.left_out.entry("transmissions").or_default() += 1,
-            "gazebo" => *robot.left_out.entry("elements <gazebo>").or_default() += 1,
+            "transmission" => *robot.left_out.entry("transmissions".to_owned()).or_default() += 1,
+            "gazebo" => *robot.left_out.entry("elements <gazebo>".to_owned()).or_default() += 1,
             _ => {}
         }
     }
+    check(root, &mut robot.left_out)?;
     robot.lock();
     match robot.links.is_empty() {
         true => Err(format!("robot `{}` has no <link>; expected at least one", robot.name)),
@@ -192,60 +188,55 @@ impl Joint {
     }
 }
 
-/// The child element with this name.
-fn child<'a, 'b>(node: Node<'a, 'b>, name: &str) -> Option<Node<'a, 'b>> {
-    node.children().find(|n| n.has_tag_name(name) || n.tag_name().name() == name)
-}
-
-fn needed<'a>(node: Node<'a, '_>, attribute: &str) -> Result<&'a str, String> {
-    let tag = node.tag_name().name();
-    node.attribute(attribute).ok_or_else(|| {
-        format!("<{tag}> at {} has no `{attribute}`; expected {attribute}=\"...\"", place(node))
-    })
-}
-
-/// Parses exactly N numbers of an attribute.
-fn numbers<const N: usize>(node: Node<'_, '_>, attribute: &str, text: &str) -> Result<[f64; N], String> {
-    let parsed: Result<Vec<f64>, _> = text.split_whitespace().map(str::parse::<f64>).collect();
-    let all = parsed.ok().filter(|all| all.iter().all(|x| x.is_finite()));
-    all.and_then(|all| <[f64; N]>::try_from(all).ok()).ok_or_else(|| {
-        let tag = node.tag_name().name();
-        let expected = if N == 1 { "a number".to_owned() } else { format!("{N} numbers") };
-        format!("{attribute}=\"{text}\" of <{tag}> at {}: expected {expected}", place(node))
-    })
-}
-
-/// A number with a default.
-fn number_or(node: Option<Node<'_, '_>>, attribute: &str, other: f64) -> Result<f64, String> {
-    match node.and_then(|n| n.attribute(attribute).map(|text| (n, text))) {
-        Some((node, text)) => numbers::<1>(node, attribute, text).map(|[x]| x),
-        None => Ok(other),
-    }
-}
-
 fn origin(node: Node<'_, '_>) -> Result<Origin, String> {
     let Some(node) = child(node, "origin") else { return Ok(Origin::default()) };
     let read = |attribute: &str| match node.attribute(attribute) {
         Some(text) => numbers::<3>(node, attribute, text),
         None => Ok([0.0; 3]),
     };
-    Ok(Origin { xyz: read("xyz")?, rpy: read("rpy")? })
+    let xyz = read("xyz")?;
+    let Some(text) = node.attribute("quat_xyzw") else { return Ok(Origin { xyz, rpy: read("rpy")? }) };
+    if node.has_attribute("rpy") {
+        return Err(format!("<origin> at {} has rpy and quat_xyzw; expected one of them", place(node)));
+    }
+    let [x, y, z, w] = numbers::<4>(node, "quat_xyzw", text)?;
+    let (sine, length) = (pose::norm([x, y, z]), pose::norm([x, y, z]).hypot(w));
+    if length == 0.0 {
+        return Err(format!("quat_xyzw of <origin> at {} is 0 0 0 0; expected a rotation", place(node)));
+    }
+    if sine == 0.0 {
+        return Ok(Origin { xyz, rpy: [0.0; 3] });
+    }
+    let axis = [x, y, z].map(|x| x / sine);
+    Ok(Origin { xyz, rpy: pose::angles(&pose::about(axis, 2.0 * libm::atan2(sine, w))) })
 }
 
-fn link(node: Node<'_, '_>, left_out: &mut BTreeMap<&'static str, usize>) -> Result<Link, String> {
+fn link(node: Node<'_, '_>, left_out: &mut BTreeMap<String, usize>) -> Result<Link, String> {
     for name in ["visual", "collision"] {
-        *left_out.entry("shapes of links").or_default() +=
+        *left_out.entry("shapes of links".to_owned()).or_default() +=
             node.children().filter(|n| n.has_tag_name(name)).count();
     }
     let inertial = match child(node, "inertial") {
         None => None,
         Some(node) => {
-            let [mass, inertia] = ["mass", "inertia"].map(|name| child(node, name));
-            let mass = number_or(mass, "value", 0.0)?;
-            let entries = ["ixx", "iyy", "izz", "ixy", "ixz", "iyz"];
+            let Some(mass) = child(node, "mass") else {
+                return Err(format!(
+                    "<inertial> at {} has no <mass>; expected <mass value=\"...\"/>",
+                    place(node)
+                ));
+            };
+            let [mass] = numbers::<1>(mass, "value", needed(mass, "value")?)?;
             let mut moments = [0.0; 6];
-            for (moment, name) in moments.iter_mut().zip(entries) {
-                *moment = number_or(inertia, name, 0.0)?;
+            // Without it the mass is a point. What mixes axes is often left out where it is 0.
+            if let Some(inertia) = child(node, "inertia") {
+                let [own, mixed] = [["ixx", "iyy", "izz"], ["ixy", "ixz", "iyz"]];
+                let (axes, others) = moments.split_at_mut(3);
+                for (moment, name) in axes.iter_mut().zip(own) {
+                    [*moment] = numbers::<1>(inertia, name, needed(inertia, name)?)?;
+                }
+                for (moment, name) in others.iter_mut().zip(mixed) {
+                    *moment = number_or(Some(inertia), name, 0.0)?;
+                }
             }
             let [xx, yy, zz, ..] = moments;
             if mass < 0.0 || xx < 0.0 || yy < 0.0 || zz < 0.0 {
@@ -260,7 +251,7 @@ fn link(node: Node<'_, '_>, left_out: &mut BTreeMap<&'static str, usize>) -> Res
     Ok(Link { name: needed(node, "name")?.to_owned(), inertial })
 }
 
-fn joint(node: Node<'_, '_>, left_out: &mut BTreeMap<&'static str, usize>) -> Result<Joint, String> {
+fn joint(node: Node<'_, '_>, left_out: &mut BTreeMap<String, usize>) -> Result<Joint, String> {
     let name = needed(node, "name")?.to_owned();
     let at = place(node);
     let kind = match needed(node, "type")? {
@@ -304,16 +295,16 @@ fn joint(node: Node<'_, '_>, left_out: &mut BTreeMap<&'static str, usize>) -> Re
     let damping = number_or(dynamics, "damping", 0.0)?;
     if damping != 0.0 && matches!(kind, Kind::Planar | Kind::Floating) {
         // One number in N s/m and N m s at once: URDF does not say along and about which axes it acts.
-        *left_out.entry("damping of planar and floating joints").or_default() += 1;
+        *left_out.entry("damping of planar and floating joints".to_owned()).or_default() += 1;
     }
     if number_or(dynamics, "friction", 0.0)? != 0.0 {
-        *left_out.entry("dry frictions of joints").or_default() += 1;
+        *left_out.entry("dry frictions of joints".to_owned()).or_default() += 1;
     }
     if limits.is_some_and(|n| n.attribute("effort").or(n.attribute("velocity")).is_some()) {
-        *left_out.entry("limits of effort and velocity").or_default() += 1;
+        *left_out.entry("limits of effort and velocity".to_owned()).or_default() += 1;
     }
     for (tag, what) in [("safety_controller", "safety controllers"), ("calibration", "calibrations")] {
-        *left_out.entry(what).or_default() += usize::from(child(node, tag).is_some());
+        *left_out.entry(what.to_owned()).or_default() += usize::from(child(node, tag).is_some());
     }
     let mimic = match child(node, "mimic") {
         None => None,
@@ -327,10 +318,10 @@ fn joint(node: Node<'_, '_>, left_out: &mut BTreeMap<&'static str, usize>) -> Re
     }
     let follows = mimic.is_some();
     if follows && limited {
-        *left_out.entry("limits of joints that follow others").or_default() += 1;
+        *left_out.entry("limits of joints that follow others".to_owned()).or_default() += 1;
     }
     if follows && damping != 0.0 {
-        *left_out.entry("damping of joints that follow others").or_default() += 1;
+        *left_out.entry("damping of joints that follow others".to_owned()).or_default() += 1;
     }
     let limit = (limited && !follows).then_some(limit);
     Ok(Joint { name, kind, parent, child: outer, origin: origin(node)?, axis, limit, damping, mimic })

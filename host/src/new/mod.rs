@@ -3,6 +3,7 @@
 use crate::failure::Failure;
 use crate::number::json_string;
 use crate::output;
+use smartbed_codegen::model::{RESERVED, is_keyword};
 use std::path::Path;
 
 const MECHANISM: &str = include_str!("mechanism.toml");
@@ -45,6 +46,9 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     if !name.starts_with(|c: char| c.is_ascii_alphabetic()) || !name.chars().all(is_letter) {
         let message = format!("`{name}`: expected a name of letters, digits and _, a letter first");
         return Err(Failure::Wrong(message));
+    }
+    if *kind == Kind::Mechanism && (RESERVED.contains(&name.as_str()) || is_keyword(name)) {
+        return Err(Failure::Wrong(format!("`{name}` is a word of models or of Rust; take another name")));
     }
     let file = format!("{name}.toml");
     if Path::new(&file).exists() {

@@ -270,6 +270,49 @@ fn what_is_not_carried_over_is_said() {
     assert!(warnings.items.is_empty(), "{warnings}");
 }
 
+/// Names that URDF does not have may be misspelt ones of what it has.
+#[test]
+fn what_is_misspelt_is_said() {
+    let text = r#"<robot name="r" author="me"><link name="a"/><link name="b"/><jiont name="k"/>
+  <joint name="j" type="continuous"><parent link="a"/><child link="b"/><origin xzy="1 2 3" rpy="0 0 1"/>
+    <dynamics dampin="0.4"/><dinamics damping="3"/></joint></robot>"#;
+    let said = made(text, Base::Fixed);
+    let expected = [
+        "attributes `author` of <robot>: 1",
+        "attributes `dampin` of <dynamics>: 1",
+        "attributes `xzy` of <origin>: 1",
+        "elements <dinamics> in <joint>: 1",
+        "elements <jiont> in <robot>: 1",
+    ];
+    assert_eq!(said.left_out, expected);
+}
+
+/// Of URDF 1.2: the same rotation as one about an axis, of any length.
+#[test]
+fn origins_may_turn_by_quaternions() {
+    let robot = |origin: &str| {
+        format!(
+            r#"<robot name="r" version="1.2"><link name="a"/><link name="b"><inertial><origin xyz="0.1 0.2 0.3"/>
+  <mass value="2"/><inertia ixx="0.1" iyy="0.2" izz="0.25"/></inertial></link><joint name="j" type="continuous">
+  <parent link="a"/><child link="b"/><origin xyz="1 2 3" {origin}/></joint></robot>"#
+        )
+    };
+    let model = |origin: &str| made(&robot(origin), Base::Fixed).model;
+    let half = 0.2_f64;
+    for scale in [1.0, -3.0] {
+        let [y, w] = [half.sin(), half.cos()].map(|x| scale * x);
+        let by_quaternion = model(&format!("quat_xyzw=\"0 {y} 0 {w}\""));
+        let turned = by_quaternion.split("turned = [[\"y\", ").nth(1).expect("it turns about y");
+        let angle: f64 =
+            turned.trim_start_matches('"').split('"').next().and_then(|x| x.parse().ok()).expect("an angle");
+        assert!((angle - 0.4).abs() < 1e-15, "{angle}");
+    }
+    // Half a turn about x + y: x to y, y to x, z to -z.
+    let exact = model("quat_xyzw=\"0.7071067811865476 0.7071067811865476 0 0\"");
+    assert_eq!(exact, model("rpy=\"3.141592653589793 0 1.5707963267948966\""));
+    assert_eq!(model("quat_xyzw=\"0 0 0 1\""), model(""));
+}
+
 /// Two joints whose limits coincide, one of each kind, then one without limits; a name that is a word of Rust, one of
 /// models.
 #[test]
@@ -358,6 +401,33 @@ fn robots_that_are_none_are_refused_with_place_and_cure() {
             "is of type `screw`",
         ),
         (&robot("<link name=\"a\"><inertial><mass value=\"-1\"/></inertial></link>"), "negative"),
+        (&robot("<link name=\"a\"><inertial/></link>"), "has no <mass>"),
+        (&robot("<link name=\"a\"><inertial><mass/></inertial></link>"), "has no `value`"),
+        (
+            &robot(
+                "<link name=\"a\"><inertial><mass value=\"1\"/><inertia ixx=\"1\" izz=\"1\"/></inertial></link>",
+            ),
+            "has no `iyy`",
+        ),
+        (
+            &robot("<link name=\"a\"><inertial><mass value=\"1\"/><mass value=\"2\"/></inertial></link>"),
+            "a second <mass> at line 2, column 43; expected one in <inertial>",
+        ),
+        (
+            &robot(
+                &[
+                    link("a"),
+                    link("b"),
+                    joint("j", "a", "b", "<origin rpy=\"0 0 1\" quat_xyzw=\"0 0 0 1\"/>"),
+                ]
+                .concat(),
+            ),
+            "expected one of them",
+        ),
+        (
+            &robot(&[link("a"), link("b"), joint("j", "a", "b", "<origin quat_xyzw=\"0 0 0 0\"/>")].concat()),
+            "expected a rotation",
+        ),
         (&robot("<link name=\"a\"><inertial><mass value=\"1e999\"/></inertial></link>"), "expected a number"),
     ];
     for (text, expected) in cases {
