@@ -33,7 +33,7 @@ use smartbed_codegen::{Asked, Function, Program, Request, program};
   cargo smartbed equilibrium bicycle --hold u_thR=-16.67  # steady motion, rear wheel at this speed
   cargo smartbed equilibrium tile --trim                  # the inputs that hold it where it starts
 
-The search starts at the model's [start], changed by --set. Without --hold all speeds are 0.
+The search starts at the model's [start], changed by --set. Without --hold and --trim all speeds are 0.
 Inputs with a law in the model follow it; others are 0, or as --input says. SI units.
 In a steady motion every coordinate that the equations depend on is constant; others, such as the
 heading of a bicycle, may change.")]
@@ -50,8 +50,8 @@ pub struct Arguments {
     /// Keep an input at this value; inputs with a law in the model are refused. May be repeated.
     #[arg(long, value_name = "NAME=VALUE")]
     pub input: Vec<String>,
-    /// Keep coordinates and speeds as they start, and search for the inputs with which nothing accelerates. Not with
-    /// --hold.
+    /// Keep coordinates and speeds as they start, and search for the inputs with which nothing accelerates; with speeds
+    /// other than 0 a steady motion. Not with --hold.
     #[arg(long, conflicts_with = "hold")]
     pub trim: bool,
     /// Print the result as one JSON object.

@@ -27,6 +27,9 @@ impl Search<'_> {
             Unknown::Inputs if self.free_inputs.is_empty() => {
                 "the model has no input without a law, or --input holds them all"
             }
+            Unknown::Inputs if self.is_motion() => {
+                "its inputs cannot balance this state, whose speeds are kept too; set them to 0 by --set for an equilibrium"
+            }
             Unknown::Inputs => "its inputs cannot balance this state; give another by --set",
         };
         format!("no equilibrium was found: the rate of `{name}` stays {value:.3e}; {advice}")

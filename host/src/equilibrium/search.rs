@@ -106,7 +106,7 @@ pub(super) struct Search<'p> {
     pub(super) ranges: Vec<((f64, f64), bool)>,
     pub(super) q: Vec<f64>,
     pub(super) u: Vec<f64>,
-    /// Speeds at the start: those of a steady motion are searched for from there.
+    /// Speeds at the start: those of a steady motion are searched for from there, or kept.
     start_u: Vec<f64>,
     pub(super) inputs: Vec<f64>,
     pub(super) free_inputs: Vec<usize>,
@@ -232,8 +232,12 @@ impl<'p> Search<'p> {
         true
     }
 
+    /// Chooses the unknowns; a search for inputs keeps the speeds of the start.
     pub fn look_for(&mut self, unknown: Unknown) {
         self.unknown = unknown;
+        if unknown == Unknown::Inputs {
+            self.u.clone_from(&self.start_u);
+        }
     }
 
     /// Can coordinates change although the independent speeds are 0 or balanced? If a constraint has a part without
@@ -242,7 +246,7 @@ impl<'p> Search<'p> {
         self.is_motion() || self.program.drive.is_some()
     }
 
-    /// Is a steady motion searched for? Then some speeds are free; if no speed is held, all are 0.
+    /// Is a steady motion searched for? Then some speeds are free, or kept at other values than 0.
     pub(super) fn is_motion(&self) -> bool {
         self.state.iter().any(|entry| entry.is_speed && !entry.is_held) || self.u.iter().any(|u| *u != 0.0)
     }

@@ -138,6 +138,44 @@ fn thrusts_that_hold_the_tile_are_slopes_of_its_energy() {
     }
 }
 
+/// The thrust that holds a rod on a turning hub: m g l sin q less the centrifugal moment m W^2 (a + l sin q) l cos q.
+#[test]
+fn a_trim_keeps_the_speeds_of_the_start() {
+    let text = r#"format = 1
+name = "turning"
+gravity = "-9.81_m/1_s/1_s*N.z"
+[inputs]
+T = { unit = "N m" }
+[coordinates]
+psi = { unit = "deg" }
+q = { unit = "deg", range = [-170, 170] }
+[frames]
+turn = { rotations = [["z", "psi"]] }
+rod = { parent = "turn", rotations = [["x", "q"]] }
+[points]
+P = "0.1_m*turn.y - 0.5_m*rod.z"
+[bodies]
+bob = { centre = "P", mass = 1 }
+[torques]
+pin = { frame = "rod", torque = "T*rod.x", reaction = "turn" }
+[start]
+q = 20
+u_psi = 180
+"#;
+    let file = written("turning.toml", text);
+    let (s, c) = 20.0_f64.to_radians().sin_cos();
+    for turning in [std::f64::consts::PI, 0.0] {
+        let set = format!("u_psi={turning}");
+        let answer = found(&[&file, "--trim", "--set", &set]);
+        let thrust = 9.81 * 0.5 * s - turning * turning * (0.1 + 0.5 * s) * 0.5 * c;
+        close(number(&answer["inputs"]["T"]), thrust, 1e-12, &set);
+    }
+    let by_start = found(&[&file, "--trim"]);
+    assert_eq!(by_start["inputs"], found(&[&file, "--trim", "--set", "u_psi=3.141592653589793"])["inputs"]);
+    let falls = refused(&[&file, "--trim", "--set", "u_q=1"]);
+    assert!(falls.message().contains("speeds are kept too; set them to 0 by --set"), "{falls:?}");
+}
+
 /// An arm on a hub that turns about the vertical.
 const WHIRLING: &str = r#"format = 1
 name = "whirling"
