@@ -1,7 +1,8 @@
 //! Motions of a mechanism that the report compares: with each method, and its two references.
 //!
 //! In: a mechanism, a method with its step or tolerance, a span of time. Out: its coordinates at samples, and what they
-//! cost. Steps are cut where commands, laws and loads switch, as in a run.
+//! cost. Steps are cut where commands, laws and loads switch, and a drive that changes its speed at once gives its
+//! impulse there, as in a run.
 
 use super::clock::{self, Deadline, Stop};
 use super::cuts::Cuts;
@@ -53,6 +54,7 @@ impl Mechanism {
         for i in 1..=count {
             for [start, end] in cuts.parts((i - 1) as f64 * interval, i as f64 * interval) {
                 if start > t {
+                    plant.pass([t, start], &mut state)?;
                     method.restart();
                     t = start;
                 }
@@ -95,11 +97,17 @@ impl Mechanism {
                 let steps = parts(interval, longest);
                 let mut scratch = vec![S::ZERO; fixed.scratch(n)];
                 let h = interval / steps as f64;
+                let mut last = 0.0;
                 for i in 0..time.samples * steps {
                     let [t, next] = [i, i + 1].map(|i| i as f64 * h);
                     for [start, end] in cuts.parts(t, next) {
+                        if start > last {
+                            plant.pass([last, start], &mut state)?;
+                        }
+                        last = start;
                         let part = if [start, end] == [t, next] { h } else { end - start };
                         if part > rounding::<S>(end) {
+                            last = end;
                             let [start, part] = [start, part].map(S::from_f64);
                             fixed.step(&mut plant, start, part, &mut state, &mut scratch).map_err(refused)?;
                         }
@@ -127,8 +135,10 @@ impl Mechanism {
     /// Without projections: at this tolerance the constraints remain satisfied up to rounding.
     pub(super) fn by_dop853(&self, Time { seconds, samples: count, limit }: Time) -> Result<Trace, Stop> {
         let deadline = Deadline::within(limit);
+        // The solver holds the one whose rates it asks for; the other one passes kinks.
         let mut plant: Plant64 = self.plant(EngineKind::Interpreter)?;
-        let cuts = self.cuts(&mut plant, seconds)?;
+        let mut passing: Plant64 = self.plant(EngineKind::Interpreter)?;
+        let cuts = self.cuts(&mut passing, seconds)?;
         let begin = clock::now();
         let rates = |t: f64, x: &[f64], x_dot: &mut [f64]| {
             if plant.rates(t, x, x_dot).is_err() {
@@ -141,7 +151,10 @@ impl Mechanism {
             let sample = seconds * i as f64 / count as f64;
             for [start, end] in cuts.parts(last, sample) {
                 if start > solver.t {
-                    solver.restart(start, solver.y.clone(), self.settings.step);
+                    let (mut x, mut low) = (solver.y.clone(), vec![0.0; solver.y.len()]);
+                    let mut state = State::new(&mut x, &mut low).map_err(|f| explain(f).to_owned())?;
+                    passing.pass([solver.t, start], &mut state)?;
+                    solver.restart(start, x, self.settings.step);
                 }
                 while solver.t < end {
                     solver
@@ -173,6 +186,7 @@ fn free<S: EngineScalar>(
     let sample = |next: usize| if next == samples { seconds } else { seconds * next as f64 / samples as f64 };
     for [start, to] in cuts.parts(0.0, seconds) {
         if start > t {
+            plant.pass([t, start], state)?;
             method.restart();
             t = start;
         }

@@ -5,7 +5,7 @@ use super::point::Control;
 use super::sheet::Sheet;
 use super::sheet_mechanism::{self, Plant64};
 use super::subject::{Kind, Method, Subject, Time, Trace};
-use crate::engine::{self, EngineKind, EngineScalar, ScalarKind, explain};
+use crate::engine::{self, EngineKind, EngineScalar, ScalarKind};
 use crate::failure::Failure;
 use crate::model_argument;
 use crate::observers::Observers;
@@ -59,17 +59,6 @@ impl Mechanism {
         let program = program::derive(&model, &settings.choice).map_err(wrong)?;
         let observers = Observers::derive(&model, &settings.choice).map_err(wrong)?;
         let start = start(&model, &program, &settings)?;
-        let mut plant: Plant64 = Plant::new(Box::new(Interpreted::new(&program)), &program, &observers);
-        let leap = plant
-            .leap(&start, settings.seconds, settings.step)
-            .map_err(|f| Failure::Wrong(explain(f).to_owned()))?;
-        if let Some((command, t)) = leap {
-            return Err(Failure::Wrong(format!(
-                "{} changes its speed at once at t = {t:.6} s, an impact at which the methods compared \
-                 cut no step; write a smooth command, for example with smooth_step, or `run` it",
-                command.words(None)
-            )));
-        }
         Ok(Self { name: name.to_owned(), model, settings, program, observers, start, engine })
     }
 

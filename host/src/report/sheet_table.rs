@@ -44,16 +44,16 @@ pub fn table(subjects: &[Box<dyn Subject>], chip: &mut Chip, command: &str) -> R
     Ok(Table { title, columns: columns.map(str::to_owned).to_vec(), rows, command: command.to_owned() })
 }
 
-/// Two costs and their ratio.
+/// Two costs and their ratio; a cost of 0, as static memory often has, gives none.
 fn against(asked: f64, all: f64, text: impl Fn(f64) -> String) -> String {
-    format!("{} / {} = {:.2} x", text(asked), text(all), all / asked)
+    let both = format!("{} / {}", text(asked), text(all));
+    if asked == 0.0 { both } else { format!("{both} = {:.2} x", all / asked) }
 }
 
 /// A cost of both images, or of the one that could be built.
 fn both(images: &[Option<ChipCost>; 2], cost: impl Fn(&ChipCost) -> u64) -> String {
     match images.each_ref().map(|image| image.as_ref().map(&cost)) {
-        // A cost of 0, as static memory often has, gives no ratio.
-        [Some(asked), Some(all)] if asked == 0 || asked == all => format!("{asked} / {all}"),
+        [Some(asked), Some(all)] if asked == all => format!("{asked} / {all}"),
         [Some(asked), Some(all)] => against(asked as f64, all as f64, |x| format!("{x:.0}")),
         [Some(asked), None] => format!("{asked} / -"),
         [None, Some(all)] => format!("- / {all}"),

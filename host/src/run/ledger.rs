@@ -151,17 +151,29 @@ impl Ledger {
         self.book(between, new)
     }
 
-    /// Books a state behind a kink of a command: what changes the energies at once is the work of the drive's impulse.
+    /// Books a state behind a switch, up to which powers are those before and behind, half the time each: what else
+    /// changes the energies is the work of a drive's impulse.
     ///
     /// # Errors
     /// As [`Ledger::open`].
     pub fn leap(&mut self, t: f64, x: &[f64]) -> Result<(), Fault> {
-        let before = self.accounts.total();
-        self.last = self.moment(t, x, 1.0)?;
+        let before = self.accounts.imbalance();
+        let new = self.moment(t, x, 1.0)?;
+        let half = 0.5 * (t - self.last.t);
+        self.add(std::array::from_fn(|i| half * (self.last.entries[2 + i] + new.entries[2 + i])));
+        self.last = new;
         self.store();
-        let change = self.accounts.total() - before;
+        let change = self.accounts.imbalance() - before;
         self.accounts.drive = self.accounts.drive.map(|work| work + change);
         Ok(())
+    }
+
+    /// Adds works (J) of actuators, dampers, external forces and drives.
+    fn add(&mut self, [actuator, damping, external, drive]: [f64; 4]) {
+        self.accounts.actuator += actuator;
+        self.accounts.damping += damping;
+        self.accounts.external += external;
+        self.accounts.drive = self.accounts.drive.map(|work| work + drive);
     }
 
     /// Simpson's rule over the last state, the intermediate ones, and the new one.
@@ -174,10 +186,7 @@ impl Ledger {
             let entries = self.entries(t, x)?;
             sums.iter_mut().zip(&entries[2..]).for_each(|(sum, power)| *sum += weight * power);
         }
-        self.accounts.actuator += sums[0] * h / 3.0;
-        self.accounts.damping += sums[1] * h / 3.0;
-        self.accounts.external += sums[2] * h / 3.0;
-        self.accounts.drive = self.accounts.drive.map(|work| work + sums[3] * h / 3.0);
+        self.add(sums.map(|sum| sum * h / 3.0));
         self.last = new;
         self.store();
         Ok(())

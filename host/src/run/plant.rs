@@ -4,8 +4,8 @@
 //! the laws give at each state.
 
 use crate::engine::{Engine, EngineScalar};
-use crate::observers::{Command, Observers};
-use crate::switches::{self, Switches};
+use crate::observers::Observers;
+use crate::switches::Switches;
 use smartbed_codegen::{Interpreted, Program};
 use smartbed_runtime::mechanism::Fault;
 use smartbed_runtime::ode::Ode;
@@ -21,7 +21,6 @@ pub struct Plant<E, S> {
     pub(crate) switches: Switches<S>,
     pub(super) inputs: Vec<S>,
     projections: u8,
-    is_redundant: bool,
     evaluations: u64,
 }
 
@@ -67,7 +66,6 @@ impl<E: std::ops::DerefMut<Target = dyn Engine<S>>, S: EngineScalar> Plant<E, S>
             switches: Switches::new(observers),
             inputs: vec![S::ZERO; program.inputs.len()],
             projections: u8::from(!program.correction.is_empty() || program.is_redundant()),
-            is_redundant: program.is_redundant(),
             evaluations: 0,
         }
     }
@@ -87,44 +85,6 @@ impl<E: std::ops::DerefMut<Target = dyn Engine<S>>, S: EngineScalar> Plant<E, S>
         let t = self.switches.moment(t)?;
         let values = self.closed_forms.outputs(t, q, u, &self.inputs)?;
         Ok(values.chunks_exact(2).map(|both| [both[0], both[1]]).collect())
-    }
-
-    /// The first command that changes its speed at once within so many seconds from t = 0, with the time. It is looked
-    /// for in parts of that length (s).
-    ///
-    /// # Errors
-    /// [`Fault::Shape`] if the state has another length.
-    pub fn leap(&mut self, x: &[S], seconds: f64, part: f64) -> Result<Option<(Command, f64)>, Fault> {
-        let mut t = 0.0;
-        while self.switches.may_leap && t < seconds {
-            let Some(kink) = self.switches.next(t, seconds, part)? else { break };
-            if let Some(command) = self.leaps(kink, x)? {
-                return Ok(Some((command, kink[1])));
-            }
-            t = kink[1];
-        }
-        Ok(None)
-    }
-
-    /// A command that changes its speed at once between two times: by its rate where it is a coordinate in closed form,
-    /// else by energy and momenta, which do not show it where dependent speeds are state: there any kink counts.
-    pub(super) fn leaps(&mut self, times: [f64; 2], x: &[S]) -> Result<Option<Command>, Fault> {
-        let (q, u) = x.split_at_checked(self.engine.n_q()).ok_or(Fault::Shape)?;
-        let changed = self.switches.changed(times)?;
-        let times = times.map(S::from_f64);
-        let [early, late] = times.map(|t| self.closed_forms(t, x));
-        let rates = [early?, late?];
-        let mut kinetic = |t, u: &[S]| {
-            self.set_time(t);
-            Ok(self.engine.energy(q, u)?.0)
-        };
-        let [early, late] = times.map(|t| switches::felt(&mut kinetic, t, u));
-        let is_felt = self.is_redundant || switches::leaps([&early?[..], &late?[..]]);
-        let leaps = |command: &Command| match command.closed {
-            Some(form) => switches::leaps([&rates[0][form][1..], &rates[1][form][1..]]),
-            None => is_felt,
-        };
-        Ok(changed.into_iter().find(leaps))
     }
 
     /// Energies, all speeds and outputs of a state.

@@ -4,12 +4,11 @@
 //! error, one fenced as `sh says "words"` must say them; a block with `file=NAME` is written first. `new`,
 //! `completions` and `man` are tested here, too.
 
-use crate::driven::CART;
 use crate::support::{Done, command, file, finish, smartbed, written};
 use smartbed::engine::explain;
 use smartbed::scene::describe::describe;
 use smartbed::scene::run::no_number;
-use smartbed::switches::{jumped, tied};
+use smartbed::switches::impulse::{jumped, tied};
 use smartbed_runtime::flexible::{BodyError, Quantity};
 use smartbed_runtime::mechanism::Fault;
 use std::path::{Path, PathBuf};
@@ -258,12 +257,11 @@ fn every_error_of_a_run_has_its_cause_and_cure() {
         }
     }
     let bodies = bodies.iter().map(describe);
-    let cart = written("guide_cart.toml", CART);
-    let leaps = error_of(&["report", &cart, "--quick", "--out", &format!("{cart}.report")]);
-    let loose = error_of(&["run", &written("guide_loose.toml", LOOSE)]);
-    let out = error_of(&["report", "cam", "--quick", "--out", &format!("{cart}/report")]);
+    let loose_model = written("guide_loose.toml", LOOSE);
+    let loose = error_of(&["run", &loose_model]);
+    let out = error_of(&["report", "cam", "--quick", "--out", &format!("{loose_model}/report")]);
     let commands = [jumped("the command of `cart`", 0.5), tied("the constraint `gear`", 0.5)];
-    let others = [no_number("spring"), leaps, loose, out].into_iter().chain(commands);
+    let others = [no_number("spring"), loose, out].into_iter().chain(commands);
     let found: Vec<String> = faults.into_iter().chain(bodies).chain(others).collect();
     same(&found, &messages("## While it runs", Some("## Scenes of format 2")));
 }
@@ -289,6 +287,10 @@ fn a_new_file_runs_as_it_is() {
     assert!(checked.out.contains("no warnings"), "{checked:?}");
     let wrong = run(&folder, "new scene ../up");
     assert!(wrong.message().contains("expected a name of letters"), "{wrong:?}");
+    for name in ["t", "fn"] {
+        let reserved = run(&folder, &format!("new mechanism {name}"));
+        assert!(reserved.message().contains("take another name"), "{reserved:?}");
+    }
 }
 
 #[test]

@@ -128,6 +128,32 @@ fn accounts_of_a_run_in_single_precision_are_of_the_sides_of_its_kinks() {
 }
 
 /// Two columns had one name: readers took the energy for the coordinate.
+/// Sixteen switches of a force that changes its sign: parabolas. The times that f32 gives to a switch, some 1e-5 s in
+/// all, are part of the motion.
+#[test]
+fn single_precision_loses_no_time_at_switches() {
+    let path = pushed("alternating", "4_N*sign(sin(25_rad/1_s*t))");
+    let (mut x, mut u, mut t) = (0.0, 3.0, 0.0_f64);
+    for half in 0..16 {
+        let h = (f64::from(half + 1) * std::f64::consts::PI / 25.0).min(2.0) - t;
+        let a = if half % 2 == 0 { 4.0 } else { -4.0 };
+        x += u * h + 0.5 * a * h * h;
+        u += a * h;
+        t += h;
+    }
+    assert_eq!(t, 2.0);
+    for way in ["--method=rk4", "--method=dormand-prince"] {
+        for step in ["1e-2", "1e-3", "1e-4"] {
+            for (scalar, near) in [("f32", 1e-5), ("f64", 1e-13)] {
+                let run = [&path, "--set=u_x=3", "--seconds=2", way, "--step", step, "--scalar", scalar];
+                let found: [f64; 2] = last(&run, ["x", "u_x"]);
+                let off = (found[0] - x).abs().max((found[1] - u).abs());
+                assert!(off < near, "{run:?}: {off:e}");
+            }
+        }
+    }
+}
+
 #[test]
 fn a_coordinate_named_like_an_energy_has_a_column_of_its_own() {
     let text = "format = 1\nname = \"spring\"\n[coordinates]\nspring = { unit = \"m\" }\n[points]\n\

@@ -7,7 +7,6 @@ use super::recorder::{Recorder, Row, Setup, interrupted, refused, widened};
 use crate::engine::{Engine, EngineScalar};
 use crate::failure::Failure;
 use crate::progress::Progress;
-use crate::run::kink::pass;
 use crate::run::ledger::Ledger;
 use crate::run::plant::Plant;
 use crate::run::settings::Settings;
@@ -68,9 +67,10 @@ where
         let to = kink.map_or(seconds, |[before, _]| before);
         let left = to - t;
         if let Some(kink) = kink.filter(|_| left <= rounding::<S>(to)) {
-            pass(setup.program, plant, kink, state, &mut ledger)?;
+            plant.pass([t, kink[1]], state)?;
             method.restart();
             t = kink[1];
+            ledger.leap(t, &widened(state.x())).map_err(|fault| refused(t, fault))?;
             (next_kink, looked) = (None, t);
             if seconds - t <= rounding::<S>(seconds) {
                 return recorder.row(plant, seconds, state.x(), &ledger);

@@ -8,7 +8,6 @@ mod adaptive;
 mod recorder;
 
 use super::health::{Health, Range};
-use super::kink::pass;
 use super::ledger::Ledger;
 pub use super::plant::Plant;
 use super::settings::Settings;
@@ -112,7 +111,8 @@ where
             let kink = plant.switches.first(from, end).map_err(|fault| refused(from, fault))?;
             let to = kink.map_or(end, |[before, _]| before);
             let part = if from == t && to == end { h } else { to - from };
-            if part > rounding::<S>(to) {
+            let is_step = part > rounding::<S>(to);
+            if is_step {
                 let report = match state.x().is_empty() {
                     true => Report { pivot: S::ONE, residual: S::ZERO },
                     false => method
@@ -123,14 +123,17 @@ where
                 ledger.step(to, &widened(state.x())).map_err(|fault| refused(to, fault))?;
                 recorder.chatter.observe(to, state.x(), &plant.inputs).map_err(|fault| refused(to, fault))?;
             }
-            let Some(kink) = kink else { break };
+            let Some(kink) = kink else {
+                if !is_step {
+                    plant.drift(from, part, state).map_err(|fault| refused(to, fault))?;
+                }
+                break;
+            };
             if cut == MOST {
                 return Err(Failure::Wrong(format!("t = {from:.6} s: {}", too_many())));
             }
-            // One that lies behind the end by rounding is passed in the next step: the row is before it.
-            if plant.switches.differ(kink).map_err(|fault| refused(to, fault))? {
-                pass(setup.program, plant, kink, state, &mut ledger)?;
-            }
+            plant.pass([if is_step { to } else { from }, kink[1]], state)?;
+            ledger.leap(kink[1], &widened(state.x())).map_err(|fault| refused(kink[1], fault))?;
             from = kink[1];
         }
         if n % every as u64 == 0 || n == steps {

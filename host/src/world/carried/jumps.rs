@@ -7,15 +7,32 @@
 
 use super::{CarriedWorld, words};
 use crate::observers::Command;
-use crate::switches::{self, MOST, rounding};
+use crate::switches::impulse::{self, Placed};
+use crate::switches::{MOST, rounding, too_many};
 use crate::world::carriers::HostCarrier;
 use crate::world::engine::Event;
+use crate::world::ported::Ported;
 use smartbed_runtime::mechanism::Fault;
 use smartbed_runtime::real::Scalar;
 use smartbed_runtime::world::Carrier;
 
 /// How far beyond a step differences of frames in time may look, relative to the step.
 const BEYOND: f64 = 1e-3;
+
+/// A mechanism at its coordinates.
+struct Here<'a, S> {
+    ported: &'a mut Ported<S>,
+    q: &'a [S],
+}
+
+impl<S: Scalar> Placed<S> for Here<'_, S> {
+    fn kinetic(&mut self, t: S, u: &[S]) -> Result<S, Fault> {
+        Ok(self.ported.energy(t, self.q, u)?.0)
+    }
+    fn speeds(&mut self, t: S, u: &[S]) -> Result<Vec<S>, Fault> {
+        self.ported.speeds(t, self.q, u)
+    }
+}
 
 impl<S: Scalar> CarriedWorld<S> {
     /// A step of motion, lines of gas shut; an error leaves the state as it was.
@@ -54,7 +71,7 @@ impl<S: Scalar> CarriedWorld<S> {
             self.t = kink[1];
             self.pass(kink)?;
         }
-        Err(switches::too_many())
+        Err(too_many())
     }
 
     /// Times just before and after the first kink of a command up to the end of a step of h; tells mechanisms between
@@ -100,15 +117,14 @@ impl<S: Scalar> CarriedWorld<S> {
             let part = ported.name.clone();
             let named = |command: &Command| command.words(Some(&part));
             let jumped = ported.switches.jumped([before, after], q, u)?;
-            let mut why = jumped.map(|command| switches::jumped(&named(&command), after));
-            if switches::ties_change(|t, u: &[S]| ported.speeds(t, q, u), [early, late], u)? {
+            let mut why = jumped.map(|command| impulse::jumped(&named(&command), after));
+            if impulse::ties_change(&mut Here { ported, q }, [early, late], u)? {
                 let changed = ported.switches.changed([before, after])?;
                 let command = changed.iter().find(|command| command.values == 0).or(changed.first());
-                why = why.or(command.map(|command| switches::tied(&named(command), after)));
+                why = why.or(command.map(|command| impulse::tied(&named(command), after)));
             }
             refused = refused.take().or(why);
-            let kinetic = |t, u: &[S]| Ok(ported.energy(t, q, u)?.0);
-            let (new, work) = switches::pass(kinetic, [early, late], u)?;
+            let (new, work) = impulse::pass(&mut Here { ported, q }, [early, late], u)?;
             changes.push((number, new, work));
             Ok(())
         })

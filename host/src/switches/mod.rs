@@ -1,19 +1,17 @@
 //! Times at which a mechanism's functions of time switch: what commands a motion may have a kink there, a law or a load
 //! may jump.
 //!
-//! In: a model's observers. Out: these times, and the speeds behind a kink. A function of time may have a kink where an
-//! argument of `abs` or `sign`, or the difference of those of `min` or `max`, changes sign (`jumps.rs` lists all); that
-//! time is found by bisection, up to the rounding of times. What changes its sign there and back within the time looked
-//! at is found where it comes nearest to 0 in between. What gives a place, be it a coordinate in closed form, a
-//! position or a constraint, may not jump: its values on both sides are compared. A drive that changes its speed at
-//! once gives an impulse, which leaves the momenta of all speeds that are not commanded:
-//! ```text
-//! dT/du (q, u+, t+) = dT/du (q, u, t-)     T quadratic in u: differences of T over 2 are exact
-//! ```
+//! In: a model's observers. Out: these times; which commands switch there, and whether their values jump. A function of
+//! time may have a kink where an argument of `abs` or `sign`, or the difference of those of `min` or `max`, changes sign
+//! (`jumps.rs` lists all); that time is found by bisection, up to the rounding of times. What changes its sign there
+//! and back within the time looked at is found where it comes nearest to 0 in between. What gives a place, be it a
+//! coordinate in closed form, a position or a constraint, may not jump: its values on both sides are compared. What
+//! the speeds are behind a kink is in `impulse.rs`.
+
+pub mod impulse;
 
 use crate::observers::{Command, Observers};
 use smartbed_codegen::Interpreted;
-use smartbed_codegen::kinematics::linear;
 use smartbed_runtime::mechanism::{Fault, Mechanism as _};
 use smartbed_runtime::real::Scalar;
 use std::cmp::Ordering;
@@ -21,6 +19,9 @@ use std::cmp::Ordering;
 /// How far behind a kink it is evaluated: at least this time (s), and this many rounding units of the time.
 const BEHIND: f64 = 1e-30;
 const ROUNDING: f64 = 16.0;
+
+/// A switch is looked for as exactly as times are numbers: its place in the time that it is given is its middle.
+const FINER: f64 = 1.0 / 8.0;
 
 /// A value jumps if it changes by more across a switch than beside it, within this time (s; relative to times beyond 1
 /// s) and at least so many times that across the switch.
@@ -135,7 +136,7 @@ impl<S: Scalar> Switches<S> {
         for _ in 0..=self.number {
             let Some(beyond) = other else { break };
             let (mut before, mut after) = (start, beyond);
-            while (after - before).abs() > width {
+            while (after - before).abs() > FINER * width {
                 let middle = 0.5 * (before + after);
                 let is_before = self.sides(S::from_f64(middle))? == signs(&own);
                 if is_before { before = middle } else { after = middle }
@@ -282,113 +283,9 @@ pub fn rounding<S: Scalar>(t: f64) -> f64 {
     ROUNDING * S::EPSILON.to_f64() * t.abs()
 }
 
-/// Does one of these numbers change at once, given all of them before and after a time?
-pub fn leaps<S: Scalar>([before, after]: [&[S]; 2]) -> bool {
-    let changes = |(a, b): (&S, &S)| (*b - *a).abs() > S::EPSILON.sqrt() * a.abs().max(b.abs());
-    before.iter().zip(after).any(changes)
-}
-
 /// The message for a step with more than [`MOST`] switches.
 pub fn too_many() -> String {
     format!(
         "commands, laws and loads have more than {MOST} kinks (of abs, sign, min, max) in a step; take a smaller one"
     )
-}
-
-/// The message for a command, in words with its name, whose value jumps.
-pub fn jumped(command: &str, t: f64) -> String {
-    format!(
-        "{command} jumps at t = {t:.6} s, which no motion can follow; let its value pass over some steps, for example by \
-         smooth_step"
-    )
-}
-
-/// The message for a command, in words with its name, which ties other speeds from a time on.
-pub fn tied(command: &str, t: f64) -> String {
-    format!(
-        "{command} ties other speeds to one another from t = {t:.6} s on, which no impulse of a drive does; let its factors \
-         pass over some steps, for example by smooth_step"
-    )
-}
-
-/// Whether speeds of the mechanism depend on its independent ones, `u`, in another way behind a time than before it;
-/// `speeds`: all of them at a time with some independent ones.
-///
-/// # Errors
-/// Those of `speeds`.
-pub fn ties_change<S: Scalar>(
-    mut speeds: impl FnMut(S, &[S]) -> Result<Vec<S>, Fault>,
-    times: [S; 2],
-    u: &[S],
-) -> Result<bool, Fault> {
-    let mut slopes = |t: S, k: usize| -> Result<Vec<S>, Fault> {
-        let mut moved = vec![S::ZERO; u.len()];
-        let still = speeds(t, &moved)?;
-        moved[k] = S::ONE;
-        Ok(speeds(t, &moved)?.iter().zip(&still).map(|(with, without)| *with - *without).collect())
-    };
-    // Relative to the largest slope: small ones are rounded as it is.
-    for k in 0..u.len() {
-        let (before, after) = (slopes(times[0], k)?, slopes(times[1], k)?);
-        let largest = before.iter().chain(&after).fold(S::ONE, |largest, slope| largest.max(slope.abs()));
-        let changes = |(a, b): (&S, &S)| (*b - *a).abs() > S::EPSILON.sqrt() * largest;
-        if before.iter().zip(&after).any(changes) {
-            return Ok(true);
-        }
-    }
-    Ok(false)
-}
-
-/// Kinetic energy and the momenta of all speeds at a time.
-///
-/// # Errors
-/// Those of `kinetic`.
-pub fn felt<S: Scalar>(
-    mut kinetic: impl FnMut(S, &[S]) -> Result<S, Fault>,
-    t: S,
-    u: &[S],
-) -> Result<Vec<f64>, Fault> {
-    let mut felt = momenta(&mut kinetic, t, u)?;
-    felt.push(kinetic(t, u)?.to_f64());
-    Ok(felt)
-}
-
-fn momenta<S: Scalar>(
-    kinetic: &mut impl FnMut(S, &[S]) -> Result<S, Fault>,
-    t: S,
-    u: &[S],
-) -> Result<Vec<f64>, Fault> {
-    let mut with = |k: usize, by: S| {
-        let mut moved = u.to_vec();
-        moved[k] = moved[k] + by;
-        kinetic(t, &moved).map(S::to_f64)
-    };
-    (0..u.len()).map(|k| Ok(0.5 * (with(k, S::ONE)? - with(k, -S::ONE)?))).collect()
-}
-
-/// The speeds after a kink, whose momenta are those of the speeds `u` before it, and the work (J) of the drive's
-/// impulse; `kinetic`: energy (J) at a time with some speeds.
-///
-/// # Errors
-/// Those of `kinetic`.
-pub fn pass<S: Scalar>(
-    mut kinetic: impl FnMut(S, &[S]) -> Result<S, Fault>,
-    [early, late]: [S; 2],
-    u: &[S],
-) -> Result<(Vec<S>, f64), Fault> {
-    let n = u.len();
-    let (before, after) = (momenta(&mut kinetic, early, u)?, momenta(&mut kinetic, late, u)?);
-    let mut missing: Vec<f64> = before.iter().zip(&after).map(|(before, after)| before - after).collect();
-    let mut mass = Vec::new();
-    for k in 0..n {
-        let mut moved = u.to_vec();
-        moved[k] = moved[k] + S::ONE;
-        mass.extend(
-            momenta(&mut kinetic, late, &moved)?.iter().zip(&after).map(|(with, without)| with - without),
-        );
-    }
-    let (change, _) = linear::solve_to(&mass, &mut missing, n, 0.0);
-    let new: Vec<S> = u.iter().zip(change).map(|(u, change)| *u + S::from_f64(change)).collect();
-    let work = kinetic(late, &new)? - kinetic(early, u)?;
-    Ok((new, work.to_f64()))
 }
