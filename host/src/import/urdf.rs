@@ -3,7 +3,7 @@
 //! Only the kinematics and inertias are read; other elements are counted, so that a message can list them.
 
 use super::pose::{self, Vector};
-use super::xml::{check, child, needed, number_or, numbers, place};
+use super::xml::{check, child, needed, needed_numbers, number_or, numbers, place};
 use roxmltree::{Document, Node, ParsingOptions};
 use std::collections::BTreeMap;
 
@@ -225,14 +225,14 @@ fn link(node: Node<'_, '_>, left_out: &mut BTreeMap<String, usize>) -> Result<Li
                     place(node)
                 ));
             };
-            let [mass] = numbers::<1>(mass, "value", needed(mass, "value")?)?;
+            let [mass] = needed_numbers(mass, "value")?;
             let mut moments = [0.0; 6];
             // Without it the mass is a point. What mixes axes is often left out where it is 0.
             if let Some(inertia) = child(node, "inertia") {
                 let [own, mixed] = [["ixx", "iyy", "izz"], ["ixy", "ixz", "iyz"]];
                 let (axes, others) = moments.split_at_mut(3);
                 for (moment, name) in axes.iter_mut().zip(own) {
-                    [*moment] = numbers::<1>(inertia, name, needed(inertia, name)?)?;
+                    [*moment] = needed_numbers(inertia, name)?;
                 }
                 for (moment, name) in others.iter_mut().zip(mixed) {
                     *moment = number_or(Some(inertia), name, 0.0)?;
@@ -272,7 +272,7 @@ fn joint(node: Node<'_, '_>, left_out: &mut BTreeMap<String, usize>) -> Result<J
     };
     let (parent, outer) = (link("parent")?, link("child")?);
     let axis = match child(node, "axis") {
-        Some(node) => numbers::<3>(node, "xyz", needed(node, "xyz")?)?,
+        Some(node) => needed_numbers(node, "xyz")?,
         None => [1.0, 0.0, 0.0],
     };
     let has_axis = !matches!(kind, Kind::Fixed | Kind::Floating);

@@ -137,6 +137,17 @@ pub(super) fn numbers<const N: usize>(
     })
 }
 
+/// N numbers that must be there.
+///
+/// # Errors
+/// As [`needed`] and [`numbers`].
+pub(super) fn needed_numbers<const N: usize>(
+    node: Node<'_, '_>,
+    attribute: &str,
+) -> Result<[f64; N], String> {
+    numbers(node, attribute, needed(node, attribute)?)
+}
+
 /// A number with a default.
 ///
 /// # Errors

@@ -195,10 +195,14 @@ impl Health {
         })
     }
 
+    /// Energy (J) that an error of the motion may be.
+    fn allowed(&self) -> f64 {
+        IMBALANCE * self.moved + self.rounding * self.size
+    }
+
     fn unbalanced(&self) -> Option<String> {
-        let allowed = IMBALANCE * self.moved + self.rounding * self.size;
         // False also for NaN.
-        let is_balanced = self.imbalance <= allowed;
+        let is_balanced = self.imbalance <= self.allowed();
         (!is_balanced).then(|| {
             format!(
                 "energy: {:.1e} J of the {:.1e} J that were converted are in no account (allowed: {IMBALANCE:e} of \
@@ -210,8 +214,7 @@ impl Health {
 
     fn given(&self) -> Option<String> {
         let [_, given] = self.taken;
-        let allowed = IMBALANCE * self.moved + self.rounding * self.size;
-        (given > allowed).then(|| {
+        (given > self.allowed()).then(|| {
             format!(
                 "energy: contacts gave {given:.1e} J of the {:.1e} J that were converted, where they can only take \
                  (allowed: {IMBALANCE:e} of them); the motion is not to be trusted: take a smaller --step, or \

@@ -107,8 +107,8 @@ impl<S: Scalar> Struck<S> {
 
 /// Resolves the impact of all these contacts at once; contacts that open or rest take part if others close them.
 ///
-/// Contacts that do not feel one another's impulses are resolved apart, one contact alone in closed form ([`resolve`]). `twists` and the contacts' impulses are changed;
-/// `spare` is working memory, one entry per body.
+/// Contacts that do not feel one another's impulses are resolved apart, one contact alone in closed form
+/// ([`resolve`]). `twists` and the contacts' impulses are changed; `spare` is working memory, one entry per body.
 pub fn strike_all<S: Scalar>(
     struck: &mut [Struck<S>],
     inertia: &(impl Inertia<S> + ?Sized),

@@ -25,6 +25,7 @@ pub struct Struck<S> {
     pub(super) ended: bool,
     /// Friction per normal impulse in the last piece, from which the next one starts.
     pub(super) ratio: [S; 2],
+    /// Which group it belongs to: that which has its turn, one before, or one after it.
     pub(super) group: Group,
 }
 
