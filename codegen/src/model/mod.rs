@@ -21,6 +21,7 @@ mod release;
 mod sides;
 mod text;
 pub mod unit;
+pub mod unit_hint;
 mod walk;
 mod wrench;
 

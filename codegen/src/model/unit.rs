@@ -212,32 +212,6 @@ pub fn names() -> impl Iterator<Item = &'static str> {
     NAMES.iter().map(|(name, ..)| *name)
 }
 
-/// What an unknown name probably means: two units without a space between them, or a unit written out.
-#[must_use]
-pub fn meant(name: &str) -> Option<String> {
-    const WORDS: [(&str, &str); 11] = [
-        ("radian", "rad"),
-        ("degree", "deg"),
-        ("meter", "m"),
-        ("metre", "m"),
-        ("second", "s"),
-        ("kilogram", "kg"),
-        ("gram", "g"),
-        ("newton", "N"),
-        ("joule", "J"),
-        ("watt", "W"),
-        ("rpm", "1/min"),
-    ];
-    let singular = name.to_lowercase();
-    let singular = singular.strip_suffix('s').unwrap_or(&singular);
-    if let Some((_, unit)) = WORDS.iter().find(|(word, _)| *word == singular) {
-        return Some((*unit).to_owned());
-    }
-    let halves = name.char_indices().skip(1).map(|(i, _)| name.split_at(i));
-    let mut known = halves.filter(|(a, b)| named(a).is_some() && named(b).is_some());
-    known.next().map(|(a, b)| format!("{a} {b}"))
-}
-
 /// A single unit name.
 #[must_use]
 pub fn named(name: &str) -> Option<Scale> {

@@ -187,6 +187,38 @@ fn an_extension_takes_over_what_it_names() {
     assert!(circle.expect_err("a circle").to_string().contains("in a circle"));
 }
 
+/// `n = 3` over an entry in braces changes its value and keeps its unit, range and whether it is fixed, as
+/// `n = { value = 3 }` does; so does a definition, and one in braces over a short one.
+#[test]
+fn a_short_entry_changes_the_field_that_it_is_short_for() {
+    let base = format!(
+        "{HEAD}[parameters]\ntilt = {{ value = 30, unit = \"deg\", range = [0, 60], fixed = true }}\nn = 2\n\
+         [definitions]\nslope = {{ value = 10, unit = \"deg\" }}\ntwice = \"2*n\"\n"
+    );
+    let read = |changes: &str| {
+        let text = format!("format = 1\nname = \"n\"\nextends = \"base.toml\"\n{changes}");
+        model::parse_with("models/n.toml", &text, &|_| Ok(base.clone()))
+    };
+    let [short, long] = [
+        "[parameters]\ntilt = 45\nn = { doc = \"a number\" }\n[definitions]\nslope = \"20\"\n",
+        "[parameters]\ntilt = { value = 45 }\nn = { value = 2, doc = \"a number\" }\n[definitions]\nslope = { value = \"20\" }\n",
+    ]
+    .map(|changes| read(changes).unwrap_or_else(|found| panic!("{found}")));
+    let seen = |model: &model::Model| {
+        let of = |p: &model::Parameter| (p.doc.clone(), p.written_unit.clone(), p.tunable, p.range);
+        (model.parameters.iter().map(of).collect::<Vec<_>>(), model.parameter_defaults().as_slice().to_vec())
+    };
+    assert_eq!(seen(&short), seen(&long));
+    let tilt = short.parameters.iter().next().expect("tilt");
+    assert_eq!((tilt.written_unit.0.as_str(), tilt.tunable), ("deg", false));
+    assert!((short.parameter_defaults().as_slice()[0] - 45.0_f64.to_radians()).abs() < 1e-15);
+    assert_eq!(
+        format!("{:?}", short.definitions.iter().next().map(|d| &d.value.kind)),
+        format!("{:?}", long.definitions.iter().next().map(|d| &d.value.kind))
+    );
+    assert!(read("[parameters]\ntilt = 70\n").expect_err("out of range").to_string().contains("60"));
+}
+
 #[test]
 fn speeds_may_be_combinations_of_rates() {
     let text = format!(

@@ -275,6 +275,19 @@ mod tests {
         assert_eq!(health.findings(), [""; 0]);
     }
 
+    /// What contacts took may grow, and waver by rounding; what falls is what they gave.
+    #[test]
+    fn contacts_that_give_energy_are_told() {
+        let told = |taken: [f64; 3]| {
+            let mut health = health();
+            taken.into_iter().for_each(|taken| health.taken(taken));
+            health.energies(Energies { stored: &[4.0, 0.0], moved: &[4.0], imbalance: 0.0 });
+            health.findings().iter().any(|finding| finding.contains("contacts gave 5.0e-1 J"))
+        };
+        assert!(told([0.0, 2.0, 1.5]) && told([0.0, -0.5, -0.5]));
+        assert!(!told([0.0, 2.0, 2.5]) && !told([1.0, 1.0 - 1e-12, 1.0]));
+    }
+
     /// Two boxes at rest: all that was converted is rounding of gaps, or of many steps.
     #[test]
     fn rounding_of_gaps_and_of_many_steps_is_no_error() {

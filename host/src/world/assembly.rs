@@ -7,8 +7,8 @@ use crate::failure::Failure;
 use crate::hash::hash;
 use crate::scene::Lists;
 use smartbed_codegen::diagnostic::Diagnostic;
-use smartbed_codegen::model::Model;
 use smartbed_codegen::model::unit::Unit;
+use smartbed_codegen::model::{Model, StartRef};
 use smartbed_runtime::contact::ForceLaw;
 use smartbed_runtime::gas::Line;
 use smartbed_runtime::rigid::law;
@@ -99,14 +99,18 @@ impl Part {
 }
 
 impl Part {
-    /// Does its text give it a velocity? That of a mechanism is its model's.
+    /// Does its text, or the start of its model, give it a velocity?
     #[must_use]
     pub fn starts_in_motion(&self) -> bool {
         let moves = |v: &[f64; 3]| v.iter().any(|v| *v != 0.0);
         match &self.kind {
             Kind::Rigid(rigid) => moves(&rigid.start.velocity) || moves(&rigid.start.angular_momentum),
             Kind::Flexible(body) => body.lists.velocities.iter().any(moves),
-            Kind::Mechanism(_) => false,
+            Kind::Mechanism(mechanism) => mechanism
+                .model
+                .start
+                .iter()
+                .any(|(of, value)| matches!(of, StartRef::Speed(_)) && *value != 0.0),
         }
     }
 }

@@ -272,23 +272,73 @@ fn a_fast_corner_beside_a_sliding_one_keeps_its_restitution() {
     }
 }
 
-/// A capsule that tumbles and bounces with e = 1: under `moreau` it keeps its energy, under `energy_momentum` the error
-/// of order 1 gives it some.
+/// A capsule that tumbles and bounces with e = 1 keeps its energy at any step, though its arms turn while it strikes:
+/// the law is for its mean velocity, whose work is exact. With the arms where the contact is detected it gained 13 of
+/// 4.4 J in 10 s at 5 ms.
 #[test]
-fn contacts_that_give_energy_are_warned_of() {
-    let text = "format = 2\n[parts.ground]\nrigid = \"half_space\"\n[parts.rod]\nrigid = \"capsule\"\nradius = 0.05\nlength = 0.3\nmass = 1\n\
-        start = { height = 0.3, axis = [0, 1, 0], angle = 1, spin = [0, 5, 0] }\n[[contacts]]\nbetween = [\"rod\", \"ground\"]\nimpact = \"moreau\"\n\
-        restitution = 1\n[run]\nseconds = 3\nstep = 5e-3\nmethod = \"moreau\"\n";
-    let run = |name: &str, text: &str| {
-        let done = json(&[&scene(name, text)]);
-        let warned = done["warnings"].as_array().expect("warnings").iter();
-        let warned =
-            warned.filter(|warning| warning.as_str().is_some_and(|w| w.contains("contacts gave"))).count();
-        (number(&done["last"]["impact"]), warned)
-    };
-    let (impact, warned) = run("tumbles", text);
-    assert!(impact.abs() < 1e-3 && warned == 0, "{impact:e}");
-    let (impact, warned) =
-        run("tumbles_conserving", &text.replace("method = \"moreau\"", "method = \"energy_momentum\""));
-    assert!(impact < -0.1 && warned == 1, "{impact:e}");
+fn a_tumbling_capsule_keeps_its_energy_at_any_step() {
+    for step in ["1e-2", "5e-3", "1e-3"] {
+        let text = format!(
+            "format = 2\n[parts.ground]\nrigid = \"half_space\"\n[parts.rod]\nrigid = \"capsule\"\nradius = 0.05\nlength = 0.3\nmass = 1\n\
+             start = {{ height = 0.3, axis = [0, 1, 0], angle = 1, spin = [0, 5, 0] }}\n[[contacts]]\nbetween = [\"rod\", \"ground\"]\n\
+             impact = \"moreau\"\nrestitution = 1\n[run]\nseconds = 10\nstep = {step}\nmethod = \"energy_momentum\"\n"
+        );
+        let done = json(&[&scene("tumbles", &text)]);
+        let last = &done["last"];
+        let [total, impact] = ["total", "impact"].map(|name| number(&last[name]));
+        let off = total - number(&done["total_at_start"]);
+        assert!(off.abs() < 1e-9 && impact.abs() < 1e-9, "{step}: {off:e}, {impact:e}");
+        assert!(
+            done["events"].as_array().expect("events").len() > 30
+                && done.get("warnings").is_none_or(|w| w.as_array().is_none_or(Vec::is_empty)),
+            "{step}: {done}"
+        );
+    }
+}
+
+/// Three bodies that turn and bounce off the ground and one another: contacts take energy, with friction and without,
+/// and none is left over.
+#[test]
+fn bodies_that_turn_and_bounce_never_gain_energy() {
+    for (e, mu, worst) in [(1.0, 0.0, 1e-7), (1.0, 0.3, f64::MAX), (0.7, 0.3, f64::MAX), (0.3, 0.0, f64::MAX)]
+    {
+        let body = |name: &str, shape: &str, z: f64, turn: &str| {
+            format!(
+                "[parts.{name}]\n{shape}\nstart = {{ position = [{}, 0.03, {z}], {turn} }}\n",
+                0.1 * z - 0.05
+            )
+        };
+        let mut text = "format = 2\n[parts.ground]\nrigid = \"half_space\"\n".to_owned();
+        text += &body(
+            "a",
+            "rigid = \"box\"\nsize = [0.2, 0.1, 0.15]\nmass = 1",
+            0.3,
+            "axis = [1, 2, 0], angle = 0.7, spin = [1, -4, 2]",
+        );
+        text += &body(
+            "b",
+            "rigid = \"capsule\"\nradius = 0.05\nlength = 0.3\nmass = 0.5",
+            0.75,
+            "axis = [0, 1, 1], angle = 1.2, spin = [-3, 4, 0]",
+        );
+        text += &body("c", "rigid = \"sphere\"\nradius = 0.05\nmass = 3", 1.2, "spin = [5, 0, -2]");
+        for pair in [
+            "\"a\", \"ground\"",
+            "\"b\", \"ground\"",
+            "\"c\", \"ground\"",
+            "\"a\", \"b\"",
+            "\"b\", \"c\"",
+            "\"a\", \"c\"",
+        ] {
+            text += &format!(
+                "[[contacts]]\nbetween = [{pair}]\nimpact = \"moreau\"\nrestitution = {e}\nfriction = {mu}\n"
+            );
+        }
+        text += "[run]\nseconds = 2\nstep = 2e-3\nmethod = \"energy_momentum\"\n";
+        let done = json(&[&scene("turn_and_bounce", &text)]);
+        let [impact, friction] = ["impact", "friction"].map(|name| number(&done["last"][name]));
+        let taken = impact + friction;
+        assert!(taken > -1e-7 && taken.abs() < worst, "{e} {mu}: {impact:e}, {friction:e}");
+        assert!(number(&done["imbalance"]) < 1e-6, "{e} {mu}: {done}");
+    }
 }

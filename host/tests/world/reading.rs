@@ -73,6 +73,16 @@ fn what_is_wrong_in_a_world_is_said_with_its_place() {
             4,
         ),
         (
+            format!("{TILE}start = {{ u_hA = 0.1 }}\n[run]\nstart = \"settled\""),
+            "speeds of a start have no effect with start = \"settled\"",
+            2,
+        ),
+        (
+            format!("{TILE}[parts.deck]\nrigid = \"half_space\"\non = \"tile.platform\"\nfixed = true"),
+            "`fixed = true` has no effect beside `on`",
+            7,
+        ),
+        (
             format!(
                 "{GROUND}{SHEET}attach = [{{ nodes = \"rim\", to = \"ground\" }},\n{{ nodes = [0, 0], to = \"ground\" }}]"
             ),

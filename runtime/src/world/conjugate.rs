@@ -111,7 +111,7 @@ fn lacks<S: Scalar>(touch: &Touch<S>, (h, yields): (S, S), twists: &[Twist<S>]) 
     }
     let soft = softness(yields, &touch.inverse_mass);
     let given = vec3::scale(vec3::sub(touch.contact.impulse, touch.unyielded), soft);
-    let [n, x, y] = vec3::add(touch.contact.relative(twists), given);
+    let [n, x, y] = vec3::add(touch.end(twists), given);
     let end = touch.wanted(h).unwrap_or(S::ZERO);
     [free[0] * (end - n), -(free[1] * x), -(free[2] * y)]
 }

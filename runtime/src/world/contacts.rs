@@ -15,6 +15,7 @@ use crate::mechanism::Fault;
 use crate::ode::Ode;
 use crate::real::Scalar;
 use crate::rigid::contact::{Contact, Twist};
+use crate::surface::Frame;
 use crate::surface::facet::vertex_normals;
 use crate::vec3::{self, Vec3};
 
@@ -30,27 +31,49 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         new: &mut [S],
         memory: &mut StepMemory<'_, S>,
     ) -> Result<(), Fault> {
-        let n_q = self.island.n_q();
         let ports = self.island.memory.frames.len();
         let expected = ports + self.island.body.points();
-        let StepMemory { frames: [first, last], twists, .. } = memory;
+        let StepMemory { frames: [first, last], twists, .. } = &*memory;
         if twists.iter().any(|twists| twists.len() != expected) || first.len() != ports || last.len() != ports
         {
             return Err(Fault::Shape);
         }
+        let StepMemory { frames: [first, _], twists: [start, ..], .. } = memory;
+        self.read_ports(times[0], middle, first, start)?;
+        self.carry_ends((times[1], h), [middle, dot], new, memory)
+    }
+
+    /// Velocities of the ports at the positions of the middle with the speeds that these rates give at the end, which
+    /// `new` gets for the carriers.
+    pub(super) fn carry_ends(
+        &mut self,
+        (t_end, h): (S, S),
+        [middle, dot]: [&[S]; 2],
+        new: &mut [S],
+        memory: &mut StepMemory<'_, S>,
+    ) -> Result<(), Fault> {
+        let n_q = self.island.n_q();
         let (turning, n_u) = (self.island.carrier.n_q(), self.island.carrier.n_u());
         new.iter_mut().zip(middle).take(turning).for_each(|(to, from)| *to = *from);
         for (to, (from, rate)) in new.iter_mut().zip(middle.iter().zip(dot)).skip(n_q).take(n_u) {
             *to = *from + h * *rate;
         }
-        let [start, free, _] = twists;
-        let lists = [(&mut **first, &mut **start, middle), (&mut **last, &mut **free, &*new)];
-        for ((frames, twists, x), t) in lists.into_iter().zip(times) {
-            let Cut { q, u, .. } = self.island.parts(x)?;
-            self.island.carrier.frames(t, q, u, frames)?;
-            for (twist, frame) in twists.iter_mut().zip(frames.iter()) {
-                *twist = Twist { velocity: frame.velocity, angular: frame.angular_velocity };
-            }
+        let StepMemory { frames: [_, last], twists: [_, free, _], .. } = memory;
+        self.read_ports(t_end, new, last, free)
+    }
+
+    /// Frames and velocities of the ports at a state.
+    fn read_ports(
+        &mut self,
+        t: S,
+        x: &[S],
+        frames: &mut [Frame<S>],
+        twists: &mut [Twist<S>],
+    ) -> Result<(), Fault> {
+        let Cut { q, u, .. } = self.island.parts(x)?;
+        self.island.carrier.frames(t, q, u, frames)?;
+        for (twist, frame) in twists.iter_mut().zip(frames.iter()) {
+            *twist = Twist { velocity: frame.velocity, angular: frame.angular_velocity };
         }
         Ok(())
     }

@@ -18,7 +18,7 @@ use super::scenery::{Feet, Foot, Mesh, Over, Scenery, Standing, edge, shares};
 use super::thing::{Pair, Thing};
 use crate::mechanism::Fault;
 use crate::real::Scalar;
-use crate::rigid::contact::{Contact, Side};
+use crate::rigid::contact::{Contact, Side, Twist};
 use crate::rigid::history::{History, Swept};
 use crate::rigid::impact::InverseMass;
 use crate::rigid::narrow::{Placed, core_points, features};
@@ -55,6 +55,11 @@ pub struct Touch<S> {
     pub(super) inverse_mass: InverseMass<S>,
     /// Relative velocity at the start of the step, along n, t1, t2.
     pub(super) start: Vec3<S>,
+    /// By how much its normal velocity at the end of the step differs from what the impulses give it at the arms of the
+    /// detection (m/s): 0 but in a conserving step, whose arms turn (`conserving::turning`).
+    pub(super) turned: S,
+    /// The part of that which is left when the arms are those of the detection (m/s).
+    pub(super) missed: S,
     /// Least normal velocity (m/s) with which an overlap is left after the step.
     pub(super) out: S,
     /// History of the sweeps over it.
@@ -83,6 +88,12 @@ impl<S: Scalar> Touch<S> {
     fn rounding(&self) -> S {
         let farthest = self.point.iter().fold(S::ZERO, |most, x| most.max(x.abs()));
         S::from_f64(ROUNDED) * S::EPSILON * farthest
+    }
+
+    /// Relative velocity n, t1, t2 (m/s) at the end of the step, given the velocities there.
+    pub(super) fn end(&self, twists: &[Twist<S>]) -> Vec3<S> {
+        let [n, x, y] = self.contact.relative(twists);
+        [n + self.turned, x, y]
     }
 
     /// Relative velocity n, t1, t2 (m/s) at the start of the step, or before an impact.
@@ -123,6 +134,8 @@ impl<S: Scalar> Touch<S> {
             contact,
             inverse_mass,
             start: zero,
+            turned: S::ZERO,
+            missed: S::ZERO,
             out: S::ZERO,
             history: History::empty(),
             unyielded: zero,

@@ -73,7 +73,7 @@ pub(super) fn sweep<S: Scalar>(
 ) -> Sweeps<S> {
     let (mut fastest, mut moving) = (S::ZERO, S::ZERO);
     for touch in touches.iter() {
-        let speeds = vec3::norm(touch.contact.relative(twists)) + vec3::norm(touch.start);
+        let speeds = vec3::norm(touch.end(twists)) + vec3::norm(touch.start);
         fastest = fastest.max(speeds + touch.out);
         moving = moving.max(touch.contact.fastest(twists));
     }
@@ -116,7 +116,7 @@ fn missing<S: Scalar>(touch: &Touch<S>, h: S, twists: &[Twist<S>]) -> S {
     let Some(end) = touch.wanted(h).filter(|_| k[0][0] > S::ZERO) else {
         return touch.weight() * vec3::norm(before);
     };
-    let [n, x, y] = touch.contact.relative(twists);
+    let [n, x, y] = touch.end(twists);
     let normal = (before[0] + (end - n) / k[0][0]).max(S::ZERO);
     let radius = touch.contact.friction * normal;
     let [p, q] =
@@ -220,13 +220,13 @@ fn relax<S: Scalar>(
     let soft = softness(yields, &k);
     (0..3).for_each(|i| k[i][i] = k[i][i] + soft);
     let given = vec3::scale(vec3::sub(before, touch.unyielded), soft);
-    let rate = touch.contact.relative(twists)[0] + given[0];
+    let rate = touch.end(twists)[0] + given[0];
     let normal = (before[0] + (end - rate) / k[0][0]).max(S::ZERO);
     touch.contact.push(inertia, twists, [normal - before[0], S::ZERO, S::ZERO]);
     let radius = touch.contact.friction * normal;
     let mut rub = [S::ZERO; 2];
     if radius > S::ZERO {
-        let [_, x, y] = vec3::add(touch.contact.relative(twists), given);
+        let [_, x, y] = vec3::add(touch.end(twists), given);
         rub = rubbed(&k, [before[1], before[2]], [x, y], radius);
     }
     touch.contact.push(inertia, twists, [S::ZERO, rub[0] - before[1], rub[1] - before[2]]);
@@ -240,7 +240,7 @@ pub(super) fn works<S: Scalar>(touches: &[Touch<S>], twists: &[Twist<S>]) -> [S;
     let mut work = [S::ZERO; 2];
     for touch in touches {
         let [n, x, y] = touch.contact.impulse;
-        let [vn, vx, vy] = vec3::add(touch.start, touch.contact.relative(twists));
+        let [vn, vx, vy] = vec3::add(touch.start, touch.end(twists));
         work[0] = work[0] + half * n * vn;
         work[1] = work[1] + half * (x * vx + y * vy);
     }

@@ -9,6 +9,7 @@ use crate::model::text::document::Text;
 use crate::model::text::expression;
 use crate::model::text::scope::Scope;
 use crate::model::unit::{self, Unit};
+use crate::model::unit_hint::unit_hint;
 
 use super::evaluate::Constants;
 use super::infer::{Checker, Type};
@@ -47,9 +48,8 @@ fn number_and_unit(text: &Text, wanted: Unit, what: &str, found: &mut Diagnostic
         Ok(scale) => scale,
         // No expression goes on with a word behind a number and a blank.
         Err((message, _)) if !whole.contains('_') && rest.starts_with(char::is_alphabetic) => {
-            let help = unit::meant(rest).map(|meant| format!("did you mean `{meant}`?"));
-            let help =
-                help.unwrap_or_else(|| format!("give it as a number in {wanted}, or with such a unit"));
+            let help = unit_hint(rest)
+                .unwrap_or_else(|| format!("give it as a number in {wanted}, or with such a unit"));
             let error = Diagnostic::error(format!("{what}: {message}"));
             found.push(error.label(text.span, "in this unit").help(help));
             return Some(None);

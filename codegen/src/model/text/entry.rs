@@ -10,6 +10,7 @@ use crate::diagnostic::Diagnostic;
 use crate::model::expression::{Axis, Expr, ExprKind};
 use crate::model::ids::*;
 use crate::model::unit::{self, Scale, Unit};
+use crate::model::unit_hint::unit_hint;
 use crate::source::Span;
 
 impl Builder<'_> {
@@ -97,9 +98,7 @@ impl Builder<'_> {
             Ok(scale) => (scale.unit.to_string(), Some(scale)),
             Err((message, range)) => {
                 let name = text.text.get(range.clone()).unwrap_or("");
-                let help = unit::meant(name)
-                    .map(|meant| format!("did you mean `{meant}`?"))
-                    .or_else(|| suggestion(name, unit::names()))
+                let help = unit_hint(name)
                     .unwrap_or_else(|| "units are products of powers: kg m^2, N s/m, m/s^2, deg".to_owned());
                 self.found
                     .push(Diagnostic::error(message).label(text.place(range), "in this unit").help(help));

@@ -11,6 +11,7 @@ use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::expression::{Axis, Expr, ExprKind, Function};
 use crate::model::ids::FrameId;
 use crate::model::unit::{self, Unit};
+use crate::model::unit_hint;
 use crate::source::Span;
 use std::ops::Range;
 
@@ -163,7 +164,7 @@ impl Reader<'_> {
             Some(scale) => scale,
             None if suffix.is_empty() => unit::Scale { unit: Unit::NONE, factor: 1.0 },
             None => {
-                let help = suggestion(suffix, unit::names())
+                let help = unit_hint::single(suffix)
                     .unwrap_or_else(|| "a number may carry one unit: 0.12_m, 0.8_Hz, 90_deg".to_owned());
                 return self.refuse(range, format!("unknown unit `{suffix}`"), "on this number", &help);
             }

@@ -1,10 +1,11 @@
 //! `extends = "other.toml"`: merges this model's entries into those of the other model.
 //!
-//! An entry of the same section and name overrides the fields that it gives and keeps the others. An entry of another
+//! An entry of the same section and name overrides the fields that it gives and keeps the others; a short one, such as
+//! `n = 3`, gives the field that it is short for. An entry of another
 //! section with the name of a quantity replaces that quantity: a parameter of the base may become a definition, an
 //! input a definition; the law that the base has for that input goes with it.
 
-use super::document::{Key, Value};
+use super::document::{Key, Table, Value};
 use super::repeat::Sections;
 
 /// Sections whose names share one name space.
@@ -14,7 +15,7 @@ const QUANTITIES: [&str; 6] = ["parameters", "coordinates", "speeds", "inputs", 
 pub fn extend(base: Option<Sections>, extension: Sections) -> Sections {
     let Some(mut base) = base else { return extension };
     for (key, value) in extension.scalars {
-        put(&mut base.scalars, key, value);
+        put(&mut base.scalars, None, (key, value));
     }
     for (section, entries) in extension.tables {
         for (key, value) in entries {
@@ -25,7 +26,8 @@ pub fn extend(base: Option<Sections>, extension: Sections) -> Sections {
                     }
                 }
             }
-            put(base.tables.entry(section.clone()).or_default(), key, value);
+            let short_for = short_for(&section);
+            put(base.tables.entry(section.clone()).or_default(), short_for, (key, value));
         }
     }
     base.configurations.extend(extension.configurations);
@@ -40,14 +42,36 @@ fn remove(base: &mut Sections, section: &str, key: &Key) -> bool {
     entries.len() < before
 }
 
+/// The field that an entry without braces gives, in sections where it may have either form.
+fn short_for(section: &str) -> Option<&'static str> {
+    match section {
+        "parameters" | "definitions" | "outputs" => Some("value"),
+        "points" => Some("position"),
+        _ => None,
+    }
+}
+
+/// An entry without braces as one with them, which gives the field that it is short for.
+fn long(key: &Key, value: Value, short_for: Option<&str>) -> Value {
+    let Some(field) = short_for else { return value };
+    let entries = vec![(Key { name: field.to_owned(), span: key.span }, value)];
+    Value::Table(Table { entries, span: key.span })
+}
+
 /// Replaces the entry of that name, or appends.
-fn put(entries: &mut Vec<(Key, Value)>, key: Key, value: Value) {
+fn put(entries: &mut Vec<(Key, Value)>, short_for: Option<&str>, (key, value): (Key, Value)) {
     let Some((known, old)) =
         entries.iter_mut().find(|(known, _)| known.name == key.name && known.span.file != key.span.file)
     else {
         return entries.push((key, value));
     };
-    (*known, *old) = overridden(std::mem::replace(old, Value::Boolean(false, key.span)), (key, value));
+    let before = std::mem::replace(old, Value::Boolean(false, key.span));
+    let (before, value) = match [&before, &value].map(|value| matches!(value, Value::Table(_))) {
+        [true, false] => (before, long(&key, value, short_for)),
+        [false, true] => (long(known, before, short_for), value),
+        _ => (before, value),
+    };
+    (*known, *old) = overridden(before, (key, value));
 }
 
 /// An entry with the fields of another one on top, under the key of that one.

@@ -169,9 +169,16 @@ fn read(
     if assembly.run.settled
         && let Some(part) = assembly.parts.iter().find(|part| part.starts_in_motion())
     {
-        let error = Diagnostic::error("`velocity` and `spin` have no effect with start = \"settled\"");
+        let (what, help) = match part.kind {
+            Kind::Mechanism(_) => (
+                "speeds of a start have",
+                "leave them out, or give 0 where the model's own [start] has them: start = { NAME = 0 }",
+            ),
+            _ => ("`velocity` and `spin` have", "leave its `velocity` and `spin` out"),
+        };
+        let error = Diagnostic::error(format!("{what} no effect with start = \"settled\""));
         let place = spans(&part.name).unwrap_or_default();
-        let help = "leave its `velocity` and `spin` out, or begin where the scene says: start = \"given\" under [run]";
+        let help = format!("{help}; or begin where the scene says: start = \"given\" under [run]");
         found.push(error.label(place, "it starts in motion").help(help));
     }
     Some((assembly, pairs))

@@ -4,6 +4,7 @@ use super::value::{Bound, list, needed, number, one_of, vector};
 use crate::world::assembly::Rigid;
 use smartbed_codegen::diagnostic::{Diagnostic, Diagnostics};
 use smartbed_codegen::model::Fields;
+use smartbed_codegen::model::document::Value;
 use smartbed_runtime::rigid::attitude::Attitude;
 use smartbed_runtime::rigid::{RigidBody, RigidState};
 use smartbed_runtime::surface::{Capsule, Cuboid, Shape, Sphere};
@@ -25,6 +26,12 @@ pub(super) fn read(fields: &Fields<'_>, offset: [f64; 3], found: &mut Diagnostic
         return None;
     }
     let carried = fields.get("on").is_some();
+    if carried && fields.boolean("fixed", found) == Some(true) {
+        let error = Diagnostic::error("`fixed = true` has no effect beside `on`");
+        let place = fields.get("fixed").map_or(word.span, Value::span);
+        found.push(error.label(place, "it moves with its port").help("leave one of the two out"));
+        return None;
+    }
     let body = match fixed || carried {
         true => {
             refuse_inertia(carried, fields, found)?;

@@ -5,6 +5,7 @@
 use smartbed_codegen::diagnostic::{Diagnostic, Diagnostics};
 use smartbed_codegen::model::document::{Table, Text, Value, wrong_kind};
 use smartbed_codegen::model::unit::{self, Unit};
+use smartbed_codegen::model::unit_hint::unit_hint;
 use smartbed_codegen::model::{Fields, is_plain, quantity};
 use smartbed_codegen::source::Span;
 
@@ -49,8 +50,8 @@ pub(crate) fn named_unit(fields: &Fields<'_>, found: &mut Diagnostics) -> Option
     match unit::parse(text.text.trim()) {
         Ok(scale) => Some((text.text.clone(), Some(scale.unit))),
         Err((message, _)) => {
-            let meant = unit::meant(text.text.trim()).map(|meant| format!("did you mean `{meant}`?"));
-            let help = meant.unwrap_or_else(|| "for example unit = \"mm\", \"kPa\" or \"rad/s\"".to_owned());
+            let help = unit_hint(text.text.trim())
+                .unwrap_or_else(|| "for example unit = \"mm\", \"kPa\" or \"rad/s\"".to_owned());
             found.push(
                 Diagnostic::error(format!("`unit`: {message}")).label(text.span, "in this unit").help(help),
             );

@@ -3,10 +3,26 @@
 //! In: frames of the ports at the start, at the end and where contacts were detected; mean positions of the nodes. Out:
 //! a contact with arms from the mean origins to the mean contact points.
 
+use super::MeanMemory;
 use crate::real::Scalar;
-use crate::rigid::contact::{Contact, Point, Side};
+use crate::rigid::contact::{Contact, Point, Side, Twist};
 use crate::surface::Frame;
 use crate::vec3::{self, Vec3};
+
+impl<S: Scalar> MeanMemory<'_, S> {
+    /// Mean positions over a step that ends with these frames.
+    pub(super) fn at<'m>(&'m self, frames: &'m [Frame<S>]) -> Mean<'m, S> {
+        Mean { frames: [&*self.frames[0], frames, &*self.frames[1]], nodes: &*self.nodes[1] }
+    }
+
+    /// Mean velocities of the ports over a step of h (s) that ends with these frames.
+    pub(super) fn read_ports(&self, h: S, frames: &[Frame<S>], twists: &mut [Twist<S>]) {
+        for ((from, to), twist) in self.frames[0].iter().zip(frames).zip(twists) {
+            let (velocity, angular) = from.way_to(to, h);
+            *twist = Twist { velocity, angular };
+        }
+    }
+}
 
 /// Mean positions over a step.
 pub(super) struct Mean<'m, S> {

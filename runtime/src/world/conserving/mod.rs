@@ -13,11 +13,10 @@
 mod anderson;
 mod means;
 mod observe;
+mod turning;
 
 use self::anderson::Anderson;
-use self::means::Mean;
 use super::carrier::{Carrier, Wrench};
-use super::contacts::{load_contacts, press};
 use super::observer::Observer;
 use super::step::StepReport;
 use super::sweep::Sweeps;
@@ -214,17 +213,9 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
             let mut pivot = self.mean_rates(span, found)?;
             let mut sweeps = Sweeps { number: 0, settled: true, left: S::ZERO };
             if memory.counts[0] > 0 {
-                self.carry_twists([span.t, span.t + span.h], span.h, touched, found, spare, memory)?;
-                self.read_free((span.h, touched), found, memory)?;
-                sweeps = press(span.h, memory);
-                let own = &mut self.island.memory;
-                let mean = Mean {
-                    frames: [&*means.frames[0], &*own.frames, &*means.frames[1]],
-                    nodes: &*means.nodes[1],
-                };
-                let contacts = memory.contacts().iter().map(|touch| mean.contact(&touch.contact));
-                load_contacts(span.h, contacts, (&mut *own.elastic, &mut *own.wrenches));
+                sweeps = self.press_turning(span, [touched, &*found], spare, memory, means)?;
                 pivot = self.mean_rates(span, found)?;
+                self.read_missed(span, [touched, &*found], spare, memory)?;
             }
             if !pivot.is_finite() {
                 return Err(Fault::NonFinite);
@@ -253,25 +244,6 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
             anderson.extrapolate(n_q, span.rates, found);
         }
         Err(Fault::Unsettled)
-    }
-
-    /// Velocities of the nodes at the end of a step without contacts, under these rates.
-    fn read_free(
-        &self,
-        (h, middle): (S, &[S]),
-        rates: &[S],
-        memory: &mut StepMemory<'_, S>,
-    ) -> Result<(), Fault> {
-        let ports = self.island.memory.frames.len();
-        let [from, rates] =
-            [self.island.parts(middle)?, self.island.parts(rates)?].map(|x| x.vel.as_chunks::<3>().0);
-        for (node, (start, rate)) in super::island::free_nodes(&self.island.body).zip(from.iter().zip(rates))
-        {
-            if let Some(twist) = memory.twists[1].get_mut(ports + node) {
-                twist.velocity = vec3::axpy(*start, h, *rate);
-            }
-        }
-        Ok(())
     }
 
     /// Mean forces on the nodes over a span, and the wrenches on the ports about the mean origins of their frames.

@@ -3,7 +3,6 @@
 //! In: a step that was taken, with its mean forces and velocities. Out: works over the actual displacements.
 
 use super::MeanMemory;
-use super::means::Mean;
 use crate::flexible::mean;
 use crate::ode::nodes::MeanStep;
 use crate::real::Scalar;
@@ -25,24 +24,21 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
     ) -> Accounts<S> {
         let mut accounts = Accounts::empty();
         let island = &mut self.island;
-        let ports = island.memory.frames.len();
         let [start, middle, change, velocity] = &means.nodes;
         let way = MeanStep { h, pos: [start, middle, island.memory.pos], dx: change, vel: velocity };
         accounts.damping = mean::dissipated(island.body.springs, &way);
         let squares = velocity.iter().fold(S::ZERO, |sum, v| sum + vec3::dot(*v, *v));
         accounts.drag = h * island.body.air_drag * squares;
-        let twists = &mut *memory.twists[2];
-        let (of_ports, of_nodes) = twists.split_at_mut_checked(ports).unwrap_or_default();
-        for (twist, velocity) in of_nodes.iter_mut().zip(velocity.iter()) {
+        let ports = island.memory.frames.len();
+        for (twist, velocity) in memory.twists[2].iter_mut().skip(ports).zip(velocity.iter()) {
             *twist = Twist { velocity: *velocity, angular: vec3::zero() };
         }
-        for ((from, to), twist) in means.frames[0].iter().zip(island.memory.frames.iter_mut()).zip(of_ports) {
-            (to.velocity, to.angular_velocity) = from.way_to(to, h);
-            *twist = Twist { velocity: to.velocity, angular: to.angular_velocity };
+        means.read_ports(h, island.memory.frames, memory.twists[2]);
+        for (frame, twist) in island.memory.frames.iter_mut().zip(memory.twists[2].iter()) {
+            (frame.velocity, frame.angular_velocity) = (twist.velocity, twist.angular);
         }
-        let own = &island.memory;
-        let mean =
-            Mean { frames: [&*means.frames[0], &*own.frames, &*means.frames[1]], nodes: &*means.nodes[1] };
+        let (own, twists) = (&island.memory, &*memory.twists[2]);
+        let mean = means.at(own.frames);
         for touch in memory.touches[0].get(..memory.counts[0]).unwrap_or_default() {
             let contact = mean.contact(&touch.contact);
             let ([n, x, y], [vn, vx, vy]) = (contact.impulse, contact.relative(twists));
@@ -75,8 +71,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         for (node, v) in velocity.iter().enumerate() {
             watch.damped(node, h * body.air_drag * vec3::dot(*v, *v));
         }
-        let mean =
-            Mean { frames: [&*means.frames[0], &*own.frames, &*means.frames[1]], nodes: &*means.nodes[1] };
+        let mean = means.at(own.frames);
         for touch in memory.contacts() {
             let contact = &mean.contact(&touch.contact);
             watch.push(&Push {
