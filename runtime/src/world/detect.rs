@@ -85,7 +85,7 @@ impl<S: Scalar> Touch<S> {
     }
 
     /// A gap (m) that is rounding of where the contact is: what stands there stands on it.
-    fn rounding(&self) -> S {
+    pub(super) fn rounding(&self) -> S {
         let farthest = self.point.iter().fold(S::ZERO, |most, x| most.max(x.abs()));
         S::from_f64(ROUNDED) * S::EPSILON * farthest
     }

@@ -100,7 +100,10 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         for touch in now.iter_mut().take(counts[0]).filter(rebounding) {
             let way = means.at(frames).contact(&touch.contact).relative(mean)[0];
             let [from, to] = [&*start, &*end].map(|twists| touch.contact.relative(twists)[0]);
-            touch.turned = (way + way) - from - to + touch.missed;
+            let turned = (way + way) - from - to + touch.missed;
+            // What rounding of places looks like in a step would move what rests.
+            let is_rounding = turned.abs() <= touch.rounding() / span.h;
+            touch.turned = if is_rounding { S::ZERO } else { turned };
         }
         Ok(())
     }
