@@ -8,7 +8,7 @@ use std::collections::BTreeSet;
 use std::ffi::OsString;
 use std::fs::File;
 use std::io::{self, BufWriter, ErrorKind, IsTerminal, Write};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, AtomicU8, Ordering};
 
 /// Was standard output closed before the program began? The standard library then opens the null device in its place,
@@ -33,6 +33,39 @@ pub fn one_in_standard_output(results: &[(&str, bool)]) -> Result<(), Failure> {
         ))),
         _ => Ok(()),
     }
+}
+
+/// Refuses results, each by its option and file, that would replace a file which the command reads, or one another.
+///
+/// # Errors
+/// [`Failure::Wrong`] names the option and the file.
+pub fn replace_none(results: &[(&str, Option<&str>)], inputs: &[&str]) -> Result<(), Failure> {
+    let place = |path: &str| std::fs::canonicalize(path).ok();
+    // A model may be named without its ending.
+    let read: Vec<PathBuf> =
+        inputs.iter().flat_map(|input| [place(input), place(&format!("{input}.toml"))]).flatten().collect();
+    let mut written: Vec<(&str, PathBuf)> = Vec::new();
+    for (option, file) in
+        results.iter().filter_map(|(option, file)| Some((option, file.filter(|f| *f != "-")?)))
+    {
+        let full = place(file).unwrap_or_else(|| PathBuf::from(file));
+        if read.contains(&full) && full.is_file() {
+            let message =
+                format!("{option} {file}: this would replace a file that is read; name another one");
+            return Err(Failure::Wrong(message));
+        }
+        if let Some((first, _)) = written.iter().find(|(_, other)| *other == full && !is_device(&full)) {
+            let message = format!("{first} and {option}: both would write {file}; name two files");
+            return Err(Failure::Wrong(message));
+        }
+        written.push((option, full));
+    }
+    Ok(())
+}
+
+/// Whether something that is no file stands there: it takes several results.
+fn is_device(place: &Path) -> bool {
+    place.exists() && !place.is_file()
 }
 
 /// Something to write results to.

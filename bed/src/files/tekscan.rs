@@ -88,13 +88,18 @@ pub fn read(text: &str) -> Result<Mapped, FileError> {
     let (grid, seconds, unit) = head.whole(start)?;
     let mut frames: Vec<Frame> = Vec::new();
     let mut last = start;
+    let mut ended = false;
     for (line, text) in lines {
         let text = text.trim();
         if text.trim_start_matches(',').is_empty() {
             continue;
         }
+        if ended {
+            return Err(FileError::at(line, "a movie ends with `@@`: expected nothing after it"));
+        }
         if text.starts_with("@@") {
-            break;
+            ended = true;
+            continue;
         }
         last = line;
         if text.starts_with("Frame") {

@@ -270,3 +270,11 @@ fn uneven_frames_are_no_movie() {
     assert_eq!(message, "frame 1: a Tekscan movie needs equal times between frames");
     assert_same(&read(&xsensor::write(&map)).expect("read back"), &map);
 }
+
+#[test]
+fn nothing_follows_the_end_of_a_movie() {
+    let text = tekscan::write(&mapped(1, 1, &[vec![1.0], vec![2.0]])).expect("even");
+    let message = read(&format!("{text}{text}")).expect_err("two movies").to_string();
+    assert!(message.contains("ends with `@@`"), "{message}");
+    assert!(read(&format!("{text}\n,,\n")).is_ok());
+}

@@ -219,6 +219,25 @@ fn a_short_entry_changes_the_field_that_it_is_short_for() {
     assert!(read("[parameters]\ntilt = 70\n").expect_err("out of range").to_string().contains("60"));
 }
 
+/// A number in another unit than its range is rounded otherwise; one with letters is none.
+#[test]
+fn bounds_hold_in_every_unit_and_numbers_have_no_letters() {
+    let read = |value: &str| {
+        let range = format!("{HEAD}[parameters]\nl = {{ value = {value}, unit = \"mm\", range = [700, 900] }}\n");
+        model::parse("m.toml", &range).map(|_| ()).map_err(|found| found.to_string())
+    };
+    for value in ["700", "\"0.7_m\"", "\"70_cm\"", "\"0.9_m\""] {
+        assert_eq!(read(value), Ok(()), "{value}");
+    }
+    for value in ["699.999", "\"0.9001_m\""] {
+        assert!(read(value).expect_err(value).contains("expected a number from"), "{value}");
+    }
+    for value in ["15_c", "15_cab", "0x1_g"] {
+        assert!(read(value).is_err(), "{value}");
+    }
+    assert!(read("15_cab").expect_err("letters").contains("`15_cab` is no number"));
+}
+
 #[test]
 fn speeds_may_be_combinations_of_rates() {
     let text = format!(

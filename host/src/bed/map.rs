@@ -46,6 +46,11 @@ pub(super) fn run(asked: &Map) -> Result<(), Failure> {
     }
     let csv_printed = asked.csv.as_deref() == Some("-");
     output::one_in_standard_output(&[("--csv -", csv_printed), ("--json", asked.json)])?;
+    let results = [("--csv", asked.csv.as_deref()), ("--output", asked.output.as_deref())];
+    output::replace_none(
+        &results,
+        &[Some(&asked.file), asked.against.as_ref()].map(|f| f.map_or("-", |f| f.as_str())),
+    )?;
     let mapped = read(&asked.file)?;
     let rows = [("sensels", rows(&mapped, asked.cycle))];
     let compared = match &asked.against {

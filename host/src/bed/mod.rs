@@ -104,6 +104,12 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
             let results =
                 [("--csv -", to(&asked.csv)), ("--readings -", to(&asked.readings)), ("--json", asked.json)];
             output::one_in_standard_output(&results)?;
+            let files = [
+                ("--csv", asked.csv.as_deref()),
+                ("--map", asked.map.as_deref()),
+                ("--readings", asked.readings.as_deref()),
+            ];
+            output::replace_none(&files, &[&asked.plan])?;
             writable(asked, &read)?;
             let history = history(&read)?;
             let report = RunReport::new(&read, &history);
@@ -126,6 +132,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         }
         Command::Report(asked) => {
             output::one_in_standard_output(&[("--output -", asked.output == "-"), ("--json", asked.json)])?;
+            output::replace_none(&[("--output", Some(&asked.output))], &[&asked.plan])?;
             let (origin, read) = opened("report", &asked.plan, &asked.set)?;
             let history = history(&read)?;
             let report = RunReport::new(&read, &history);

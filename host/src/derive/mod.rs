@@ -210,6 +210,12 @@ impl OptimiseFor {
 /// # Errors
 /// Status 1 for a wrong model or a form that it does not have.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
+    output::replace_none(&[("--output", Some(&arguments.output))], &[&arguments.model])?;
+    let prints_code = arguments.output == "-" && arguments.folder.is_none() && !arguments.costs;
+    if arguments.json && prints_code {
+        let message = "--json: the code goes to standard output; name a file for it with --output, or a folder with --crate";
+        return Err(Failure::Wrong(message.to_owned()));
+    }
     let model = model_argument::read(&arguments.model)?;
     let choice = choice(arguments, &model)?;
     let settings = Settings { effort: arguments.effort.effort(), optimise: arguments.optimise.optimise() };

@@ -86,6 +86,7 @@ fn on_request(asked: &Function) -> Vec<Function> {
 /// # Errors
 /// Status 1 for a wrong model or state, status 2 without a compiler for `--engine compiled`.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
+    output::replace_none(&[("--output", Some(&arguments.output))], &[&arguments.model, &arguments.states])?;
     let model = model_argument::read(&arguments.model)?;
     let states = states::read(&arguments.states)?;
     let choice = ParameterChoice { keep: states::parameters(&states, &model)?, ..Default::default() };

@@ -62,6 +62,7 @@ pub fn import(path: &str, text: &str, base: Base) -> Result<Imported, Failure> {
 /// Status 1 for a robot that cannot be read or is invalid, and for a file that cannot be written.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let Arguments { robot, output, base, json } = arguments;
+    output::replace_none(&[("--output", output.as_deref())], &[robot])?;
     let text = input::text(robot).map_err(|e| Failure::Wrong(format!("cannot read {robot}: {e}")))?;
     let imported = import(robot, &text, *base)?;
     let file = output.as_deref().filter(|file| *file != "-");

@@ -41,6 +41,14 @@ use outcome::Outcome;
 /// Status 1 for a wrong model or setting and for a motion that cannot go on; status 2 without a
 /// compiler for `--engine compiled`.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
+    let results = [
+        ("--csv", arguments.csv.as_deref()),
+        ("--accounts", arguments.accounts.as_deref()),
+        ("--plot", arguments.plot.as_deref()),
+        ("--view", arguments.view.as_deref()),
+        ("--save", arguments.save.as_deref()),
+    ];
+    output::replace_none(&results, &[&arguments.model])?;
     let Outcome { text, film, findings } = carry_out(arguments)?;
     if let (Some(file), Some(film)) = (&arguments.view, film) {
         output::write(file, page(&film).as_bytes())?;

@@ -348,3 +348,30 @@ fn one_result_of_a_plan_goes_to_standard_output() {
         assert!(done.err.contains("only one of them can go to standard output"), "{done:?}");
     }
 }
+
+/// No result replaces a file that is read, by whatever name, nor another result.
+#[test]
+fn results_replace_neither_what_is_read_nor_one_another() {
+    let text = std::fs::read_to_string(crate::support::model("pendulum")).expect("the model");
+    let file = written("not_replaced.toml", &text);
+    let stem = file.strip_suffix(".toml").expect("an ending").to_owned();
+    let states = written("not_replaced.json", "{\"states\": [{\"q\": {\"q\": 0.1}}]}");
+    let twice = fresh("twice.svg").display().to_string();
+    let lines: [(&[&str], &str); 6] = [
+        (&["run", &file, "--csv", &file], "--csv"),
+        (&["run", &stem, "--plot", &file], "--plot"),
+        (&["derive", &file, "-o", &file], "--output"),
+        (&["eval", &file, "--states", &states, "-o", &states], "--output"),
+        (&["import", &file, "-o", &file], "--output"),
+        (&["run", &file, "--csv", &twice, "--plot", &twice], "both would write"),
+    ];
+    for (line, said) in lines {
+        let done = smartbed(line);
+        assert!(done.status == 1 && done.err.contains(said), "{line:?}: {done:?}");
+    }
+    assert_eq!(std::fs::read_to_string(&file).expect("it is left"), text);
+    assert!(!std::path::Path::new(&twice).exists());
+    // What would go to standard output beside the code.
+    let done = smartbed(&["derive", &file, "--json"]);
+    assert!(done.status == 1 && done.out.is_empty() && done.err.contains("--output"), "{done:?}");
+}

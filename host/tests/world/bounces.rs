@@ -342,3 +342,60 @@ fn bodies_that_turn_and_bounce_never_gain_energy() {
         assert!(number(&done["imbalance"]) < 1e-6, "{e} {mu}: {done}");
     }
 }
+
+/// Two equal boxes strike the ground in one step and never each other: what one loses leaves the other alone, wherever it
+/// is. A ball at e = 1 beside a box with friction keeps its speed, too.
+#[test]
+fn contacts_that_do_not_feel_one_another_share_no_energy() {
+    let body = |name: &str, y: f64| {
+        format!(
+            "[parts.{name}]\nrigid = \"box\"\nsize = [0.3, 0.2, 0.1]\nmass = 2.45\nstart = {{ position = [0, {y}, 0], height = 0.05, \
+             axis = [1, 0.3, 0.2], angle = 2.2, velocity = [0.84, 0, -1], spin = [5.2, -4.6, 2.7] }}\n"
+        )
+    };
+    for method in ["moreau", "energy_momentum"] {
+        let end = |y: f64| {
+            let text = format!(
+                "format = 2\ngravity = [0, 0, 0]\n[parts.g]\nrigid = \"half_space\"\n{}{}\
+                 [parts.ball]\nrigid = \"sphere\"\nradius = 0.05\nmass = 1\nstart = {{ position = [0, -{y}, 0], height = 0.0500001, velocity = [0, 0, -1] }}\n\
+                 [[contacts]]\nbetween = [\"g\", \"b\"]\nimpact = \"moreau\"\nrestitution = 1\nfriction = 0.3\n\
+                 [[contacts]]\nbetween = [\"g\", \"c\"]\nimpact = \"moreau\"\nrestitution = 0.2\nfriction = 0.3\n\
+                 [[contacts]]\nbetween = [\"g\", \"ball\"]\nimpact = \"moreau\"\nrestitution = 1\n\
+                 [[contacts]]\nbetween = [\"b\", \"c\"]\nimpact = \"moreau\"\n\
+                 [[contacts]]\nbetween = [\"b\", \"ball\"]\nimpact = \"moreau\"\n\
+                 [run]\nseconds = 0.06\nstep = 1e-3\nmethod = \"{method}\"\n",
+                body("b", 0.0),
+                body("c", y)
+            );
+            let done = json(&[&scene("beside", &text)]);
+            ["b.vz", "b.wx", "c.vz", "ball.vz"].map(|name| number(&done["last"][name]))
+        };
+        let (near, far) = (end(0.35), end(3.0));
+        for (near, far) in near.into_iter().zip(far) {
+            assert!((near - far).abs() < 1e-9, "{method}: {near}, {far}");
+        }
+        assert!((near[3] - 1.0).abs() < 1e-12 && near[2] < 0.0, "{method}: {near:?}");
+    }
+}
+
+/// Which of two rigid parts a pair names first changes nothing under `energy_momentum`, though one slips along the
+/// other during the step.
+#[test]
+fn neither_of_two_rigid_parts_is_the_first() {
+    let end = |between: &str| {
+        let text = format!(
+            "format = 2\ngravity = [0, 0, 0]\n[parts.a]\nrigid = \"capsule\"\nradius = 0.05\nlength = 0.3\nmass = 1\n\
+             start = {{ velocity = [1, 0, 0], axis = [1, 2, 0], angle = 1, spin = [3, -2, 4] }}\n\
+             [parts.b]\nrigid = \"sphere\"\nradius = 0.1\nmass = 2\nstart = {{ position = [0.3, 0.03, 0.02] }}\n\
+             [[contacts]]\nbetween = {between}\nimpact = \"moreau\"\nrestitution = 0.8\nfriction = 0.2\n\
+             [run]\nseconds = 0.3\nstep = 1e-3\nmethod = \"energy_momentum\"\n"
+        );
+        let done = json(&[&scene("named_first", &text)]);
+        assert_eq!(done["events"].as_array().map(Vec::len), Some(1));
+        ["a.vx", "a.wx", "a.wy", "b.vx", "b.wz"].map(|name| number(&done["last"][name]))
+    };
+    let (one, other) = (end("[\"a\", \"b\"]"), end("[\"b\", \"a\"]"));
+    for (one, other) in one.into_iter().zip(other) {
+        assert!((one - other).abs() < 1e-9, "{one}, {other}");
+    }
+}

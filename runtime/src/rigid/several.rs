@@ -14,7 +14,7 @@
 use super::contact::{Inertia, Twist, rubbed, stopping};
 use super::impact::{Touch, resolve};
 use super::plastic::stop;
-use super::struck::{Group, Outcome, Struck};
+use super::struck::{ASKING, Group, Outcome, Struck};
 use crate::ode::root::reach;
 use crate::real::Scalar;
 use crate::vec3;
@@ -33,8 +33,6 @@ const RUBS: usize = 60;
 const SLOWEST: f64 = 1e-6;
 /// Restitution coefficients below this do not shorten pieces: the end of the contact is located anyway.
 const SOFTEST: f64 = 0.05;
-/// An impulse (N s) along n, t1, t2 that another contact feels if it feels any: in no special direction.
-const ASKING: [f64; 3] = [1.0, 0.618_034, 0.414_214];
 /// Share of the energy of a contact that is a rounding error, in rounding units.
 const ROUNDED: f64 = 256.0;
 

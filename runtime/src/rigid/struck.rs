@@ -6,6 +6,9 @@ use super::impact::InverseMass;
 use crate::real::Scalar;
 use crate::vec3;
 
+/// An impulse (N s) along three axes that another contact feels if it feels any: in no special direction.
+pub(crate) const ASKING: [f64; 3] = [1.0, 0.618_034, 0.414_214];
+
 /// A contact during an impact.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Struck<S> {
@@ -31,7 +34,7 @@ pub struct Struck<S> {
 
 /// Contacts of an impact that may feel one another's impulses are resolved together.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Group {
+pub(crate) enum Group {
     /// Its group has its turn later.
     Later,
     /// It belongs to the group that has its turn; which others feel its impulse is not known yet.

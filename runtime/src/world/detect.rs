@@ -22,6 +22,7 @@ use crate::rigid::contact::{Contact, Side, Twist};
 use crate::rigid::history::{History, Swept};
 use crate::rigid::impact::InverseMass;
 use crate::rigid::narrow::{Placed, core_points, features};
+use crate::rigid::struck::Group;
 use crate::vec3::{self, Vec3};
 
 /// A gap of this many rounding units of the contact's coordinates counts as closed.
@@ -60,6 +61,8 @@ pub struct Touch<S> {
     pub(super) turned: S,
     /// The part of that which is left when the arms are those of the detection (m/s).
     pub(super) missed: S,
+    /// Which contacts feel its impulse (`sweep`).
+    pub(super) group: Group,
     /// Least normal velocity (m/s) with which an overlap is left after the step.
     pub(super) out: S,
     /// History of the sweeps over it.
@@ -136,6 +139,7 @@ impl<S: Scalar> Touch<S> {
             start: zero,
             turned: S::ZERO,
             missed: S::ZERO,
+            group: Group::Later,
             out: S::ZERO,
             history: History::empty(),
             unyielded: zero,

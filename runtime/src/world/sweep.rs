@@ -9,8 +9,8 @@
 //! e > 0:  w = -e v_n- where gap <= 0
 //! ```
 //! Kinetic energy changes by P . (v- + v+)/2. Its normal part is never positive, because w <= -v_n- (e <= 1). Friction
-//! that reverses the slip within a step, or sweeps that stop early, could add a little energy: then all impulses are
-//! scaled down until they add none ([`take_no_more`]). So contacts only dissipate, whatever their sides are.
+//! that reverses the slip within a step, or sweeps that stop early, could add a little energy: then the impulses of
+//! contacts that feel one another are scaled down until they add none ([`take_no_more`]). So contacts only dissipate, whatever their sides are.
 //!
 //! Redundant contacts that rub in different directions share their load as if each yielded a little, all alike, as
 //! forces do (`rigid::share`): else the order of the sweeps would decide how a box turns on its four corners.
@@ -21,6 +21,7 @@ use crate::real::Scalar;
 use crate::rigid::anderson::Anderson;
 use crate::rigid::contact::{Inertia, Twist, rubbed, softness};
 use crate::rigid::share::{REDUNDANT, differ};
+use crate::rigid::struck::{ASKING, Group};
 use crate::vec3;
 
 /// Up to this number of contacts, impulses converge to rounding.
@@ -234,20 +235,24 @@ fn relax<S: Scalar>(
     size * vec3::norm(vec3::sub(touch.contact.impulse, before))
 }
 
-/// The contacts' work over the step (J): normal part, friction.
-pub(super) fn works<S: Scalar>(touches: &[Touch<S>], twists: &[Twist<S>]) -> [S; 2] {
-    let half = S::from_f64(0.5);
-    let mut work = [S::ZERO; 2];
-    for touch in touches {
-        let [n, x, y] = touch.contact.impulse;
-        let [vn, vx, vy] = vec3::add(touch.start, touch.end(twists));
-        work[0] = work[0] + half * n * vn;
-        work[1] = work[1] + half * (x * vx + y * vy);
-    }
-    work
+/// A contact's work over the step (J), given the velocities at its end, half that of its impulse at v- + v+: normal
+/// part, friction.
+fn work<S: Scalar>(touch: &Touch<S>, twists: &[Twist<S>]) -> [S; 2] {
+    let [n, x, y] = touch.contact.impulse;
+    let [vn, vx, vy] = vec3::scale(vec3::add(touch.start, touch.end(twists)), S::from_f64(0.5));
+    [n * vn, x * vx + y * vy]
 }
 
-/// Scales all impulses by one factor s, so that the contacts add no energy, if they would add some.
+/// That of all contacts.
+pub(super) fn works<S: Scalar>(touches: &[Touch<S>], twists: &[Twist<S>]) -> [S; 2] {
+    touches.iter().fold([S::ZERO; 2], |[normal, friction], touch| {
+        let [own_normal, own_friction] = work(touch, twists);
+        [normal + own_normal, friction + own_friction]
+    })
+}
+
+/// Scales the impulses of contacts that feel one another by one factor s, so that these contacts add no energy together,
+/// if they would add some.
 ///
 /// The work of s P is s P . (v- + v*)/2 + s^2 P . G P/2, with v* the velocities without impulses.
 pub(super) fn take_no_more<S: Scalar>(
@@ -256,17 +261,45 @@ pub(super) fn take_no_more<S: Scalar>(
     inertia: &impl Inertia<S>,
     twists: &mut [Twist<S>],
 ) {
-    let [normal, friction] = works(touches, twists);
-    let work = normal + friction;
-    if work <= S::ZERO {
-        return;
+    let both = |touch: &Touch<S>, twists: &[Twist<S>]| {
+        let [normal, friction] = work(touch, twists);
+        normal + friction
+    };
+    touches.iter_mut().for_each(|touch| touch.group = Group::Later);
+    // Where none adds energy, no group of them does.
+    while let Some(first) =
+        touches.iter_mut().find(|touch| touch.group == Group::Later && both(touch, twists) > S::ZERO)
+    {
+        first.group = Group::Asks;
+        gather(touches, inertia);
+        let (mut all, mut linear) = (S::ZERO, S::ZERO);
+        for touch in touches.iter().filter(|touch| touch.group == Group::Now) {
+            all = all + both(touch, twists);
+            linear = linear + both(touch, free);
+        }
+        let square = all - linear;
+        let part = if linear < S::ZERO && square > S::ZERO { -(linear / square) } else { S::ZERO };
+        for touch in touches.iter_mut().filter(|touch| touch.group == Group::Now) {
+            touch.group = Group::Done;
+            if all > S::ZERO {
+                touch.contact.push(inertia, twists, vec3::scale(touch.contact.impulse, part - S::ONE));
+                touch.contact.impulse = vec3::scale(touch.contact.impulse, part);
+            }
+        }
     }
-    let [normal, friction] = works(touches, free);
-    let (linear, square) = (normal + friction, work - normal - friction);
-    let part = if linear < S::ZERO && square > S::ZERO { -(linear / square) } else { S::ZERO };
-    twists.iter_mut().zip(free).for_each(|(to, from)| *to = *from);
-    for touch in touches {
-        touch.contact.impulse = vec3::scale(touch.contact.impulse, part);
-        touch.contact.push(inertia, twists, touch.contact.impulse);
+}
+
+/// Gathers the contacts that feel the impulses of one that asks, directly or through others.
+fn gather<S: Scalar>(touches: &mut [Touch<S>], inertia: &impl Inertia<S>) {
+    while let Some(asks) = touches.iter_mut().find(|touch| touch.group == Group::Asks) {
+        asks.group = Group::Now;
+        let contact = asks.contact;
+        for other in touches.iter_mut().filter(|other| other.group == Group::Later) {
+            let mut pairs =
+                contact.points().flat_map(|(_, at)| other.contact.points().map(move |(_, seen)| (at, seen)));
+            if pairs.any(|(at, seen)| inertia.response(at, ASKING.map(S::from_f64), seen) != vec3::zero()) {
+                other.group = Group::Asks;
+            }
+        }
     }
 }

@@ -165,7 +165,9 @@ impl Parameter {
     #[must_use]
     pub fn refuses(&self, value: f64) -> Option<String> {
         let (low, high) = self.range;
-        let outside = value < low || high < value;
+        // The same number in another unit is rounded otherwise.
+        let rounding = |bound: f64| 4.0 * f64::EPSILON * bound.abs();
+        let outside = value < low - rounding(low) || high + rounding(high) < value;
         outside.then(|| {
             let unit = if self.unit == "1" { String::new() } else { format!(" {}", self.unit) };
             format!("parameter `{}` is {value}; expected a number from {low} to {high}{unit}", self.name)

@@ -3,6 +3,7 @@
 //! In: text. Out: [`Table`]. Strings keep a map back to the bytes of the file, so that a place inside an expression
 //! remains a place in the file even after `{placeholders}` were replaced.
 
+use std::num::IntErrorKind;
 use std::ops::Range;
 
 use toml::de::{DeTable, DeValue};
@@ -215,6 +216,17 @@ const MOST_ERRORS: usize = 20;
 /// All syntax errors of the text.
 pub fn parse(text: &str, file: u32) -> Result<Table, Vec<Diagnostic>> {
     let (table, errors) = DeTable::parse_recoverable(text);
+    let mut wrong = Vec::new();
+    wrong_integers(table.get_ref(), &mut wrong);
+    if !wrong.is_empty() {
+        let report = |range: &Range<usize>| {
+            let number = text.get(range.clone()).unwrap_or_default();
+            Diagnostic::error(format!("`{number}` is no number"))
+                .label(Span { start: range.start, end: range.end, file }, "here")
+                .help("a number with a unit stands in quotes: \"15_cm\"")
+        };
+        return Err(wrong.iter().take(MOST_ERRORS).map(report).collect());
+    }
     if errors.is_empty() {
         let span = table.span();
         return Ok(convert_table(table.get_ref(), Span { start: span.start, end: span.end, file }, text));
@@ -233,6 +245,26 @@ pub fn parse(text: &str, file: u32) -> Result<Table, Vec<Diagnostic>> {
         Diagnostic::error(format!("not valid TOML: {}", error.message())).label(span, "here").help(help)
     };
     Err(errors.iter().take(MOST_ERRORS).map(report).collect())
+}
+
+/// Finds integers with letters, which the notation lets pass.
+fn wrong_integers(table: &DeTable<'_>, found: &mut Vec<Range<usize>>) {
+    let mut values: Vec<_> = table.values().collect();
+    while let Some(value) = values.pop() {
+        match value.get_ref() {
+            DeValue::Integer(integer) => {
+                if i128::from_str_radix(integer.as_str(), integer.radix())
+                    .is_err_and(|e| *e.kind() == IntErrorKind::InvalidDigit)
+                {
+                    found.push(value.span());
+                }
+            }
+            DeValue::Array(items) => values.extend(items.iter()),
+            DeValue::Table(inner) => values.extend(inner.values()),
+            _ => {}
+        }
+    }
+    found.sort_by_key(|range| range.start);
 }
 
 fn convert_table(table: &DeTable<'_>, span: Span, text: &str) -> Table {

@@ -246,7 +246,10 @@ fn substitute_text(text: &Text, copy: &Copy, found: &mut Diagnostics) -> Text {
         let Some(close) = text.text[open..].find('}').map(|i| open + i) else { break };
         let name = &text.text[open + 1..close];
         match copy.iter().find(|(known, _)| known == name) {
-            Some((_, by)) => replacements.push((open..close + 1, by.clone())),
+            Some((_, by)) => {
+                replacements
+                    .push((open..close + 1, as_factor(by, [&text.text[..open], &text.text[close + 1..]])));
+            }
             None => found.push(
                 Diagnostic::error(format!("unknown placeholder `{{{name}}}`"))
                     .label(text.place(open..close + 1), "not among the placeholders of `each`")
@@ -259,4 +262,45 @@ fn substitute_text(text: &Text, copy: &Copy, found: &mut Diagnostics) -> Text {
         from = close + 1;
     }
     if replacements.is_empty() { text.clone() } else { text.replace(&replacements) }
+}
+
+/// A text to be put between two others: in parentheses where it is a sum, a product or a negative number, and they take
+/// it for an operand, such as `{c}.abs()` with c = -3.
+fn as_factor(text: &str, [before, after]: [&str; 2]) -> String {
+    let is_name = |c: char| c.is_alphanumeric() || matches!(c, '_' | '.');
+    let stands_alone = before.trim().is_empty() && after.trim().is_empty();
+    let is_operand = text.starts_with(|c: char| is_name(c) || c == '-' || c == '(')
+        && text.ends_with(|c: char| is_name(c) || c == ')')
+        && text.contains(is_name);
+    let takes = |c: Option<char>, marks: &str| c.is_none_or(|c| marks.contains(c));
+    let is_taken = takes(before.trim_end().chars().next_back(), "(,+-*/=")
+        && takes(after.trim_start().chars().next(), "),+-*/.^");
+    match !stands_alone && !text.chars().all(is_name) && is_operand && is_taken {
+        true => format!("({text})"),
+        false => text.to_owned(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::as_factor;
+
+    #[test]
+    fn a_number_below_zero_and_a_sum_are_operands() {
+        for (text, before, after, expected) in [
+            ("-3", "", ".abs()*1_N*N.y", "(-3)"),
+            ("50+50", "2*", "", "(50+50)"),
+            ("-2", "a + ", " * b", "(-2)"),
+            // A whole text, part of a name or of a number with a unit, a sign, what follows a name.
+            ("-3", "", "", "-3"),
+            ("-3", "", "_N*N.y", "-3"),
+            ("-", "", "1_m*N.x", "-"),
+            ("-", "", " 1_m*N.x", "-"),
+            ("- 3_m*N.x", "P ", "", "- 3_m*N.x"),
+            ("3", "2*", "", "3"),
+            ("A.x", "2*", "", "A.x"),
+        ] {
+            assert_eq!(as_factor(text, [before, after]), expected, "{before}{{{text}}}{after}");
+        }
+    }
 }

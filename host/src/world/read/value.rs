@@ -246,27 +246,36 @@ pub(super) fn refuse_without_unit(
         let error = Diagnostic::error(format!(
             "`{name}` needs a unit: numbers of a scene are in SI units, those of its model in {unit}"
         ));
-        let example = format!("for example \"{}\"", with_units(&shown, unit));
+        // The model's own angles and ratios have no unit of SI but rad.
+        let si = unit::parse(unit).map_or(Unit::NONE, |scale| scale.unit);
+        let si = if si == Unit::NONE { "rad".to_owned() } else { si.to_string() };
+        let [si, own] = [si.as_str(), unit.as_str()].map(|unit| with_units(&shown, unit));
+        let example = match (si, own) {
+            (Some(si), Some(own)) => format!("write \"{si}\", or \"{own}\" if that is meant"),
+            (Some(si), None) => format!("write \"{si}\""),
+            (None, _) => "write it with its unit, as an expression".to_owned(),
+        };
         found.push(error.label(value.span(), "without unit").help(example));
     }
 }
 
-/// A number with its unit as expressions write it: 2 with `mN m/deg` is `2_mN*1_m/1_deg`.
-fn with_units(number: &str, unit: &str) -> String {
+/// A number with its unit as expressions write it: 2 with `mN m/deg` is `2_mN*1_m/1_deg`; None for a unit with powers
+/// that are no whole numbers, or with products within products.
+fn with_units(number: &str, unit: &str) -> Option<String> {
+    let (above, below) = unit.split_once('/').unwrap_or((unit, ""));
+    let below = below.strip_prefix('(').and_then(|inner| inner.strip_suffix(')')).unwrap_or(below);
+    if [above, below].iter().any(|part| part.contains(['(', ')', '/', '-'])) {
+        return None;
+    }
     let mut written = number.to_owned();
-    for (n, part) in unit.split('/').enumerate() {
-        for (k, factor) in
-            part.split([' ', '*']).filter(|factor| !factor.is_empty() && *factor != "1").enumerate()
-        {
+    for (part, mark) in [(above, '*'), (below, '/')] {
+        for factor in part.split([' ', '*']).filter(|factor| !factor.is_empty() && *factor != "1") {
             let (name, power) = factor.split_once('^').unwrap_or((factor, "1"));
-            for time in 0..power.parse::<u32>().unwrap_or(1) {
-                written += &match (n, k, time) {
-                    (0, 0, 0) => format!("_{name}"),
-                    (0, ..) => format!("*1_{name}"),
-                    _ => format!("/1_{name}"),
-                };
+            for _ in 0..power.parse::<u32>().ok()? {
+                let is_first = written.len() == number.len() && mark == '*';
+                written += &if is_first { format!("_{name}") } else { format!("{mark}1_{name}") };
             }
         }
     }
-    written
+    Some(written)
 }

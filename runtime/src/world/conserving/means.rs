@@ -46,11 +46,16 @@ impl<S: Scalar> Mean<'_, S> {
             points.next().is_some_and(|point| point.body < self.frames[0].len()) && points.next().is_none()
         };
         let [one, other] = new.sides;
-        if is_rigid(&one) {
-            new.sides[0] = one.with_arms(|point| vec3::add(point.arm, apart));
-        } else if is_rigid(&other) {
-            new.sides[1] = other.with_arms(|point| vec3::sub(point.arm, apart));
+        // Between two rigid points each goes half of the way, so that neither is the first.
+        let [first, second] = match [&one, &other].map(is_rigid) {
+            [true, true] => [0.5, -0.5],
+            [true, false] => [1.0, 0.0],
+            [false, true] => [0.0, -1.0],
+            _ => return new,
         }
+        .map(S::from_f64);
+        new.sides = [(one, first), (other, second)]
+            .map(|(side, part)| side.with_arms(|point| vec3::axpy(point.arm, part, apart)));
         new
     }
 
