@@ -223,7 +223,8 @@ fn a_short_entry_changes_the_field_that_it_is_short_for() {
 #[test]
 fn bounds_hold_in_every_unit_and_numbers_have_no_letters() {
     let read = |value: &str| {
-        let range = format!("{HEAD}[parameters]\nl = {{ value = {value}, unit = \"mm\", range = [700, 900] }}\n");
+        let range =
+            format!("{HEAD}[parameters]\nl = {{ value = {value}, unit = \"mm\", range = [700, 900] }}\n");
         model::parse("m.toml", &range).map(|_| ()).map_err(|found| found.to_string())
     };
     for value in ["700", "\"0.7_m\"", "\"70_cm\"", "\"0.9_m\""] {
