@@ -93,8 +93,9 @@ pub fn single(name: &str) -> Option<String> {
         Some(is(number, unit))
     });
     // In other letters, where they decide nothing: `mpa` may be `MPa` or a thousandth of `Pa`, `M` is not `m`.
-    let is_prefixed = |unit: &&str| unit.to_lowercase() == lower.get(1..).unwrap_or_default();
-    let decides = name.len() < 2 || lower.starts_with('m') && PREFIXED.iter().any(|unit| is_prefixed(&unit));
+    let rest = lower.get(1..).unwrap_or_default();
+    let decides =
+        rest.is_empty() || lower.starts_with('m') && PREFIXED.iter().any(|unit| unit.to_lowercase() == rest);
     prefixed.or_else(|| names().find(|unit| unit.to_lowercase() == lower && !decides).map(means))
 }
 

@@ -247,7 +247,7 @@ pub(super) fn press<S: Scalar>(h: S, memory: &mut StepMemory<'_, S>) -> sweep::S
     // Sweeps accumulate rounding errors in the velocities that they change: recompute them from the impulses.
     restore(now, ports, free, end);
     now.iter().for_each(|touch| touch.contact.push(inertias, end, touch.contact.impulse));
-    sweep::take_no_more(now, free, inertias, end);
+    sweep::take_no_more(now, ports, free, inertias, end);
     sweeps
 }
 

@@ -257,6 +257,7 @@ pub(super) fn works<S: Scalar>(touches: &[Touch<S>], twists: &[Twist<S>]) -> [S;
 /// The work of s P is s P . (v- + v*)/2 + s^2 P . G P/2, with v* the velocities without impulses.
 pub(super) fn take_no_more<S: Scalar>(
     touches: &mut [Touch<S>],
+    ports: usize,
     free: &[Twist<S>],
     inertia: &impl Inertia<S>,
     twists: &mut [Twist<S>],
@@ -271,7 +272,7 @@ pub(super) fn take_no_more<S: Scalar>(
         touches.iter_mut().find(|touch| touch.group == Group::Later && both(touch, twists) > S::ZERO)
     {
         first.group = Group::Asks;
-        gather(touches, inertia);
+        gather(touches, ports, inertia);
         let (mut all, mut linear) = (S::ZERO, S::ZERO);
         for touch in touches.iter().filter(|touch| touch.group == Group::Now) {
             all = all + both(touch, twists);
@@ -289,15 +290,17 @@ pub(super) fn take_no_more<S: Scalar>(
     }
 }
 
-/// Gathers the contacts that feel the impulses of one that asks, directly or through others.
-fn gather<S: Scalar>(touches: &mut [Touch<S>], inertia: &impl Inertia<S>) {
+/// Gathers the contacts that feel the impulses of one that asks, directly or through others. Nodes feel one another
+/// through springs, later in the step.
+fn gather<S: Scalar>(touches: &mut [Touch<S>], ports: usize, inertia: &impl Inertia<S>) {
     while let Some(asks) = touches.iter_mut().find(|touch| touch.group == Group::Asks) {
         asks.group = Group::Now;
-        let contact = asks.contact;
+        let (contact, has_nodes) = (asks.contact, !is_rigid(asks, ports));
         for other in touches.iter_mut().filter(|other| other.group == Group::Later) {
             let mut pairs =
                 contact.points().flat_map(|(_, at)| other.contact.points().map(move |(_, seen)| (at, seen)));
-            if pairs.any(|(at, seen)| inertia.response(at, ASKING.map(S::from_f64), seen) != vec3::zero()) {
+            let feels = |at, seen| inertia.response(at, ASKING.map(S::from_f64), seen) != vec3::zero();
+            if has_nodes && !is_rigid(other, ports) || pairs.any(|(at, seen)| feels(at, seen)) {
                 other.group = Group::Asks;
             }
         }

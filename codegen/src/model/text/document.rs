@@ -253,11 +253,10 @@ fn wrong_integers(table: &DeTable<'_>, found: &mut Vec<Range<usize>>) {
     while let Some(value) = values.pop() {
         match value.get_ref() {
             DeValue::Integer(integer) => {
-                if i128::from_str_radix(integer.as_str(), integer.radix())
-                    .is_err_and(|e| *e.kind() == IntErrorKind::InvalidDigit)
-                {
-                    found.push(value.span());
-                }
+                let read = i128::from_str_radix(integer.as_str(), integer.radix());
+                found.extend(
+                    read.is_err_and(|e| *e.kind() == IntErrorKind::InvalidDigit).then(|| value.span()),
+                );
             }
             DeValue::Array(items) => values.extend(items.iter()),
             DeValue::Table(inner) => values.extend(inner.values()),

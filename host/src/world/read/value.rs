@@ -251,8 +251,8 @@ pub(super) fn refuse_without_unit(
         let si = if si == Unit::NONE { "rad".to_owned() } else { si.to_string() };
         let [si, own] = [si.as_str(), unit.as_str()].map(|unit| with_units(&shown, unit));
         let example = match (si, own) {
-            (Some(si), Some(own)) => format!("write \"{si}\", or \"{own}\" if that is meant"),
-            (Some(si), None) => format!("write \"{si}\""),
+            (Some(si), Some(own)) => format!("for example \"{si}\", or \"{own}\" if that is meant"),
+            (Some(si), None) => format!("for example \"{si}\""),
             (None, _) => "write it with its unit, as an expression".to_owned(),
         };
         found.push(error.label(value.span(), "without unit").help(example));
