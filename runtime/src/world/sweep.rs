@@ -296,6 +296,10 @@ fn gather<S: Scalar>(touches: &mut [Touch<S>], ports: usize, inertia: &impl Iner
     while let Some(asks) = touches.iter_mut().find(|touch| touch.group == Group::Asks) {
         asks.group = Group::Now;
         let (contact, has_nodes) = (asks.contact, !is_rigid(asks, ports));
+        if !touches.iter().any(|touch| touch.group == Group::Later) {
+            let asking = touches.iter_mut().filter(|touch| touch.group == Group::Asks);
+            return asking.for_each(|touch| touch.group = Group::Now);
+        }
         for other in touches.iter_mut().filter(|other| other.group == Group::Later) {
             let mut pairs =
                 contact.points().flat_map(|(_, at)| other.contact.points().map(move |(_, seen)| (at, seen)));

@@ -7,7 +7,7 @@
 //! ```
 //! Laws are solved for velocities that are linear in the impulses, with the arms where contacts were detected. What v_n+
 //! differs from those by is taken from the iteration before, `Touch::turned`, until both agree. Friction, and what does
-//! not rebound, take v+ with the arms of the detection: they dissipate more than arms turn within a step.
+//! not rebound, take v+ with the arms of the detection: the error, of order h, is less than what they dissipate.
 
 use super::{MeanMemory, Span};
 use crate::mechanism::Fault;
