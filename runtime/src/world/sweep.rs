@@ -266,7 +266,9 @@ pub(super) fn take_no_more<S: Scalar>(
         let [normal, friction] = work(touch, twists);
         normal + friction
     };
-    touches.iter_mut().for_each(|touch| touch.group = Group::Later);
+    // What nothing moves feels nothing.
+    let group = |touch: &Touch<S>| if touch.weight() > S::ZERO { Group::Later } else { Group::Done };
+    touches.iter_mut().for_each(|touch| touch.group = group(touch));
     // Where none adds energy, no group of them does.
     while let Some(first) =
         touches.iter_mut().find(|touch| touch.group == Group::Later && both(touch, twists) > S::ZERO)
@@ -293,20 +295,37 @@ pub(super) fn take_no_more<S: Scalar>(
 /// Gathers the contacts that feel the impulses of one that asks, directly or through others. Nodes feel one another
 /// through springs, later in the step.
 fn gather<S: Scalar>(touches: &mut [Touch<S>], ports: usize, inertia: &impl Inertia<S>) {
-    while let Some(asks) = touches.iter_mut().find(|touch| touch.group == Group::Asks) {
-        asks.group = Group::Now;
-        let (contact, has_nodes) = (asks.contact, !is_rigid(asks, ports));
-        if !touches.iter().any(|touch| touch.group == Group::Later) {
-            let asking = touches.iter_mut().filter(|touch| touch.group == Group::Asks);
-            return asking.for_each(|touch| touch.group = Group::Now);
-        }
-        for other in touches.iter_mut().filter(|other| other.group == Group::Later) {
-            let mut pairs =
-                contact.points().flat_map(|(_, at)| other.contact.points().map(move |(_, seen)| (at, seen)));
-            let feels = |at, seen| inertia.response(at, ASKING.map(S::from_f64), seen) != vec3::zero();
-            if has_nodes && !is_rigid(other, ports) || pairs.any(|(at, seen)| feels(at, seen)) {
-                other.group = Group::Asks;
+    // Many contacts of one body in a row ask once.
+    let (mut last, mut nodes_asked) = (None, false);
+    while touches.iter().any(|touch| touch.group == Group::Asks) {
+        for k in 0..touches.len() {
+            let Some(asks) = touches.get_mut(k).filter(|touch| touch.group == Group::Asks) else { continue };
+            asks.group = Group::Now;
+            let (contact, has_nodes) = (asks.contact, !is_rigid(asks, ports));
+            if has_nodes && !nodes_asked {
+                nodes_asked = true;
+                ask(touches, |touch| !is_rigid(touch, ports));
             }
+            for (_, at) in contact.points().filter(|(_, point)| point.body < ports) {
+                if last == Some(at.body) {
+                    continue;
+                }
+                last = Some(at.body);
+                let impulse = ASKING.map(S::from_f64);
+                ask(touches, |touch| {
+                    let mut seen = touch.contact.points().filter(|(_, point)| point.body < ports);
+                    seen.any(|(_, seen)| inertia.response(at, impulse, seen) != vec3::zero())
+                });
+            }
+        }
+    }
+}
+
+/// Lets those of the contacts that belong to no group yet ask which feel an impulse.
+fn ask<S: Scalar>(touches: &mut [Touch<S>], feels: impl Fn(&Touch<S>) -> bool) {
+    for touch in touches.iter_mut().filter(|touch| touch.group == Group::Later) {
+        if feels(touch) {
+            touch.group = Group::Asks;
         }
     }
 }
