@@ -14,7 +14,7 @@
 use super::contact::{Inertia, Twist, rubbed, stopping};
 use super::impact::{Touch, resolve};
 use super::plastic::stop;
-use super::struck::{ASKING, Group, Outcome, Struck};
+use super::struck::{Group, Outcome, Struck, asking};
 use crate::ode::root::reach;
 use crate::real::Scalar;
 use crate::vec3;
@@ -159,7 +159,7 @@ fn gather<S: Scalar>(
             continue;
         }
         spare.fill(Twist::zero());
-        contact.push(inertia, spare, ASKING.map(S::from_f64));
+        contact.push(inertia, spare, asking());
         for other in struck.iter_mut().filter(|s| s.group == Group::Later) {
             // What is rounding of a shared inverse inertia makes no group.
             if vec3::norm(other.contact.relative(spare)) > S::EPSILON * other.inverse_mass[0][0] {

@@ -7,7 +7,10 @@ use crate::real::Scalar;
 use crate::vec3;
 
 /// An impulse (N s) along three axes that another contact feels if it feels any: in no special direction.
-pub(crate) const ASKING: [f64; 3] = [1.0, 0.618_034, 0.414_214];
+#[inline(always)]
+pub(crate) fn asking<S: Scalar>() -> vec3::Vec3<S> {
+    [S::ONE, S::from_f64(0.618_034), S::from_f64(0.414_214)]
+}
 
 /// A contact during an impact.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -21,7 +21,7 @@ use crate::real::Scalar;
 use crate::rigid::anderson::Anderson;
 use crate::rigid::contact::{Inertia, Twist, rubbed, softness};
 use crate::rigid::share::{REDUNDANT, differ};
-use crate::rigid::struck::{ASKING, Group};
+use crate::rigid::struck::{Group, asking};
 use crate::vec3;
 
 /// Up to this number of contacts, impulses converge to rounding.
@@ -311,7 +311,7 @@ fn gather<S: Scalar>(touches: &mut [Touch<S>], ports: usize, inertia: &impl Iner
                     continue;
                 }
                 last = Some(at.body);
-                let impulse = ASKING.map(S::from_f64);
+                let impulse = asking();
                 ask(touches, |touch| {
                     let mut seen = touch.contact.points().filter(|(_, point)| point.body < ports);
                     seen.any(|(_, seen)| inertia.response(at, impulse, seen) != vec3::zero())
