@@ -352,7 +352,7 @@ fn one_result_of_a_plan_goes_to_standard_output() {
 /// No result replaces a file that is read, by whatever name, nor another result.
 #[test]
 fn results_replace_neither_what_is_read_nor_one_another() {
-    let text = std::fs::read_to_string(crate::support::model("pendulum")).expect("the model");
+    let text = crate::support::model("pendulum");
     let file = written("not_replaced.toml", &text);
     let stem = file.strip_suffix(".toml").expect("an ending").to_owned();
     let states = written("not_replaced.json", "{\"states\": [{\"q\": {\"q\": 0.1}}]}");

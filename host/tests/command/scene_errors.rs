@@ -161,6 +161,9 @@ fn every_refusal_of_a_scene_has_its_cause_and_cure() {
         format!("{CUBE}[run]\nstart = \"settled\"\nstep = 1e-7"),
         "[parts.cube]\nshape = \"cube\"\nstart = { velocity = [1, 0, 0] }\n[run]\nstart = \"settled\""
             .to_owned(),
+        "[parts.tile]\nmechanism = \"tile\"\nstart = { u_hA = 0.1 }\n[run]\nstart = \"settled\"".to_owned(),
+        "[parts.tile]\nmechanism = \"tile\"\n[parts.a]\nrigid = \"half_space\"\non = \"tile.platform\"\nfixed = true"
+            .to_owned(),
         format!("{BALL}[sensors.s]\nof = \"ball.w\""),
         "[parts.top]\nmechanism = \"spinning_top\"\ncommand = { tip_e0 = \"cos(t/1_s)\" }".to_owned(),
         format!("{BALL}[sensors.s]\nof = \"ball.z\"\nnoise = \"1_mm\""),
