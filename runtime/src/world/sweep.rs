@@ -10,7 +10,8 @@
 //! ```
 //! Kinetic energy changes by P . (v- + v+)/2. Its normal part is never positive, because w <= -v_n- (e <= 1). Friction
 //! that reverses the slip within a step, or sweeps that stop early, could add a little energy: then the impulses of
-//! contacts that feel one another are scaled down until they add none ([`take_no_more`]). So contacts only dissipate, whatever their sides are.
+//! contacts that feel one another are scaled down until they add none ([`take_no_more`]). So contacts only dissipate,
+//! whatever their sides are.
 //!
 //! Redundant contacts that rub in different directions share their load as if each yielded a little, all alike, as
 //! forces do (`rigid::share`): else the order of the sweeps would decide how a box turns on its four corners.

@@ -1,9 +1,9 @@
 //! `extends = "other.toml"`: merges this model's entries into those of the other model.
 //!
 //! An entry of the same section and name overrides the fields that it gives and keeps the others; a short one, such as
-//! `n = 3`, gives the field that it is short for. An entry of another
-//! section with the name of a quantity replaces that quantity: a parameter of the base may become a definition, an
-//! input a definition; the law that the base has for that input goes with it.
+//! `n = 3`, gives the field that it is short for. An entry of another section with the name of a quantity replaces that
+//! quantity: a parameter of the base may become a definition, an input a definition; the law that the base has for that
+//! input goes with it.
 
 use super::document::{Key, Table, Value};
 use super::repeat::Sections;

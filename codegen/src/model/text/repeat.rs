@@ -248,7 +248,7 @@ fn substitute_text(text: &Text, copy: &Copy, found: &mut Diagnostics) -> Text {
         match copy.iter().find(|(known, _)| known == name) {
             Some((_, by)) => {
                 replacements
-                    .push((open..close + 1, as_factor(by, [&text.text[..open], &text.text[close + 1..]])));
+                    .push((open..close + 1, as_operand(by, [&text.text[..open], &text.text[close + 1..]])));
             }
             None => found.push(
                 Diagnostic::error(format!("unknown placeholder `{{{name}}}`"))
@@ -266,7 +266,7 @@ fn substitute_text(text: &Text, copy: &Copy, found: &mut Diagnostics) -> Text {
 
 /// A text to be put between two others: in parentheses where it is a sum, a product or a negative number, and they take
 /// it for an operand, such as `{c}.abs()` with c = -3.
-fn as_factor(text: &str, [before, after]: [&str; 2]) -> String {
+fn as_operand(text: &str, [before, after]: [&str; 2]) -> String {
     let is_name = |c: char| c.is_alphanumeric() || matches!(c, '_' | '.');
     let stands_alone = before.trim().is_empty() && after.trim().is_empty();
     let is_operand = text.starts_with(|c: char| is_name(c) || c == '-' || c == '(')
@@ -283,7 +283,7 @@ fn as_factor(text: &str, [before, after]: [&str; 2]) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::as_factor;
+    use super::as_operand;
 
     #[test]
     fn a_number_below_zero_and_a_sum_are_operands() {
@@ -300,7 +300,7 @@ mod tests {
             ("3", "2*", "", "3"),
             ("A.x", "2*", "", "A.x"),
         ] {
-            assert_eq!(as_factor(text, [before, after]), expected, "{before}{{{text}}}{after}");
+            assert_eq!(as_operand(text, [before, after]), expected, "{before}{{{text}}}{after}");
         }
     }
 }

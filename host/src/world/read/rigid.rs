@@ -19,14 +19,15 @@ pub(super) fn read(fields: &Fields<'_>, offset: [f64; 3], found: &mut Diagnostic
     let word = fields.text("rigid", found)?;
     let kind = one_of(&word.text, word.span, ("shape", &SHAPES), found)?;
     let shape = shape(kind, fields, found)?;
-    let fixed = fields.boolean("fixed", found).unwrap_or(kind == "half_space");
+    let said = fields.boolean("fixed", found);
+    let fixed = said.unwrap_or(kind == "half_space");
     if kind == "half_space" && !fixed {
         let error = Diagnostic::error("a half-space is fixed in space");
         found.push(error.label(word.span, "it has no mass").help("leave `fixed = false` out"));
         return None;
     }
     let carried = fields.get("on").is_some();
-    if carried && fields.boolean("fixed", found) == Some(true) {
+    if carried && said == Some(true) {
         let error = Diagnostic::error("`fixed = true` has no effect beside `on`");
         let place = fields.get("fixed").map_or(word.span, Value::span);
         found.push(error.label(place, "it moves with its port").help("leave one of the two out"));
