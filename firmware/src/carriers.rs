@@ -22,6 +22,7 @@ macro_rules! derived {
             }
         }
 
+        #[allow(unused_mut, unused_variables, reason = "a scene may use none of its ports")]
         impl Carrier<f32> for $name {
             fn n_q(&self) -> usize {
                 $module::NQ
@@ -49,7 +50,8 @@ macro_rules! derived {
                     return Err(Fault::Shape);
                 };
                 const FIRST: &[usize] = &[$($first),*];
-                let (mut number, mut found) = (0, None);
+                let (mut number, mut found) =
+                    (0, None::<(InverseInertia<f32>, [[f32; $module::NU]; 6])>);
                 $(
                     if number == seen {
                         let port = $module::$function(t, own_q, own_u, &self.inputs, self.equations.prepared());

@@ -10,17 +10,12 @@ use smartbed_codegen::model::Model;
 
 /// Most steps from the default parameters to others.
 const MAX_STEPS: usize = 64;
-/// Most guesses from which left-out coordinates are searched for.
-const MAX_STARTS: usize = 64;
-/// The fractional parts of its multiples cover the unit interval evenly (golden section).
-const GOLDEN: f64 = 0.618_033_988_749_894_9;
 
 /// Solves for configurations of one program.
 #[derive(Clone, Debug)]
 pub struct Configurations {
     assembly: Assembly,
     independent: Vec<bool>,
-    ranges: Vec<(f64, f64)>,
     nominal: Vec<f64>,
     defaults: Vec<f64>,
     /// Time (s) at which the constraints must hold.
@@ -35,11 +30,6 @@ impl Configurations {
         Self {
             assembly: program.assembly.clone(),
             independent: program.q.iter().map(|q| declared(&q.name).is_some_and(|c| c.independent)).collect(),
-            ranges: program
-                .q
-                .iter()
-                .map(|q| declared(&q.name).map_or((q.value, q.value), |c| c.range))
-                .collect(),
             nominal: program.nominal.clone(),
             defaults: program.parameters.iter().map(|p| p.value).collect(),
             time: 0.0,
@@ -179,51 +169,6 @@ impl Configurations {
         if self.time != 0.0 {
             nominal = self.assembly.continue_in_time(&nominal, self.time)?;
         }
-        let mut target = nominal.clone();
-        for (i, value) in given.iter().enumerate() {
-            if let (true, Some(value)) = (self.is_independent(i), value) {
-                target[i] = *value;
-            }
-        }
-        self.assembly.to_unit_length(&mut target, |i| given[i].is_some());
-        let reached = self.assembly.continue_to(&nominal, &target);
-        let guessed = given.iter().enumerate().any(|(i, v)| v.is_some() && !self.is_independent(i));
-        if !guessed {
-            return reached;
-        }
-        let mut q = reached.unwrap_or(target);
-        for (mine, value) in q.iter_mut().zip(given) {
-            *mine = value.unwrap_or(*mine);
-        }
-        let near = q.clone();
-        match self.assembly.correct(&mut q) {
-            Ok(()) => Ok(q),
-            Err(unreachable) => self.search(near, given).ok_or(unreachable),
-        }
-    }
-
-    /// Newton's method from many guesses of the left-out dependent coordinates; returns the solution nearest to the
-    /// guesses given.
-    fn search(&mut self, near: Vec<f64>, given: &[Option<f64>]) -> Option<Vec<f64>> {
-        let mut best: Option<(f64, Vec<f64>)> = None;
-        let mut draw = 0_u64;
-        for _ in 0..MAX_STARTS {
-            let mut q = near.clone();
-            for (i, mine) in q.iter_mut().enumerate() {
-                if given[i].is_none() && !self.is_independent(i) {
-                    let (low, high) = self.ranges[i];
-                    draw += 1;
-                    *mine = low + (high - low) * (draw as f64 * GOLDEN).fract();
-                }
-            }
-            if self.assembly.correct(&mut q).is_ok() {
-                let off =
-                    q.iter().zip(given).filter_map(|(x, g)| Some((x - (*g)?).abs())).fold(0.0, f64::max);
-                if best.as_ref().is_none_or(|(least, _)| off < *least) {
-                    best = Some((off, q));
-                }
-            }
-        }
-        best.map(|(_, q)| q)
+        self.assembly.complete(&nominal, given)
     }
 }

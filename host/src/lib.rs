@@ -46,6 +46,8 @@ pub mod limits;
 pub mod model_argument;
 pub mod observers;
 pub mod switches;
+mod terms;
+pub mod timed;
 
 pub mod plot;
 pub mod view;

@@ -8,12 +8,13 @@
 //! external.
 
 use crate::columns::told_apart;
-use crate::jumps;
-use crate::reads::{is_speed, is_vector, mentions, visit};
+use crate::reads::{is_speed, mentions};
+use crate::terms::{add, components, dot, negate, node, number, square, times};
+use crate::timed::Command;
+use crate::{jumps, timed};
 use smartbed_codegen::id::Id;
 use smartbed_codegen::model::expression::{Expr, ExprKind};
-use smartbed_codegen::model::unit::Unit;
-use smartbed_codegen::model::{Axis, FrameId, Load, LoadKind, Model, Output, SpeedMeaning};
+use smartbed_codegen::model::{Axis, Load, LoadKind, Model, Output};
 use smartbed_codegen::source::Span;
 use smartbed_codegen::{Diagnostics, ParameterChoice, Program, program};
 
@@ -41,31 +42,8 @@ pub struct Observers {
     pub springs: Vec<(String, [usize; 2])>,
     /// The loads and laws that jump where a speed changes sign, one for each `sign` of a speed.
     pub jumps: Vec<String>,
-}
-
-/// Where time moves the mechanism through functions that switch: a coordinate in closed form, a position, an
-/// orientation, a speed or a constraint that reads the time.
-#[derive(Clone, PartialEq, Eq, Debug)]
-pub struct Command {
-    /// What it is, in words before its name.
-    pub what: &'static str,
-    /// The name in the model.
-    pub name: String,
-    /// The coordinate in closed form, by its number among these.
-    pub closed: Option<usize>,
-    /// Number of arguments by which it switches.
-    pub switches: usize,
-    /// Number of its values, which may not jump; those of motions may, and are left out.
-    pub values: usize,
-}
-
-impl Command {
-    /// In words with its name, as one of a part of that name if there is one.
-    #[must_use]
-    pub fn words(&self, part: Option<&str>) -> String {
-        let Self { what, name, .. } = self;
-        part.map_or_else(|| format!("{what} `{name}`"), |part| format!("{what} `{part}.{name}`"))
-    }
+    /// Number of functions of time alone that commands read, and of those that laws and loads read.
+    pub timed: [usize; 2],
 }
 
 impl Observers {
@@ -77,17 +55,19 @@ impl Observers {
         let mut watched = model.clone();
         let law_inputs = model.laws.iter().map(|(input, _)| input.index()).collect();
         let laws = model.laws.iter().map(|(_, law)| law.clone());
-        let (commands, others) = switches(model);
+        let (commands, others) = timed::switches(model);
         let switched: Vec<Expr> =
             commands.iter().flat_map(|(_, own, _)| own).chain(&others).cloned().collect();
         let values: Vec<Expr> = commands.iter().flat_map(|(_, _, values)| values).cloned().collect();
         let (jumps, signed): (Vec<_>, Vec<_>) =
             jumps::of_speeds(model).into_iter().map(|jump| (jump.owner, jump.argument)).unzip();
+        let timed = timed::functions(model);
         let seen = laws.chain(ledger(model)).chain(closed_forms(model));
         watched.outputs = seen
             .chain(switched.iter().cloned())
             .chain(values)
             .chain(signed)
+            .chain(timed.iter().flatten().cloned())
             .chain(places(model))
             .map(output)
             .collect();
@@ -105,6 +85,7 @@ impl Observers {
             springs: springs(model),
             commands: commands.into_iter().map(|(command, ..)| command).collect(),
             jumps,
+            timed: timed.map(|own| own.len()),
         })
     }
 
@@ -145,6 +126,16 @@ impl Observers {
         self.part(self.before_jumps(), self.jumps.len())
     }
 
+    /// A program whose outputs are the functions of time alone.
+    #[must_use]
+    pub fn of_time(&self) -> Program {
+        self.part(self.before_timed(), self.timed.iter().sum())
+    }
+
+    fn before_timed(&self) -> usize {
+        self.before_jumps() + self.jumps.len()
+    }
+
     fn before_switches(&self) -> usize {
         self.law_inputs.len() + LEDGER.len() + 2 * self.closed.len()
     }
@@ -162,7 +153,7 @@ impl Observers {
     /// shapes in `[view]`.
     #[must_use]
     pub fn places(&self) -> Program {
-        let first = self.before_jumps() + self.jumps.len();
+        let first = self.before_timed() + self.timed.iter().sum::<usize>();
         self.part(first, self.program.outputs.len() - first)
     }
 
@@ -239,130 +230,6 @@ fn closed_forms(model: &Model) -> impl Iterator<Item = Expr> + '_ {
     closed.flat_map(|(id, _)| [node(ExprKind::Coordinate(id)), node(ExprKind::Rate(id))])
 }
 
-/// Whether a commanded speed may change at once: what commands it has abs, sign, min or max of the time, or the like.
-#[must_use]
-pub fn may_leap(model: &Model) -> bool {
-    commands(model).into_iter().any(|(_, read, _)| !kinks_of(model, read).is_empty())
-}
-
-/// A command, the functions of time at whose zeros it may switch, and its values.
-type Switching = (Command, Vec<Expr>, Vec<Expr>);
-
-/// The commands that may have a kink or a jump in time, and the functions at whose zeros a law or a load may.
-fn switches(model: &Model) -> (Vec<Switching>, Vec<Expr>) {
-    let commands = commands(model).into_iter().filter_map(|(mut command, read, values)| {
-        let own = switches_of(model, read);
-        (command.switches, command.values) = (own.len(), values.len());
-        (!own.is_empty()).then_some((command, own, values))
-    });
-    let laws = model.laws.iter().map(|(_, law)| law);
-    let loads = model.loads.iter().flat_map(|load| load.kind.expressions()).map(|(_, e)| e);
-    // Those of coordinates that are commanded, such as end stops, are found while a load acts.
-    let others = laws.chain(loads).flat_map(|e| switches_of(model, e));
-    (commands.collect(), others.filter(|e| mentions(model, e, &is_time)).collect())
-}
-
-/// Everything by which time may move the mechanism: what it is, its expression, its values (none of what gives speeds).
-fn commands(model: &Model) -> Vec<(Command, &Expr, Vec<Expr>)> {
-    let named =
-        |what, name: &str| Command { what, name: name.to_owned(), closed: None, switches: 0, values: 0 };
-    let all = |e: &Expr| match is_vector(model, e) {
-        true => components(e.clone()).to_vec(),
-        false => vec![e.clone()],
-    };
-    let mut found = Vec::new();
-    let closed = model.coordinates.enumerate().filter_map(|(id, c)| Some((id, c, c.closed_form.as_ref()?)));
-    for (number, (id, coordinate, form)) in closed.enumerate() {
-        let command = Command { closed: Some(number), ..named("the command of", &coordinate.name) };
-        found.push((command, form, vec![node(ExprKind::Coordinate(id))]));
-    }
-    for frame in model.frames.iter() {
-        let parts = frame.orientation.expressions().into_iter();
-        found.extend(parts.map(|(_, e)| (named("the orientation of", &frame.name), e, all(e))));
-        let fixed = frame.fixed_vectors.iter().map(|fixed| &fixed.vector);
-        found.extend(fixed.map(|e| (named("a fixed vector of", &frame.name), e, all(e))));
-    }
-    for point in model.points.iter() {
-        let places = std::iter::once(&point.position).chain(&point.closures);
-        found.extend(places.map(|e| (named("the position of", &point.name), e, all(e))));
-        found.extend(point.velocity.iter().map(|e| (named("the velocity of", &point.name), e, Vec::new())));
-    }
-    // A state of such a speed says what the rates are: these must not jump.
-    for speed in model.speeds.iter() {
-        if let SpeedMeaning::Combination(e) = &speed.meaning {
-            found.push((named("the speed", &speed.name), e, rates_in(e)));
-        }
-    }
-    for constraint in &model.configuration_constraints {
-        let e = &constraint.expression;
-        found.push((named("the constraint", &constraint.name), e, all(e)));
-    }
-    for constraint in &model.motion_constraints {
-        found.push((named("the constraint", &constraint.name), &constraint.expression, Vec::new()));
-    }
-    found
-}
-
-/// The rates of coordinates in a combination.
-fn rates_in(combination: &Expr) -> Vec<Expr> {
-    let mut rates: Vec<Expr> = Vec::new();
-    combination.visit(&mut |e| {
-        if let ExprKind::Rate(id) = e.kind {
-            rates.push(node(ExprKind::Rate(id)));
-        }
-    });
-    rates
-}
-
-/// The functions of time alone at whose zeros an expression, or a definition that it reads, may switch. Poles count where
-/// the time itself stands: the geometry that follows commanded coordinates is regular where it can be assembled.
-fn switches_of(model: &Model, expr: &Expr) -> Vec<Expr> {
-    let mut found = kinks_of(model, expr);
-    found.extend(
-        of_time(model, expr, &|e| jumps::pole(e).into_iter().collect())
-            .into_iter()
-            .filter(|e| mentions(model, e, &is_time)),
-    );
-    found
-}
-
-fn is_time(e: &Expr) -> bool {
-    matches!(e.kind, ExprKind::Time)
-}
-
-/// Those of kinks.
-fn kinks_of(model: &Model, expr: &Expr) -> Vec<Expr> {
-    // A coordinate is one that is commanded: others are state.
-    let moves = |e: &Expr| is_time(e) || matches!(e.kind, ExprKind::Coordinate(_));
-    let mut found = of_time(model, expr, &|e| jumps::switch(model, e));
-    found.retain(|e| mentions(model, e, &moves));
-    found
-}
-
-/// Arguments in an expression, and in the definitions that it reads, that are no functions of the state: each factor of
-/// them, since two that change sign at once, or shortly one after the other, leave no trace in their product.
-fn of_time(model: &Model, expr: &Expr, arguments: &dyn Fn(&Expr) -> Vec<Expr>) -> Vec<Expr> {
-    let mut found = Vec::new();
-    visit(model, expr, &mut |e| {
-        found.extend(arguments(e).iter().flat_map(|argument| jumps::factors(model, argument)));
-    });
-    found.retain(|e| !mentions(model, e, &|e| is_state(model, e)));
-    found
-}
-
-/// Does it depend on more than time?
-fn is_state(model: &Model, e: &Expr) -> bool {
-    use ExprKind::{AngularVelocity, Axis, Coordinate, Input, Point, Rate, Speed, Velocity};
-    match &e.kind {
-        Coordinate(id) => match &model.coordinates[*id].closed_form {
-            Some(form) => mentions(model, form, &|e| is_state(model, e)),
-            None => true,
-        },
-        Rate(_) | Speed(_) | Input(_) | Point(_) | Velocity(_) | AngularVelocity(_) | Axis(..) => true,
-        _ => false,
-    }
-}
-
 /// x, y, z in N of every point but the origin; axes of bodies; masses and moments; gravity.
 fn places(model: &Model) -> impl Iterator<Item = Expr> + '_ {
     let points = model.points.ids().skip(1).flat_map(|point| components(node(ExprKind::Point(point))));
@@ -377,12 +244,6 @@ fn places(model: &Model) -> impl Iterator<Item = Expr> + '_ {
     let gravity = model.gravity.clone().map_or_else(|| std::array::from_fn(|_| number(0.0)), components);
     let sizes = model.view.shapes.iter().flat_map(|(_, shape)| shape.sizes.iter().cloned());
     points.chain(axes).chain(inertia).chain(gravity).chain(sizes)
-}
-
-/// A vector's components in N.
-fn components(vector: Expr) -> [Expr; 3] {
-    let inertial = FrameId::from_index(0);
-    [Axis::X, Axis::Y, Axis::Z].map(|axis| dot(vector.clone(), node(ExprKind::Axis(inertial, axis))))
 }
 
 /// 1/2 k (length - rest)^2.
@@ -425,32 +286,4 @@ fn relative<T>(a: T, b: Option<T>, of: impl Fn(T) -> ExprKind) -> Expr {
         Some(b) => node(ExprKind::Subtract(Box::new(first), Box::new(node(of(b))))),
         None => first,
     }
-}
-
-fn node(kind: ExprKind) -> Expr {
-    Expr { kind, span: Span::default(), unit: Unit::NONE }
-}
-
-fn number(x: f64) -> Expr {
-    node(ExprKind::Number(x))
-}
-
-fn add(a: Expr, b: Expr) -> Expr {
-    node(ExprKind::Add(Box::new(a), Box::new(b)))
-}
-
-fn times(a: Expr, b: Expr) -> Expr {
-    node(ExprKind::Multiply(Box::new(a), Box::new(b)))
-}
-
-fn negate(a: Expr) -> Expr {
-    node(ExprKind::Negate(Box::new(a)))
-}
-
-fn square(a: Expr) -> Expr {
-    node(ExprKind::Power(Box::new(a), 2))
-}
-
-fn dot(a: Expr, b: Expr) -> Expr {
-    node(ExprKind::Dot(Box::new(a), Box::new(b)))
 }

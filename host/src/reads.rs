@@ -11,6 +11,24 @@ pub(crate) fn is_speed(e: &Expr) -> bool {
     matches!(e.kind, Speed(_) | Rate(_) | Velocity(_) | AngularVelocity(_))
 }
 
+/// Is it the time?
+pub(crate) fn is_time(e: &Expr) -> bool {
+    matches!(e.kind, ExprKind::Time)
+}
+
+/// Does it depend on more than time?
+pub(crate) fn is_state(model: &Model, e: &Expr) -> bool {
+    use ExprKind::{AngularVelocity, Axis, Coordinate, Input, Point, Rate, Speed, Velocity};
+    match &e.kind {
+        Coordinate(id) => match &model.coordinates[*id].closed_form {
+            Some(form) => mentions(model, form, &|e| is_state(model, e)),
+            None => true,
+        },
+        Rate(_) | Speed(_) | Input(_) | Point(_) | Velocity(_) | AngularVelocity(_) | Axis(..) => true,
+        _ => false,
+    }
+}
+
 /// Is it a vector?
 pub(crate) fn is_vector(model: &Model, e: &Expr) -> bool {
     use ExprKind::{

@@ -1,7 +1,7 @@
 //! The start of a motion: the model's `[start]` as coordinates and speeds.
 //!
-//! In: what `[start]` states. Out: a configuration that satisfies the constraints, on the branch of the nominal one,
-//! and the speeds: independent ones, or all, where all are state, as `run` completes them. Coordinates that are not
+//! In: what `[start]` states. Out: a configuration that satisfies the constraints, on the branch of the nominal one or,
+//! where dependent coordinates are stated, of these; and the speeds: independent ones, or all, where all are state, as `run` completes them. Coordinates that are not
 //! stated are nominal, independent speeds 0. A warning names what is stated
 //! although it follows from the rest.
 
@@ -56,12 +56,11 @@ impl Program {
         }
         let stated =
             |name: &str| self.stated_start.iter().find(|(of, _)| of == name).map(|(_, value)| *value);
-        let wanted = self.q.iter().zip(&self.nominal);
-        let mut wanted: Vec<f64> = wanted.map(|(q, nominal)| stated(&q.name).unwrap_or(*nominal)).collect();
-        self.assembly.to_unit_length(&mut wanted, |i| stated(&self.q[i].name).is_some());
-        let q = match wanted == self.nominal {
-            true => wanted,
-            false => (self.assembly.clone().continue_to(&self.nominal, &wanted))
+        let given: Vec<Option<f64>> = self.q.iter().map(|q| stated(&q.name)).collect();
+        let is_nominal = given.iter().zip(&self.nominal).all(|(given, own)| given.is_none_or(|x| x == *own));
+        let q = match is_nominal {
+            true => self.nominal.clone(),
+            false => (self.assembly.clone().complete(&self.nominal, &given))
                 .map_err(|unreachable| format!("[start] cannot be assembled: {unreachable}"))?,
         };
         let given: Vec<Option<f64>> = self.u.iter().map(|speed| stated(&speed.name)).collect();

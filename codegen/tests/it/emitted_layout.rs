@@ -112,7 +112,7 @@ fn every_place_has_a_name() {
 /// `[start]` as constants: the coordinates on the constraints.
 #[test]
 fn the_start_meets_the_constraints() {
-    for name in ["slider_crank", "delta", "stewart", "cart_pole", "tile"] {
+    for name in ["slider_crank", "delta", "stewart", "cart_pole", "tile", "turntable"] {
         let program = derived(name, &[]);
         let start = program.start().unwrap_or_else(|e| panic!("{name}: {e}"));
         for (quantities, numbers) in [(&program.q, &start.q), (&program.u, &start.u)] {
@@ -131,6 +131,21 @@ fn the_start_meets_the_constraints() {
             smartbed_runtime::mechanism::Mechanism::project(&mut engine, &mut q).expect("its length");
         assert!(residual < 1e-12 * program.assembly.size().max(1.0), "{name}: {residual:e}");
     }
+}
+
+/// Values of dependent coordinates choose among the ways in which a loop closes: here the four-bar mirrored in the line of
+/// its fixed pins, whose crank is q1.
+#[test]
+fn a_start_is_on_the_branch_that_it_states() {
+    let text = crate::models::text_of("fourbar");
+    let with = |more: &str| {
+        let program = crate::models::derived_from(&format!("{text}\n[start]\nq1 = 1.0\n{more}"));
+        program.start().expect("it can be assembled").q
+    };
+    let (plain, other) = (with(""), with("q2 = -1.451876\nq3 = 0.842112\n"));
+    assert!((other[0] - 1.0).abs() < 1e-15 && (plain[0] - 1.0).abs() < 1e-15);
+    assert!((other[1] + 1.451795).abs() < 1e-6 && (other[2] - 0.842112).abs() < 1e-3, "{other:?}");
+    assert!((plain[1] - other[1]).abs() > 1.0, "{plain:?}");
 }
 
 #[test]

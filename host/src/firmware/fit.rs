@@ -1,8 +1,8 @@
 //! Fits a world to the chip: its sheets get the finest meshes for which RAM suffices.
 //!
 //! In: a scene of format 2, the settings of the command line, the RAM that an image takes besides the world. Out:
-//! tables of the finest world that fits. Sheets whose `rows` or `columns` the command line sets, and all other parts,
-//! are left as they are.
+//! tables of the finest world that fits. Sheets whose `rows` or `columns` the command line sets, those of which the
+//! scene names nodes or springs by number, and all other parts, are left as they are.
 
 use crate::failure::Failure;
 use crate::world::assembly::{Assembly, Contact, Kind, Law};
@@ -34,16 +34,16 @@ pub struct Fitted {
 }
 
 impl Fitted {
-    /// The finest world that fits.
+    /// The finest world that fits, for so many steps if they are given.
     ///
     /// # Errors
     /// [`Failure::Wrong`] for a wrong scene, and for one that the chip cannot step.
-    pub fn new(path: &Path, set: &[String]) -> Result<Self, Failure> {
-        Self::with_room_for(path, set, BESIDE)
+    pub fn new(path: &Path, set: &[String], asked: Option<u32>) -> Result<Self, Failure> {
+        Self::with_room_for(path, set, asked, BESIDE)
     }
 
     /// The finest world that fits if an image takes this many bytes besides it.
-    fn with_room_for(path: &Path, set: &[String], bytes: usize) -> Result<Self, Failure> {
+    fn with_room_for(path: &Path, set: &[String], asked: Option<u32>, bytes: usize) -> Result<Self, Failure> {
         let wrong = |why: String| Failure::Wrong(format!("{}: {why}", path.display()));
         // An error with a place names the file itself.
         let named = |failure| if let Failure::Wrong(why) = failure { wrong(why) } else { failure };
@@ -92,6 +92,7 @@ impl Fitted {
         }
         let (all, whole) = (assembly.run.steps(), |n: usize| assembly.run.length(n) == assembly.run.step);
         let steps = if all > 0 && !whole(all) { all - 1 } else { all };
+        let steps = asked.map_or(steps, |asked| asked as usize);
         let room = world.contact_room(steps).map_err(wrong)?;
         let demand = world.demand(room);
         if demand.bytes() + bytes > RAM {
@@ -116,7 +117,8 @@ impl Fitted {
     /// # Errors
     /// As [`Fitted::new`].
     pub fn again(&self, path: &Path, set: &[String], taken: usize) -> Result<Option<Self>, Failure> {
-        let better = Self::with_room_for(path, set, taken.saturating_sub(self.demand.bytes()))?;
+        let beside = taken.saturating_sub(self.demand.bytes());
+        let better = Self::with_room_for(path, set, Some(self.steps), beside)?;
         Ok((self.rows.is_some() && better.rows != self.rows).then_some(better))
     }
 }
@@ -138,17 +140,33 @@ fn nodes(assembly: &Assembly) -> [usize; 2] {
     })
 }
 
-/// Names of the scene's sheets.
+/// Names of the scene's sheets of any mesh: numbers of nodes and springs belong to the mesh as written.
 fn sheets(path: &Path) -> Result<Vec<String>, Failure> {
     let text = input::text(&path.display().to_string())?;
     // Errors in the text are reported when it is read as a scene.
     let Ok(table) = document::parse(&text, 0) else { return Ok(Vec::new()) };
     let Some(Value::Table(parts)) = table.get("parts") else { return Ok(Vec::new()) };
-    let is_sheet =
-        |part: &Table| matches!(part.get("shape"), Some(Value::Text(shape)) if shape.text == "sheet");
+    let is_sheet = |part: &Table| {
+        matches!(part.get("shape"), Some(Value::Text(shape)) if shape.text == "sheet") && !has_numbers(part)
+    };
     let sheets =
         parts.entries.iter().filter(|(_, value)| matches!(value, Value::Table(part) if is_sheet(part)));
     Ok(sheets.map(|(key, _)| key.name.clone()).collect())
+}
+
+/// Does a part name nodes by number, or give each node or spring a value of its own?
+fn has_numbers(part: &Table) -> bool {
+    let is_list = |value: Option<&Value>| matches!(value, Some(Value::Array(..)));
+    let attached = match part.get("attach") {
+        Some(Value::Array(items, _)) => items.as_slice(),
+        _ => &[],
+    };
+    let by_number = |item: &Value| match item {
+        Value::Table(table) => is_list(table.get("nodes")) || is_list(table.get("facets")),
+        _ => false,
+    };
+    ["fixed", "mass", "masses", "K", "C", "rest_lengths"].iter().any(|key| is_list(part.get(key)))
+        || attached.iter().any(by_number)
 }
 
 /// Does the command line set the mesh of this sheet?

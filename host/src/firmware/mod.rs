@@ -79,7 +79,7 @@ fn build(arguments: &Arguments, compared: bool) -> Result<Report, Failure> {
     let workspace = workspace()?;
     let mut settings = Settings::new(&workspace, arguments)?;
     toolchain::announce(STM32F405.target);
-    settings.note_what_nothing_commands();
+    settings.note_what_differs();
     let toolchain = toolchain::toolchain(STM32F405.target)?;
     let emulator = toolchain::emulator()?;
     let folder = workspace.join("target/image");

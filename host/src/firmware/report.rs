@@ -162,7 +162,10 @@ impl Report {
         ];
         if let Subject::World(world) = &self.settings.subject {
             let sheets = world.rows.map_or(String::new(), |rows| {
-                format!(", in sheets of {rows} x {rows}: the finest that fit into {} KB of RAM", RAM / 1024)
+                format!(
+                    ", in sheets of {rows} x {rows}: the finest that fit into {} KB of RAM; `mass` is that of a node, `K` of a spring",
+                    RAM / 1024
+                )
             });
             lines.push(line("nodes", format!("{}{sheets}", world.demand.nodes)));
             if world.demand.contacts() > 0 {

@@ -8,10 +8,10 @@ use super::fit::{Fitted, nanoseconds};
 use crate::failure::Failure;
 use crate::file_kind::FileKind;
 use crate::limits::check_numbers;
-use crate::observers;
 use crate::scene::read::Scene;
 use crate::scene::rest::Found;
 use crate::scene::{self, Simulation, tables, walk};
+use crate::timed;
 use smartbed_runtime::ode::nodes::Step;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -85,7 +85,7 @@ impl Settings {
         }
         let mut has_few_nodes = false;
         let (subject, steps, step) = if kind == FileKind::World {
-            let world = Fitted::new(&model, &arguments.set)?;
+            let world = Fitted::new(&model, &arguments.set, arguments.steps)?;
             let (steps, step) = (world.steps, world.step);
             (Subject::World(Box::new(world)), steps, step)
         } else if kind == FileKind::Body {
@@ -125,11 +125,17 @@ impl Settings {
         }
     }
 
-    /// Notes which inputs of a mechanism stay 0 because nothing commands them.
-    pub fn note_what_nothing_commands(&self) {
+    /// Says what of a mechanism the image does otherwise than a run: laws that switch at a time, inputs that nothing
+    /// commands.
+    pub fn note_what_differs(&self) {
         let model =
             smartbed_codegen::model::read(&self.model).ok().filter(|_| self.subject == Subject::Mechanism);
         let Some(model) = model else { return };
+        if timed::may_switch(&model) {
+            crate::output::say(
+                "warning: a law or load has abs, sign, min or max of the time: `run` ends a step where it switches, the chip                  cuts none: what is shorter than a step may be missed, and errors are of order 1 there",
+            );
+        }
         // The controller's demonstration commands a tile whose model has no law.
         let is_tile = model.laws.is_empty()
             && ["FA", "FB", "FC"].iter().all(|leg| model.inputs.iter().any(|input| input.name == *leg));
@@ -284,7 +290,7 @@ fn print_scene(path: &Path, scene: &Scene, arguments: &Arguments) -> Result<(Sub
 
 /// Refuses commands at whose kinks a step would have to be cut, as those of worlds on the chip are.
 fn check_commands(model: &Path) -> Result<(), Failure> {
-    let leaps = smartbed_codegen::model::read(model).is_ok_and(|model| observers::may_leap(&model));
+    let leaps = smartbed_codegen::model::read(model).is_ok_and(|model| timed::may_leap(&model));
     if !leaps {
         return Ok(());
     }

@@ -162,7 +162,10 @@ fn costs_on_chip(chip: &Chip, report: &Report) -> String {
 
 /// Adds other simulators' points, marks the fronts and says which of these points dominate ours.
 fn compare(report: &mut Report, others: Vec<Extras>) {
-    others.into_iter().for_each(|extras| report.add(extras));
+    for unknown in others.into_iter().map(|extras| report.add(extras)).filter(|unknown| !unknown.is_empty()) {
+        let names: Vec<String> = unknown.into_iter().map(|name| format!("`{name}`")).collect();
+        output::say(&format!("note: --points: left out, since not in this report: {}", names.join(", ")));
+    }
     report.sections.iter_mut().for_each(|s| front::mark(&mut s.points));
     if let Some(table) = peers::table(report) {
         report.tables.insert(0, table);

@@ -32,6 +32,12 @@ impl Mechanism {
         found.map_err(|fault| explain(fault).to_owned().into())
     }
 
+    /// From now on adaptive steps hide no pulse, as those of a run do not.
+    fn watch<S: EngineScalar>(&self, plant: &mut Plant<Box<dyn engine::Engine<S>>, S>) -> Result<(), Stop> {
+        let watched = plant.watch(&self.observers, self.settings.seconds, self.settings.step);
+        watched.map_err(|fault| explain(fault).to_owned().into())
+    }
+
     /// The motion in steps that end at samples.
     pub(super) fn to_samples(
         &self,
@@ -40,6 +46,7 @@ impl Mechanism {
     ) -> Result<Trace, Stop> {
         let deadline = Deadline::within(limit);
         let mut plant: Plant64 = self.plant(self.engine)?;
+        self.watch(&mut plant)?;
         let cuts = self.cuts(&mut plant, seconds)?;
         let mut x = self.start.clone();
         let (n, n_q) = (x.len(), self.program.q.len());
@@ -82,6 +89,9 @@ impl Mechanism {
     ) -> Result<Trace, Stop> {
         let deadline = Deadline::within(time.limit);
         let mut plant = self.plant::<S>(self.engine)?;
+        if method.fixed().is_none() {
+            self.watch(&mut plant)?;
+        }
         let cuts = self.cuts(&mut plant, time.seconds)?;
         let mut x: Vec<S> = self.start.iter().map(|x| S::from_f64(*x)).collect();
         let (n, n_q) = (x.len(), self.program.q.len());
@@ -146,6 +156,9 @@ impl Mechanism {
             }
         };
         let mut solver = Dop853::new(rates, 0.0, self.start.clone(), 1e-13, self.settings.step);
+        if passing.switches.reads_time {
+            solver.longest = self.settings.step;
+        }
         let (mut samples, mut last) = (Vec::new(), 0.0);
         for i in 1..=count {
             let sample = seconds * i as f64 / count as f64;

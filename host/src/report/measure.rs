@@ -5,7 +5,7 @@
 //! up.
 
 use super::clock::{self, Stop};
-use super::plan::Plan;
+use super::plan::{Plan, taken};
 use super::point::{Control, Point};
 use super::reference::Truth;
 use super::subject::{Method, SAMPLES, Subject, Time, Trace, larger, parts};
@@ -61,6 +61,14 @@ impl Measured {
 #[must_use]
 pub fn measure(subject: &dyn Subject, truth: &Truth, plan: &Plan) -> Measured {
     let mut measured = Measured { extent: truth.trace.extent(), ..Measured::default() };
+    if let Some(Control::Step(asked)) = plan.control {
+        let taken = taken(subject, asked, truth.seconds);
+        if taken != asked {
+            measured.notes.push(format!(
+                "--step {asked}: measured at {taken:.6e} s: steps end at each tenth of the time, where errors are measured"
+            ));
+        }
+    }
     let methods = subject.methods();
     let ladders = subject.scalars().iter().flat_map(|s| methods.iter().map(move |m| (m, *s)));
     let ladders: Vec<_> = ladders.filter(|(method, scalar)| plan.has(method, *scalar)).collect();

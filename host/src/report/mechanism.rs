@@ -15,6 +15,7 @@ use crate::run::arguments::Arguments;
 use crate::run::settings::{self, Settings};
 use crate::run::simulate::{Plant, Row, Setup, columns, simulate};
 use crate::run::start::start;
+use crate::switches::between::Between;
 use clap::ValueEnum;
 use smartbed_codegen::model::Model;
 use smartbed_codegen::words::count;
@@ -32,7 +33,7 @@ pub struct Mechanism {
     model: Model,
     pub(super) settings: Settings,
     pub(super) program: Program,
-    observers: Observers,
+    pub(super) observers: Observers,
     pub(super) start: Vec<f64>,
     pub(super) engine: EngineKind,
 }
@@ -100,6 +101,17 @@ impl Subject for Mechanism {
 
     fn coarsest_step(&self, _: &str) -> f64 {
         COARSE * self.settings.step
+    }
+
+    fn passes_over(&self, step: f64) -> bool {
+        let passed = self.plant::<f64>(EngineKind::Interpreter).ok().and_then(|mut plant| {
+            let Settings { seconds, step: own, .. } = self.settings;
+            Between::new(&self.observers, seconds, own)
+                .ok()??
+                .passed([seconds, step], &mut plant.switches)
+                .ok()?
+        });
+        passed.is_some()
     }
 
     fn is_smooth(&self) -> bool {

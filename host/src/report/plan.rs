@@ -128,6 +128,10 @@ impl Plan {
         seconds: f64,
     ) -> Vec<Rung> {
         if let Some(control) = self.control {
+            let control = match control {
+                Control::Step(asked) => Control::Step(taken(subject, asked, seconds)),
+                other => other,
+            };
             return vec![Rung { control, work: 1.0 }];
         }
         if method.adaptive {
@@ -175,6 +179,12 @@ impl Plan {
             EngineKind::Compiled => " --engine compiled",
         }
     }
+}
+
+/// The step (s) that a run takes for the one asked for: steps end where errors are measured.
+pub fn taken(subject: &dyn Subject, asked: f64, seconds: f64) -> f64 {
+    let step = subject.step(asked, seconds);
+    if (step - asked).abs() <= ROUNDING * asked { asked } else { step }
 }
 
 /// Is one time a multiple of the other?

@@ -5,6 +5,7 @@
 
 use crate::failure::Failure;
 use serde_json::Value;
+use std::collections::BTreeSet;
 
 /// The parameter that sets the accuracy of a run.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -175,8 +176,8 @@ impl Extras {
         // Our own points in a report are measured anew here, and are not those of a peer.
         let points = list("points").into_iter().filter(|entry| entry["peer"] != Value::Bool(false));
         for (n, entry) in points.collect::<Vec<Value>>().iter().enumerate() {
-            let expected =
-                "expected subject, method, command as text and error, nanoseconds as numbers above 0";
+            let expected = "expected subject, method, command as text and error, nanoseconds, where given also seconds, step and \
+                 tolerance, as numbers above 0";
             extras.points.push(read_point(entry).ok_or_else(|| wrong(format!("points[{n}]: {expected}")))?);
         }
         for (n, entry) in list("tables").iter().enumerate() {
@@ -195,10 +196,14 @@ impl Extras {
 
 impl Report {
     /// Adds them, with their errors raised to the reference's certainty like our own. Points of subjects that are not
-    /// in the report are left out; so are those over another simulated time, with a note.
-    pub fn add(&mut self, extras: Extras) {
+    /// in the report are left out, and their subjects returned; so are those over another simulated time, with a note.
+    pub fn add(&mut self, extras: Extras) -> BTreeSet<String> {
+        let mut unknown = BTreeSet::new();
         for (subject, seconds, mut point) in extras.points {
-            let Some(section) = self.sections.iter_mut().find(|s| s.name == subject) else { continue };
+            let Some(section) = self.sections.iter_mut().find(|s| s.name == subject) else {
+                unknown.insert(subject);
+                continue;
+            };
             let other = seconds.filter(|s| (s / section.seconds - 1.0).abs() > SAME_TIME);
             match other
                 .map(|s| format!("{}: left out, over {s} s and not {} s", point.method, section.seconds))
@@ -212,6 +217,7 @@ impl Report {
             }
         }
         self.tables.extend(extras.tables);
+        unknown
     }
 }
 
@@ -221,6 +227,9 @@ const SAME_TIME: f64 = 1e-9;
 fn read_point(entry: &Value) -> Option<(String, Option<f64>, Point)> {
     let word = |key: &str| Some(entry[key].as_str()?.to_owned());
     let number = |key: &str| entry[key].as_f64().filter(|x| *x > 0.0 && x.is_finite());
+    if ["seconds", "step", "tolerance"].iter().any(|key| !entry[*key].is_null() && number(key).is_none()) {
+        return None;
+    }
     let point = Point {
         method: word("method")?,
         scalar: word("scalar").unwrap_or_else(|| "f64".to_owned()),

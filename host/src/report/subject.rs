@@ -169,6 +169,11 @@ pub trait Subject {
     fn step(&self, longest: f64, seconds: f64) -> f64 {
         even_step(longest, seconds)
     }
+    /// Do fixed steps of this length (s) pass over something that depends on time alone, such as a short pulse?
+    fn passes_over(&self, step: f64) -> bool {
+        let _ = step;
+        false
+    }
     /// Is the motion smooth, without touches and releases?
     fn is_smooth(&self) -> bool;
     /// Work per simulated second, in rough units of one spring; quick runs are shortened by it.

@@ -248,6 +248,7 @@ impl World {
             }
         };
         let mut solver = Dop853::new(rates, 0.0, start, 1e-13, self.assembly.run.step);
+        solver.longest = self.longest(&shown);
         let mut samples = Vec::new();
         for i in 1..=count {
             let end = seconds * i as f64 / count as f64;
@@ -277,15 +278,17 @@ impl World {
         let mut adaptive =
             DormandPrince::new(x.len(), tolerance, self.assembly.run.step, &mut memory).map_err(words)?;
         let (mut t, mut samples, begin) = (0.0, Vec::new(), clock::now());
+        let longest = self.longest(&world);
         for i in 1..=count {
             let end = seconds * i as f64 / count as f64;
             loop {
-                let before = t;
+                let (before, to) = (t, end.min(t + longest));
                 let done = world.with(|mut island| {
                     let mut state = State::resume(&mut x, &mut low)?;
-                    adaptive.advance_to(&mut island, &mut t, end, LOOK as u32, &mut state)
+                    adaptive.advance_to(&mut island, &mut t, to, LOOK as u32, &mut state)
                 });
                 match done {
+                    Ok(_) if to < end => deadline.check(t)?,
                     Ok(_) => break,
                     // The limit of steps was reached, but time advanced.
                     Err(Fault::StepSize) if t > before => deadline.check(t)?,
@@ -296,6 +299,11 @@ impl World {
             samples.push(self.sample(&mut world)?);
         }
         Ok(Trace { samples, evaluations: None, elapsed: clock::now() - begin })
+    }
+
+    /// The longest step of a reference (s): where loads or commands depend on time, the scene's, so that it misses none.
+    fn longest(&self, world: &CarriedWorld) -> f64 {
+        if world.reads_time() { self.assembly.run.step } else { f64::INFINITY }
     }
 
     /// The world, if its equations are smooth and it has state to integrate.

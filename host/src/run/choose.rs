@@ -67,6 +67,11 @@ pub(super) fn resolve(
         let interval = mechanism.row_interval();
         (Box::new(mechanism), interval)
     };
+    if subject.seconds() <= 0.0 {
+        return Err(Failure::Wrong(
+            "--error and --budget measure a run, but this one takes 0 s; leave them out, or give more --seconds".to_owned(),
+        ));
+    }
     // A scene has only one engine.
     let engine = match subject.kind() {
         Kind::Mechanism => arguments.engine,

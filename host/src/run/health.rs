@@ -78,6 +78,8 @@ pub struct Health {
     taken: [f64; 2],
     /// What chatters, as a message.
     chatter: Option<String>,
+    /// The time (s) near which a step passes over what depends on time alone.
+    passed: Option<f64>,
 }
 
 /// Energies at a row (J).
@@ -110,6 +112,7 @@ impl Health {
             rounding,
             taken: [0.0; 2],
             chatter,
+            passed: None,
         }
     }
 
@@ -168,6 +171,11 @@ impl Health {
         self.chatter = warning;
     }
 
+    /// Notes the time (s) near which a step passes over what a load, a law or a command does.
+    pub fn passed_over(&mut self, t: Option<f64>) {
+        self.passed = t;
+    }
+
     /// The findings, as messages for the user.
     #[must_use]
     pub fn findings(&self) -> Vec<String> {
@@ -179,8 +187,16 @@ impl Health {
             self.singular(),
             self.not_finite(),
             chatter,
+            self.passed_by(),
         ];
         findings.into_iter().flatten().collect()
+    }
+
+    fn passed_by(&self) -> Option<String> {
+        let t = self.passed?;
+        Some(format!(
+            "a load, law or command changes and returns within a step near t = {t:.4} s, which does not see it; take a smaller step"
+        ))
     }
 
     fn not_finite(&self) -> Option<String> {

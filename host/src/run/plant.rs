@@ -6,6 +6,7 @@
 use crate::engine::{Engine, EngineScalar};
 use crate::observers::Observers;
 use crate::switches::Switches;
+use crate::switches::between::Between;
 use smartbed_codegen::{Interpreted, Program};
 use smartbed_runtime::mechanism::Fault;
 use smartbed_runtime::ode::Ode;
@@ -19,6 +20,8 @@ pub struct Plant<E, S> {
     closed_forms: Interpreted<S>,
     /// Times at which commands, laws and loads switch.
     pub(crate) switches: Switches<S>,
+    /// What happens between the stages of a step, if it is looked for.
+    between: Option<Between>,
     pub(super) inputs: Vec<S>,
     projections: u8,
     evaluations: u64,
@@ -53,6 +56,11 @@ impl<E: std::ops::DerefMut<Target = dyn Engine<S>>, S: EngineScalar> Ode<S> for 
     fn projections(&self) -> u8 {
         self.projections
     }
+    fn hides(&mut self, t: S, h: S, stages: &[S]) -> bool {
+        let Some(between) = &self.between else { return false };
+        let stages: Vec<f64> = stages.iter().map(|c| c.to_f64()).collect();
+        between.hides(t.to_f64(), h.to_f64(), &stages)
+    }
 }
 
 impl<E: std::ops::DerefMut<Target = dyn Engine<S>>, S: EngineScalar> Plant<E, S> {
@@ -64,10 +72,20 @@ impl<E: std::ops::DerefMut<Target = dyn Engine<S>>, S: EngineScalar> Plant<E, S>
             law_inputs: observers.law_inputs.clone(),
             closed_forms: Interpreted::new(&observers.closed_forms()),
             switches: Switches::new(observers),
+            between: None,
             inputs: vec![S::ZERO; program.inputs.len()],
             projections: u8::from(!program.correction.is_empty() || program.is_redundant()),
             evaluations: 0,
         }
+    }
+
+    /// From now on adaptive steps hide no pulse, in a run over so many seconds with this step (s).
+    ///
+    /// # Errors
+    /// The engine's.
+    pub(crate) fn watch(&mut self, observers: &Observers, seconds: f64, step: f64) -> Result<(), Fault> {
+        self.between = Between::new(observers, seconds, step)?;
+        Ok(())
     }
 
     /// Evaluations of the equations of motion so far.

@@ -129,12 +129,19 @@ fn record(arguments: &Arguments, assembly: &Assembly) -> Result<Done, Failure> {
             sleepers: Some(engine.sleepers()),
             seen,
             observers: Some(assembly.observers()),
+            parts: Some(assembly.kinds()),
         };
         output::write(file, checkpoint.text().as_bytes())?;
     }
     let note = noted(format!("{method}, step {} s", six_digits(assembly.run.step)), arguments);
     let mut warnings = engine.warnings();
     warnings.append(&mut passed);
+    if assembly.has_idle_gravity() {
+        warnings.push(
+            "`gravity` acts on no part: a mechanism keeps that of its model, whose parameters `set` changes"
+                .to_owned(),
+        );
+    }
     warnings.extend(from.iter().flat_map(|from| changed(from, assembly, &method)));
     let sleepers = from.as_ref().and_then(|from| from.sleepers);
     if let Some(saved) = sleepers.filter(|saved| *saved != engine.sleepers()) {

@@ -38,8 +38,8 @@ pub fn describe<S: Scalar>(error: &BodyError<S>) -> String {
              `massless`, or take another law"
         ),
         BodyError::PressureTooHigh { pressure, spring } => format!(
-            "a gauge pressure of {:.6} Pa is too {}: spring {spring} was stretched beyond {} rest lengths, and no \
-             equilibrium exists; {} the pressure or let the gas follow p V^n",
+            "a gauge pressure of {:.6} Pa is too {}: spring {spring} was stretched beyond {} rest lengths, as by a balloon that \
+             grows without end; {} the pressure or let the gas follow p V^n, or let springs start less drawn",
             pressure.to_f64(),
             if *pressure < S::ZERO { "low" } else { "much" },
             smartbed_runtime::flexible::spring::STRETCH_LIMIT,

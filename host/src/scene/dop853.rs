@@ -99,6 +99,8 @@ pub struct Dop853<F> {
     pub y: Vec<f64>,
     slope: Vec<f64>,
     step: f64,
+    /// The longest step (s): infinite at first. Where f depends on time, a longer one may miss a pulse.
+    pub longest: f64,
     /// Evaluations of f so far.
     pub evaluations: usize,
 }
@@ -107,7 +109,8 @@ impl<F: FnMut(f64, &[f64], &mut [f64])> Dop853<F> {
     /// Starts at (t, y); `step` (s) is the length tried first.
     pub fn new(f: F, t: f64, y: Vec<f64>, tolerance: f64, step: f64) -> Dop853<F> {
         let slope = vec![0.0; y.len()];
-        let mut solver = Dop853 { f, tolerance, t, y: Vec::new(), slope, step, evaluations: 0 };
+        let mut solver =
+            Dop853 { f, tolerance, t, y: Vec::new(), slope, step, longest: f64::INFINITY, evaluations: 0 };
         solver.restart(t, y, step);
         solver
     }
@@ -130,7 +133,8 @@ impl<F: FnMut(f64, &[f64], &mut [f64])> Dop853<F> {
     /// The time at which no step was small enough.
     pub fn advance(&mut self, end: f64) -> Result<Dense, f64> {
         for _ in 0..TRIES {
-            let h = if 1.001 * self.step >= end - self.t { end - self.t } else { self.step };
+            let step = self.step.min(self.longest);
+            let h = if 1.001 * step >= end - self.t { end - self.t } else { step };
             let mut k = vec![self.slope.clone()];
             for s in 1..STAGES {
                 let y = self.combine(h, &k, &DOP853.a[s]);

@@ -16,6 +16,9 @@ use smartbed_runtime::rigid::{RigidBody, RigidState};
 use smartbed_runtime::surface::Shape;
 use smartbed_runtime::world::Content;
 
+/// Acceleration of gravity in N where a scene gives none (m/s^2).
+pub const GRAVITY: [f64; 3] = [0.0, 0.0, -9.81];
+
 /// The contents of a scene.
 #[derive(Clone, Debug)]
 pub struct Assembly {
@@ -42,6 +45,12 @@ pub struct Assembly {
 }
 
 impl Assembly {
+    /// Is a gravity given that acts on no part? Mechanisms keep that of their models.
+    #[must_use]
+    pub fn has_idle_gravity(&self) -> bool {
+        self.gravity != GRAVITY && self.parts.iter().all(|part| matches!(part.kind, Kind::Mechanism(_)))
+    }
+
     /// Fingerprint of everything that decides the motion but for the length and step of the run: a checkpoint carries
     /// it, so that a run that goes on with other masses, laws or gravity is told. Folders and titles do not enter.
     #[must_use]
@@ -339,6 +348,17 @@ impl Assembly {
     pub fn observers(&self) -> Vec<String> {
         let sensors = self.sensors.iter().map(|own| format!("sensors.{}", own.name));
         sensors.chain(self.controllers.iter().map(|own| format!("controllers.{}", own.name))).collect()
+    }
+
+    /// Name and kind of each part.
+    #[must_use]
+    pub fn kinds(&self) -> Vec<String> {
+        let kind = |part: &Part| match part.kind {
+            Kind::Mechanism(_) => "mechanism",
+            Kind::Flexible(_) => "flexible",
+            Kind::Rigid(_) => "rigid",
+        };
+        self.parts.iter().map(|part| format!("{} ({})", part.name, kind(part))).collect()
     }
 
     /// Does the gas of any part have a supply or a vent?

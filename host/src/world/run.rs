@@ -100,6 +100,8 @@ pub struct Checkpoint {
     pub seen: Vec<f64>,
     /// Their names ([`Assembly::observers`]); `None` if the file has none.
     pub observers: Option<Vec<String>>,
+    /// The parts whose state it is ([`Assembly::kinds`]); `None` if the file has none.
+    pub parts: Option<Vec<String>>,
 }
 
 /// The result of a run.
@@ -119,10 +121,12 @@ impl Checkpoint {
     /// Text that preserves every bit of the numbers.
     #[must_use]
     pub fn text(&self) -> String {
-        let Self { steps, step, scalar, method, scene, start, state, sleepers, seen, observers } = self;
+        let Self { steps, step, scalar, method, scene, start, state, sleepers, seen, observers, parts } =
+            self;
         let text = serde_json::json!({
             "steps": steps, "step": step, "scalar": scalar.name(), "method": method, "scene": scene, "start": start,
             "state": state, "sleepers": sleepers, "seen": seen, "observers": observers,
+            "parts": parts,
         });
         text.to_string() + "\n"
     }
@@ -154,6 +158,7 @@ impl Checkpoint {
             // Optional: absent in files of runs without sensors and controllers.
             seen: if value["seen"].is_null() { Vec::new() } else { numbers(&value["seen"])? },
             observers: words(&value["observers"]),
+            parts: words(&value["parts"]),
         })
     }
 
@@ -164,28 +169,34 @@ impl Checkpoint {
         &self.state[..self.state.len().saturating_sub(gone)]
     }
 
-    /// Refuses sensors and controllers other than those whose values it holds.
-    fn refuse_other_observers(&self, assembly: &Assembly) -> Result<(), String> {
-        let (Some(saved), own) = (&self.observers, assembly.observers()) else { return Ok(()) };
-        if *saved == own {
-            return Ok(());
-        }
-        let lacks = |all: &[String], these: &[String]| -> Vec<String> {
-            these.iter().filter(|name| !all.contains(name)).cloned().collect()
-        };
-        let (gone, new) = (lacks(&own, saved), lacks(saved, &own));
-        let told = |names: &[String], what: &str| match names {
-            [] => None,
-            names => Some(format!("{what} {}", names.join(", "))),
-        };
-        let all = [told(&gone, "without"), told(&new, "with")].into_iter().flatten().collect::<Vec<_>>();
-        let differs =
-            if all.is_empty() { "with them in another order".to_owned() } else { all.join(" and ") };
-        Err(format!(
-            "the checkpoint belongs to another scene, with other sensors or controllers, whose memories it holds: this one is {differs}; \
-             expected the same names in the same order"
-        ))
+    /// Refuses parts, sensors and controllers other than those whose values it holds.
+    fn refuse_others(&self, assembly: &Assembly) -> Result<(), String> {
+        refuse_other("parts, whose states", self.parts.as_deref(), &assembly.kinds())?;
+        refuse_other(
+            "sensors or controllers, whose memories",
+            self.observers.as_deref(),
+            &assembly.observers(),
+        )
     }
+}
+
+/// Refuses names other than those that a checkpoint has `saved`; `what` they are and what it holds of them, in words.
+fn refuse_other(what: &str, saved: Option<&[String]>, own: &[String]) -> Result<(), String> {
+    let Some(saved) = saved.filter(|saved| *saved != own) else { return Ok(()) };
+    let lacks = |all: &[String], these: &[String]| -> Vec<String> {
+        these.iter().filter(|name| !all.contains(name)).cloned().collect()
+    };
+    let (gone, new) = (lacks(own, saved), lacks(saved, own));
+    let told = |names: &[String], what: &str| match names {
+        [] => None,
+        names => Some(format!("{what} {}", names.join(", "))),
+    };
+    let all = [told(&gone, "without"), told(&new, "with")].into_iter().flatten().collect::<Vec<_>>();
+    let differs = if all.is_empty() { "with them in another order".to_owned() } else { all.join(" and ") };
+    Err(format!(
+        "the checkpoint belongs to another scene, with other {what} it holds: this one is {differs}; expected the same names in \
+             the same order"
+    ))
 }
 
 /// Runs to the end, handing each row to `emit`, with the engine for pictures. From a checkpoint it continues with the
@@ -214,7 +225,7 @@ pub fn run<E: From<String> + From<Failure>>(
                 )));
             }
             engine.load(checkpoint.state_for(engine))?;
-            checkpoint.refuse_other_observers(assembly)?;
+            checkpoint.refuse_others(assembly)?;
             if checkpoint.step != assembly.run.step {
                 return Err(E::from(format!(
                     "the checkpoint was reached by steps of {} s, the run takes {} s, but counts steps from its start; give --step {}",

@@ -293,6 +293,28 @@ fn costs_tell_what_each_answer_adds() {
 }
 
 #[test]
+fn answers_without_operations_have_costs_too() {
+    let model = file("free_point.toml");
+    let text = "format = 1\nname = \"free_point\"\ndof = 1\n[coordinates]\nx = { unit = \"m\" }\n[points]\nP = \"x*N.x\"\n\
+         [bodies]\nb = { centre = \"P\", mass = \"2_kg\" }\n";
+    std::fs::write(&model, text).expect("written");
+    let model = model.display().to_string();
+    // The answers of one function after another, two functions of equal code, and a constant.
+    for answers in [&["rates,mass_matrix"][..], &["a=bias", "b=bias"], &["mass_matrix"]] {
+        let options: Vec<_> = answers.iter().flat_map(|list| ["--answers", list]).collect();
+        let sheet = smartbed(&[&["derive", &model, "--costs", "--json"][..], &options].concat()).json();
+        for row in sheet["costs"].as_array().expect("rows") {
+            let chip = &row["chip"];
+            assert_eq!(row["operations"], 0, "{sheet}");
+            assert!(
+                chip.is_null() || (1..20).contains(&chip["instructions"].as_u64().expect("a number")),
+                "{sheet}"
+            );
+        }
+    }
+}
+
+#[test]
 fn a_derived_crate_compiles_on_its_own() {
     let forms = [("f32", "operations"), ("f64", "accuracy"), ("f64x4", "operations"), ("f64x4", "accuracy")];
     for (scalar, optimise) in forms {

@@ -305,3 +305,24 @@ fn a_folder_that_cannot_be_made_is_refused_before_anything_is_measured() {
     );
     assert!(start.elapsed().as_secs() < 20, "{:?}", start.elapsed());
 }
+
+/// A step that does not divide a tenth of the 10 s is not the one that is measured, and is not written beside the error.
+#[test]
+fn a_step_that_is_asked_for_is_the_one_that_is_told() {
+    let folder = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("report_steps");
+    let out = folder.display().to_string();
+    for (asked, taken, told) in [("0.06", 1.0 / 17.0, true), ("10", 1.0, true), ("0.05", 0.05, false)] {
+        let options =
+            ["--no-chip", "--method=rk4", "--step", asked, "--scalar=f64", "--quick", "--out", &out];
+        let done = smartbed(&[&["report", "pendulum"][..], &options].concat());
+        assert_eq!(done.status, 0, "{done:?}");
+        let report: Value =
+            serde_json::from_str(&std::fs::read_to_string(folder.join("report.json")).expect("a file"))
+                .expect("JSON");
+        let section = &report["subjects"][0];
+        let step = report["points"][0]["step"].as_f64().expect("a step");
+        assert!((step - taken).abs() < 1e-12, "{asked}: {step} {report}");
+        let notes = section["notes"].to_string();
+        assert_eq!(notes.contains(&format!("--step {asked}: measured at")), told, "{notes}");
+    }
+}

@@ -106,6 +106,7 @@ fn every_refusal_of_a_scene_has_its_cause_and_cure() {
         attached("[{ nodes = \"rim\", to = \"sheet\" }]"),
         attached("[{ nodes = \"base\", to = \"ball\" }]"),
         attached("[{ nodes = [99], to = \"ball\" }]"),
+        format!("{CUBE}base = \"40_mm\"\n"),
         attached("[{ to = \"ball\" }]"),
         attached("[{ nodes = [0, 0], to = \"ball\" }]"),
         pair(""),
@@ -200,6 +201,11 @@ fn every_refusal_of_a_scene_has_its_cause_and_cure() {
     assert_eq!(smartbed(&["run", &flight, "--save", &state]).status, 0);
     let seen = "sensors={ s = { of = \"ball.z\" } }";
     found.push(error_of(&["run", &flight, "--resume", &state, "--set", seen]));
+    let other = written(
+        "other_flight.toml",
+        &format!("format = 2\n{}[run]\nseconds = 0.01\n", BALL.replace("ball", "bowl")),
+    );
+    found.push(error_of(&["run", &other, "--resume", &state]));
     let coarse =
         "[parts.sheet]\nshape = \"sheet\"\nrows = 60\ncolumns = 60\n[run]\nseconds = 1e-5\nstep = 1e-5\n";
     let for_chip = [

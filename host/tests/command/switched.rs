@@ -172,3 +172,53 @@ fn a_coordinate_named_like_an_energy_has_a_column_of_its_own() {
     names.dedup();
     assert_eq!(names.len(), all, "{header}");
 }
+
+/// Pulses without any corner that could be located: steps of an adaptive method grow while nothing moves, and jumped over
+/// them; every run of the calibration then missed them alike.
+#[test]
+fn a_smooth_pulse_is_seen_by_adaptive_steps() {
+    let pulses = [
+        (
+            "ramps",
+            "1000_N*(smooth_step(t - 0.75_s, 0.002_s) - smooth_step(t - 0.76_s, 0.002_s))",
+            10.0,
+            0.755,
+        ),
+        ("tanh", "1000_N*(tanh((t - 0.75_s)/0.001_s) - tanh((t - 0.76_s)/0.001_s))/2", 10.0, 0.755),
+        ("bell", "1000_N*exp(-((t - 0.4321_s)/0.5e-3_s).powi(2))", 0.5 * std::f64::consts::PI.sqrt(), 0.4321),
+    ];
+    for (name, law, speed, middle) in pulses {
+        let model = pushed(name, law);
+        // By symmetry the momentum acts as if all at once in the middle.
+        let place = speed * (1.0 - middle);
+        for (way, most) in [
+            (&["--method=dormand-prince", "--tolerance=1e-9"][..], 1e-6),
+            (&["--method=dormand-prince", "--tolerance=1e-9", "--step=1e-2", "--every=100"], 1e-6),
+            (&["--error=1e-5"], 1e-5),
+        ] {
+            let [x, u] = last(&[&[model.as_str()], way].concat(), ["x", "u_x"]);
+            let off = [(x - place).abs(), (u - speed).abs()];
+            assert!(
+                off[0] < most && off[1] < 10.0 * most,
+                "{name}, {way:?}: x = {x} for {place}, u = {u} for {speed}"
+            );
+        }
+        let said = smartbed(&["run", &model, "--method=rk4", "--step=0.5"]);
+        assert!(said.err.contains("changes and returns within a step near t = "), "{name}: {said:?}");
+    }
+}
+
+/// The references of a report take the steps of the scene where something depends on time.
+#[test]
+fn a_report_of_a_world_sees_a_smooth_pulse() {
+    let law = "1000_N*(smooth_step(t - 0.75_s, 0.002_s) - smooth_step(t - 0.76_s, 0.002_s))";
+    let model = pushed("world_ramps", law);
+    let text = format!(
+        "format = 2\n[parts.m]\nmechanism = \"{model}\"\nlaw = {{ F = \"{law}\" }}\n[run]\nseconds = 1\nstep = \"5_ms\"\n"
+    );
+    let world = written("world_of_ramps.toml", &text);
+    let done = smartbed(&["run", &world, "--error", "1e-4", "--json"]);
+    assert_eq!(done.status, 0, "{done:?}");
+    let x = done.json()["last"]["m.x"].as_f64().expect("a place");
+    assert!((x - 2.45).abs() < 1e-4, "{x}");
+}

@@ -188,3 +188,55 @@ fn flexible_parts_start_tilted_and_in_motion_as_the_manual_says() {
     let kinetic = 0.5 * (w * w + 3.0 * (w * x + v).powi(2));
     assert!((first("kinetic") - kinetic).abs() < 1e-13, "{} {kinetic}", first("kinetic"));
 }
+
+/// A damper between a ball and a node that is fixed in space: v = v0 exp(-C t/m). The node took the speed that the ball
+/// had at the start, since both belong to one part.
+#[test]
+fn a_fixed_node_of_a_part_that_is_carried_stands_still() {
+    let text = "format = 2\ngravity = [0, 0, 0]\n[parts.ball]\nrigid = \"sphere\"\nradius = 0.1\nmass = 1\n\
+        start = { velocity = [1, 0, 0] }\n[parts.s]\npoints = [[0, 0, 0], [1, 0, 0]]\nsprings = [[0, 1]]\nK = 0\n\
+        C = 2\nfixed = [1]\nattach = [{ nodes = [0], to = \"ball\" }]\n[run]\nseconds = 0.5\n";
+    let file = scene("still", text);
+    for method in ["rk4", "verlet", "implicit_midpoint", "energy_momentum"] {
+        let done = json(&[&file, "--method", method]);
+        let v = number(&done["last"]["ball.vx"]);
+        assert!((v - (-1.0_f64).exp()).abs() < 1e-4, "{method}: {v}");
+        let start = number(&done["total_at_start"]);
+        assert!((start - 0.5).abs() < 1e-14, "{method}: {start}");
+    }
+}
+
+/// A closed sheet that is tilted is the same body, turned: its base lies below it, not below the horizon.
+#[test]
+fn a_closed_sheet_is_tilted_as_a_whole() {
+    let bladder = |tilt: &str| {
+        let text = format!(
+            "format = 2\ngravity = [0, 0, 0]\n[parts.b]\nshape = \"sheet\"\nrows = 2\ncolumns = 2\nwidth = 0.3\ndepth = 0.3\n\
+             base = \"100_mm\"\nstart = {{ tilt = {tilt} }}\ngas = {{ gauge = 100 }}\n[run]\nseconds = 0.01\n"
+        );
+        json(&[&scene("tilted_bladder", &text)])["last"].clone()
+    };
+    let level = number(&bladder("0")["b.volume"]);
+    for tilt in ["\"60_deg\"", "\"100_deg\"", "-2"] {
+        let volume = number(&bladder(tilt)["b.volume"]);
+        assert!((volume / level - 1.0).abs() < 1e-12, "{tilt}: {volume} for {level}");
+    }
+}
+
+/// Numbers of facets hold their corners; they were taken for numbers of nodes.
+#[test]
+fn facets_are_attached_by_all_their_corners() {
+    let cube = |held: &str| {
+        let text = format!(
+            "format = 2\n[parts.w]\nrigid = \"box\"\nsize = [1, 1, 1]\nfixed = true\n[parts.c]\nshape = \"cube\"\nside = 0.2\n\
+             K = 500\nmass = 0.1\nattach = [{{ {held}, to = \"w\" }}]\n[run]\nseconds = 0.1\n"
+        );
+        scene("held_cube", &text)
+    };
+    // The first two facets of a cube lie opposite: all eight corners are held.
+    let held = json(&[&cube("facets = [0, 1]")]);
+    assert!(number(&held["total"]).abs() < 20.0 && number(&held["last"]["kinetic"]) == 0.0, "{held}");
+    assert!(number(&json(&[&cube("nodes = [0, 1]")])["last"]["kinetic"]) > 0.01);
+    assert!(fails(&["run", &cube("facets = [9]")]).contains("`facets` must be numbers of facets"));
+    assert!(fails(&["run", &cube("nodes = []")]).contains("there are none"));
+}

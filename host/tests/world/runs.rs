@@ -279,6 +279,25 @@ fn a_checkpoint_is_continued_with_or_without_sleep_but_with_the_same_sensors() {
     run(&[&["0.02", "--resume", &seen], &sensor[..]].concat());
 }
 
+/// Two bodies of one kind whose places in the text are exchanged would take each other's state.
+#[test]
+fn a_checkpoint_is_not_continued_with_other_parts() {
+    let [a, b, c] = ["a", "b", "c"].map(|name| {
+        format!("[parts.{name}]\nrigid = \"sphere\"\nradius = 0.1\nmass = 1\nstart = {{ position = [0, {}, 0] }}\n", name.as_bytes()[0])
+    });
+    let of = |name: &str, parts: &[&String]| {
+        let parts: String = parts.iter().map(|part| part.as_str()).collect();
+        scene(name, &format!("format = 2\ngravity = [0, 0, 0]\n{parts}[run]\nseconds = 0.02\n"))
+    };
+    let saved = Path::new(env!("CARGO_TARGET_TMPDIR")).join("runs_parts.state").display().to_string();
+    json(&[&of("one_way", &[&a, &b]), "--seconds", "0.01", "--save", &saved]);
+    let refused = |file: &str| fails(&["run", file, "--resume", &saved]);
+    assert!(refused(&of("other_way", &[&b, &a])).contains("this one is with them in another order;"));
+    let said = refused(&of("others", &[&a, &c]));
+    assert!(said.contains("this one is without b (rigid) and with c (rigid);"), "{said}");
+    json(&[&of("one_way", &[&a, &b]), "--resume", &saved]);
+}
+
 #[test]
 fn rows_have_euler_parameters_of_unit_length() {
     // As a part of any world a box is integrated in Euler parameters, whose length drifts.

@@ -24,6 +24,17 @@ pub const fn scratch(n: usize) -> usize {
     11 * n
 }
 
+/// Where in a step its stages lie, but for the second one, which has no weight in the solution and in its error: what only
+/// that one sees is hidden.
+const SEEN: [Constant; 7] = {
+    let mut seen = METHOD.c;
+    seen[1] = seen[0];
+    seen
+};
+
+/// Most halvings of a step that hides something ([`Ode::hides`]).
+const MAX_HALVINGS: u32 = 64;
+
 /// A step that was taken.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Taken<S> {
@@ -99,6 +110,12 @@ impl<'a, S: Scalar> DormandPrince<'a, S> {
         self.h = S::ZERO;
         let mut last = Fault::StepSize;
         for rejected in 0..=MAX_REJECTIONS {
+            for _ in 0..MAX_HALVINGS {
+                if !system.hides(t, h, &SEEN.map(S::constant)) {
+                    break;
+                }
+                h = h / (S::ONE + S::ONE);
+            }
             let norm = match self.attempt(system, t, h, state) {
                 Ok((norm, report)) if norm <= S::ONE => {
                     // A step cut short by `h_max` is no evidence against the longer one.

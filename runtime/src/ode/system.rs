@@ -43,6 +43,12 @@ pub trait Ode<S: Real> {
     fn projections(&self) -> u8 {
         0
     }
+    /// Whether a step from `t` to t + `h`, evaluated at these parts of it, hides something that depends on time alone,
+    /// such as a short pulse: an adaptive method then takes a shorter one.
+    fn hides(&mut self, t: S, h: S, stages: &[S]) -> bool {
+        let _ = (t, h, stages);
+        false
+    }
     /// Whether whole turns may be subtracted from entry `index` of x.
     fn is_angle(&self, index: usize) -> bool {
         let _ = index;

@@ -11,6 +11,8 @@ use super::{Assembly, Linearised};
 const STARTS: usize = 64;
 /// Number of guesses from which the least residual is searched for.
 const FEW_STARTS: usize = 16;
+/// Number of guesses from which coordinates that were left out are searched for.
+const LEFT_OUT_STARTS: usize = 64;
 /// Fractional part of the golden section.
 const GOLDEN: f64 = 0.618_033_988_749_894_9;
 /// Most Levenberg-Marquardt steps, and the sum of squares at which they end.
@@ -18,6 +20,56 @@ const DESCENT: usize = 100;
 const DESCENDED: f64 = 1e-10;
 
 impl Assembly {
+    /// The configuration in which what is given holds, from `nominal`, which satisfies the constraints: independent
+    /// coordinates as given (Euler parameters scaled to unit length), left-out ones nominal; others solved for on the
+    /// branch of `nominal`, or where some of them are given, nearest to these.
+    ///
+    /// # Errors
+    /// If none is found.
+    pub fn complete(&mut self, nominal: &[f64], given: &[Option<f64>]) -> Result<Vec<f64>, Unreachable> {
+        let mut target = nominal.to_vec();
+        for &i in &self.independent {
+            target[i] = given[i].unwrap_or(target[i]);
+        }
+        self.to_unit_length(&mut target, |i| given[i].is_some());
+        let reached = self.continue_to(nominal, &target);
+        if self.dependent.iter().all(|&i| given[i].is_none()) {
+            return reached;
+        }
+        let mut q = reached.unwrap_or(target);
+        for (mine, value) in q.iter_mut().zip(given) {
+            *mine = value.unwrap_or(*mine);
+        }
+        let near = q.clone();
+        match self.correct(&mut q) {
+            Ok(()) => Ok(q),
+            Err(unreachable) => self.search_left_out(near, given).ok_or(unreachable),
+        }
+    }
+
+    /// Newton's method from many guesses of the dependent coordinates that are not given; the solution nearest to those
+    /// given.
+    fn search_left_out(&mut self, near: Vec<f64>, given: &[Option<f64>]) -> Option<Vec<f64>> {
+        let mut best: Option<(f64, Vec<f64>)> = None;
+        let mut draw = 0_u64;
+        for _ in 0..LEFT_OUT_STARTS {
+            let mut q = near.clone();
+            for &i in self.dependent.iter().filter(|&&i| given[i].is_none()) {
+                let (low, high) = self.kinds[i].1;
+                draw += 1;
+                q[i] = low + (high - low) * (draw as f64 * GOLDEN).fract();
+            }
+            if self.correct(&mut q).is_ok() {
+                let off =
+                    q.iter().zip(given).filter_map(|(x, g)| Some((x - (*g)?).abs())).fold(0.0, f64::max);
+                if best.as_ref().is_none_or(|(least, _)| off < *least) {
+                    best = Some((off, q));
+                }
+            }
+        }
+        best.map(|(_, q)| q)
+    }
+
     /// The configuration nearest to `guess`, among those found from many guesses of the dependent coordinates.
     ///
     /// # Errors

@@ -35,6 +35,7 @@ where
     F: FnMut(&Row) -> Result<(), Failure>,
 {
     let Settings { seconds, step, tolerance, .. } = *setup.settings;
+    plant.watch(setup.observers, seconds, step).map_err(|fault| refused(0.0, fault))?;
     let n = state.x().len();
     let mut memory = vec![S::ZERO; dormand_prince::scratch(n)];
     let tolerance = Tolerance { absolute: S::from_f64(tolerance), relative: S::from_f64(tolerance) };

@@ -102,7 +102,28 @@ fn read_lists(fields: &Fields) -> Result<Lists, String> {
         let message = format!("facet {row} is {:?}, but the points are 0 to {}", lists.facets[row], n - 1);
         return Err(fields.error("facets", &message));
     }
+    for (row, corners) in lists.facets.iter_mut().enumerate() {
+        match triangle_last(*corners) {
+            Some(turned) => *corners = turned,
+            None => {
+                let message =
+                    format!("facet {row} is {corners:?}, which has no area; expected three or four points");
+                return Err(fields.error("facets", &message));
+            }
+        }
+    }
     Ok(lists)
+}
+
+/// The same facet begun at the corner from which a triangle repeats its third; `None` if it has fewer than three corners.
+fn triangle_last(corners: [usize; 4]) -> Option<[usize; 4]> {
+    let same = |i: usize| corners[i] == corners[(i + 1) % 4];
+    let repeated: Vec<usize> = (0..4).filter(|i| same(*i)).collect();
+    match repeated[..] {
+        [] if corners[0] != corners[2] && corners[1] != corners[3] => Some(corners),
+        [i] => Some([2, 3, 4, 5].map(|k| corners[(i + k) % 4])),
+        _ => None,
+    }
 }
 
 /// The shape's name.

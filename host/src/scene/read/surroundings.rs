@@ -2,6 +2,7 @@
 
 use smartbed_runtime::contact::{ContactLaw, ForceLaw, Ground};
 use smartbed_runtime::flexible::pressure::enclosed_volume;
+use smartbed_runtime::flexible::spring::STRETCH_LIMIT;
 use smartbed_runtime::flexible::{Gas, Inflation, PressureForm};
 use smartbed_runtime::vec3;
 
@@ -168,6 +169,13 @@ fn read_inflation(fields: &Fields, lists: &Lists) -> Result<Option<Inflation<f64
     if lists.facets.is_empty() {
         return Err(fields.error("pressure", "the body has no `facets` for a pressure to act on"));
     }
+    if let Some((spring, times)) = drawn_too_far(lists) {
+        let message = format!(
+            "spring {spring} starts {times:.3} times as long as at rest; with a pressure {STRETCH_LIMIT} times is the most, since \
+             beyond it a balloon grows without end: take longer `rest_lengths`, or less `stretch`"
+        );
+        return Err(fields.error("pressure", &message));
+    }
     let form = match fields.word("pressure_form", "exact")? {
         "exact" => PressureForm::Exact,
         "facet" => PressureForm::Facet,
@@ -190,6 +198,16 @@ fn read_inflation(fields: &Fields, lists: &Lists) -> Result<Option<Inflation<f64
         return Err(fields.error("pressure", &message));
     }
     Ok(Some(Inflation { gas, form }))
+}
+
+/// The first spring that starts beyond [`STRETCH_LIMIT`], and how many times as long as at rest it is.
+fn drawn_too_far(lists: &Lists) -> Option<(usize, f64)> {
+    let drawn = |(spring, [a, b]): (usize, [usize; 2])| {
+        let square: f64 = (0..3).map(|i| (lists.points[a][i] - lists.points[b][i]).powi(2)).sum();
+        (spring, square.sqrt() / lists.rest_lengths[spring])
+    };
+    let springs = lists.springs.iter().copied().enumerate().map(drawn);
+    springs.into_iter().find(|(_, times)| times.is_finite() && *times > STRETCH_LIMIT)
 }
 
 /// Gas whose pressure follows its volume, which an open surface has only where its rim stays in a plane through the

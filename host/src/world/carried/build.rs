@@ -181,7 +181,11 @@ impl CarriedWorld {
                     let point = frame.point(self.room.pos[node]);
                     let own = frame.to_inertial(self.room.vel[node]);
                     self.room.pos[node] = point;
-                    self.room.vel[node] = vec3::add(frame.velocity_at(point), own);
+                    // What is fixed stays where the frame was; where it is attached, it gets its frame's velocity at each state.
+                    self.room.vel[node] = match self.fixed.held[node] {
+                        true => [0.0; 3],
+                        false => vec3::add(frame.velocity_at(point), own),
+                    };
                 }
             }
             for node in &attachment.nodes {

@@ -1,7 +1,7 @@
 //! Queries about a world's equations, and functions that replace its method or state, for measurements.
 
 use super::methods::{Contacts, Stepping};
-use super::{CarriedWorld, words};
+use super::{CarriedWorld, HostCarrier, words};
 use smartbed_codegen::diagnostic::Diagnostic;
 
 impl CarriedWorld {
@@ -9,6 +9,13 @@ impl CarriedWorld {
     #[must_use]
     pub fn is_smooth(&self) -> bool {
         self.contacts == Contacts::None
+    }
+
+    /// Does a command, a law or a load of a mechanism depend on the time?
+    #[must_use]
+    pub fn reads_time(&self) -> bool {
+        let reads = |own: &HostCarrier| matches!(own, HostCarrier::Mechanism(own) if own.switches.reads_time);
+        self.carriers.iter().any(reads)
     }
 
     /// The kind of its contacts, which restricts the methods.

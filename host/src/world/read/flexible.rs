@@ -81,6 +81,7 @@ pub(super) fn read(
     let position = start(&fields, &mut plain, found);
     let air_drag = number(&fields, "air_drag", "N s/m", Bound::NotNegative, found).unwrap_or(0.0);
     let base = number(&fields, "base", "m", Bound::Positive, found);
+    let tilt = plain.get("tilt").and_then(Json::as_f64).unwrap_or(0.0);
     let mut lists = match body::read(&Plain::of_map(plain)) {
         Ok(lists) => lists,
         Err(message) => {
@@ -91,8 +92,17 @@ pub(super) fn read(
             return None;
         }
     };
-    if let Some(depth) = base {
-        close_below(&mut lists, depth);
+    if let Some(depth) = base
+        && !close_below(&mut lists, depth, tilt)
+    {
+        let place = fields.get("base").map_or(name.1, Value::span);
+        let error = Diagnostic::error("`base` needs a surface with one open rim");
+        let label = match lists.facets.is_empty() {
+            true => "this part has no facets",
+            false => "this part is closed, or open in several places",
+        };
+        found.push(error.label(place, label).help("it closes a sheet from below; leave it out elsewhere"));
+        return None;
     }
     for point in &mut lists.points {
         *point = [0, 1, 2].map(|i| point[i] + position[i] + offset[i]);
@@ -163,14 +173,15 @@ fn start(fields: &Fields<'_>, plain: &mut Map<String, Json>, found: &mut Diagnos
     position.unwrap_or_default()
 }
 
-/// Closes a sheet: adds a ring of nodes below its rim, walls between the two, and a flat base.
-fn close_below(lists: &mut Lists, depth: f64) {
-    let Some(rim) = ring(lists) else { return };
+/// Closes a sheet that is tilted (rad) about the y axis: adds a ring of nodes below its rim, walls between the two, and
+/// a flat base; false if it has no single rim.
+fn close_below(lists: &mut Lists, depth: f64, tilt: f64) -> bool {
+    let Some(rim) = ring(lists) else { return false };
     let low: Vec<usize> = rim
         .iter()
         .map(|node| {
             let [x, y, z] = lists.points[*node];
-            let point = lists.point([x, y, z - depth]);
+            let point = lists.point([x + depth * tilt.sin(), y, z - depth * tilt.cos()]);
             (lists.fixed[point], lists.masses[point]) = (true, lists.masses[*node]);
             lists.velocities.push(lists.velocities[*node]);
             point
@@ -183,6 +194,7 @@ fn close_below(lists: &mut Lists, depth: f64) {
     for k in 1..rim.len() - 1 {
         lists.facets.push([low[0], low[k + 1], low[k], low[k]]);
     }
+    true
 }
 
 /// The boundary nodes of an open surface in the order of its facets; `None` unless there is exactly one closed

@@ -93,7 +93,7 @@ fn named_twice<'n>(nodes: impl Iterator<Item = &'n usize>) -> Option<usize> {
     nodes.copied().find(|node| !seen.insert(*node))
 }
 
-/// Nodes by number, or those of a group: `rim` (what the shape holds fixed), `base` (what closes a sheet below).
+/// Nodes by number, those of facets by number, or those of a group: `rim` (what the shape holds fixed), `base` (what closes a sheet below).
 fn nodes(
     fields: &Fields<'_>,
     table: &Table,
@@ -101,9 +101,9 @@ fn nodes(
     found: &mut Diagnostics,
 ) -> Option<Vec<usize>> {
     let Kind::Flexible(body) = &part.kind else { return None };
-    let count = body.lists.points.len();
-    let value = match (fields.get("nodes"), fields.get("facets")) {
-        (Some(value), None) | (None, Some(value)) => value,
+    let (value, what, count) = match (fields.get("nodes"), fields.get("facets")) {
+        (Some(value), None) => (value, "nodes", body.lists.points.len()),
+        (None, Some(value)) => (value, "facets", body.lists.facets.len()),
         _ => {
             let error = Diagnostic::error("an attachment needs either `nodes` or `facets`");
             found.push(
@@ -121,7 +121,7 @@ fn nodes(
                 match one_of(&group.text, group.span, ("group of nodes", &["rim", "base"]), found)? {
                     "base" => base,
                     // Both in rising order.
-                    _ => (0..count).filter(|n| held[*n] && base.binary_search(n).is_err()).collect(),
+                    _ => (0..held.len()).filter(|n| held[*n] && base.binary_search(n).is_err()).collect(),
                 };
             if nodes.is_empty() {
                 let error = Diagnostic::error(format!("`{}` has no nodes `{}`", part.name, group.text));
@@ -139,21 +139,31 @@ fn nodes(
                 _ => None,
             };
             match items.iter().map(read).collect::<Option<Vec<usize>>>() {
-                Some(nodes) => nodes,
-                None => {
-                    let error = Diagnostic::error("`nodes` must be numbers of nodes");
-                    let help = format!("the nodes of `{}` are 0 to {}", part.name, count - 1);
-                    found.push(error.label(value.span(), "one of them is none").help(help));
+                Some(numbers) if !numbers.is_empty() && what == "nodes" => numbers,
+                Some(numbers) if !numbers.is_empty() => corners(&body.lists.facets, &numbers),
+                numbers => {
+                    let error = Diagnostic::error(format!("`{what}` must be numbers of {what}"));
+                    let label = if numbers.is_some() { "there are none" } else { "one of them is none" };
+                    let help = match count.checked_sub(1) {
+                        Some(last) => format!("the {what} of `{}` are 0 to {last}", part.name),
+                        None => format!("`{}` has no {what}", part.name),
+                    };
+                    found.push(error.label(value.span(), label).help(help));
                     return None;
                 }
             }
         }
         other => {
-            found.push(wrong_kind("nodes", "\"rim\", \"base\" or a list of numbers", other));
+            found.push(wrong_kind(what, "\"rim\", \"base\" or a list of numbers", other));
             return None;
         }
     };
     Some(chosen)
+}
+
+/// The nodes of some facets, in rising order.
+fn corners(facets: &[[usize; 4]], numbers: &[usize]) -> Vec<usize> {
+    numbers.iter().flat_map(|n| facets[*n]).collect::<std::collections::BTreeSet<_>>().into_iter().collect()
 }
 
 /// Nodes of facets without springs: those below a sheet.

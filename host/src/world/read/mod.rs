@@ -23,7 +23,7 @@ mod view;
 
 pub use mechanism::Find;
 
-use super::assembly::{Assembly, Kind, Part, Run};
+use super::assembly::{Assembly, GRAVITY, Kind, Part, Run};
 use super::places::Places;
 use super::places::whole;
 use crate::scene::fields::is_too_much;
@@ -116,7 +116,7 @@ fn read(
         ),
     }
     let title = scene.text("title", found).map_or_else(|| path.to_owned(), |text| text.text.clone());
-    let gravity = vector(&scene, "gravity", "m/s^2", found).unwrap_or([0.0, 0.0, -9.81]);
+    let gravity = vector(&scene, "gravity", "m/s^2", found).unwrap_or(GRAVITY);
     let named = scene.table("parts", found);
     let (parts, mut attached) = parts(named.map_or(&[][..], |t| &t.entries), find, found);
     let mut parts = parts?;
