@@ -156,7 +156,7 @@ impl Mechanism {
             }
         };
         let mut solver = Dop853::new(rates, 0.0, self.start.clone(), 1e-13, self.settings.step);
-        if passing.switches.reads_time {
+        if self.model.is_driven() || self.model.reads_time() {
             solver.longest = self.settings.step;
         }
         let (mut samples, mut last) = (Vec::new(), 0.0);

@@ -30,7 +30,7 @@ const ROWS: f64 = 500.0;
 /// A mechanism with its equations.
 pub struct Mechanism {
     name: String,
-    model: Model,
+    pub(super) model: Model,
     pub(super) settings: Settings,
     pub(super) program: Program,
     pub(super) observers: Observers,

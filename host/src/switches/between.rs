@@ -12,7 +12,7 @@ use smartbed_runtime::mechanism::{Fault, Mechanism as _};
 use smartbed_runtime::real::Scalar;
 
 /// Values within a step of the run; least and most values of the table, and most of all functions.
-const EACH_STEP: f64 = 8.0;
+const EACH_STEP: f64 = 16.0;
 const LEAST: f64 = 4096.0;
 const MOST: f64 = 2e5;
 const MOST_OF_ALL: f64 = 4e6;

@@ -53,8 +53,6 @@ pub struct Switches<S> {
     values: Interpreted<f64>,
     /// Whether one that commands a motion is among them: its speed may change at once.
     pub may_leap: bool,
-    /// Whether a command, a law or a load depends on the time, smoothly or not.
-    pub reads_time: bool,
 }
 
 impl<S: Scalar> Switches<S> {
@@ -66,9 +64,8 @@ impl<S: Scalar> Switches<S> {
         let state = [functions.n_q(), functions.n_u()].map(|n| vec![S::ZERO; n]);
         let inputs = vec![S::ZERO; functions.n_inputs()];
         let (number, may_leap) = (observers.switches.iter().sum(), observers.switches[0] > 0);
-        let reads_time = observers.timed.iter().sum::<usize>() > 0;
         let (commands, values) = (observers.commands.clone(), Interpreted::new(&observers.commanded()));
-        Self { functions, inputs, state, number, commands, values, may_leap, reads_time }
+        Self { functions, inputs, state, number, commands, values, may_leap }
     }
 
     /// Whether there are any.

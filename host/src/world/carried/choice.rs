@@ -14,7 +14,7 @@ impl CarriedWorld {
     /// Does a command, a law or a load of a mechanism depend on the time?
     #[must_use]
     pub fn reads_time(&self) -> bool {
-        let reads = |own: &HostCarrier| matches!(own, HostCarrier::Mechanism(own) if own.switches.reads_time);
+        let reads = |own: &HostCarrier| matches!(own, HostCarrier::Mechanism(own) if own.reads_time());
         self.carriers.iter().any(reads)
     }
 
