@@ -63,6 +63,10 @@ impl FileKind {
         let gives = |line: &str, key: &str| {
             line.strip_prefix(key).is_some_and(|rest| rest.trim_start().starts_with('='))
         };
+        let is_table = |line: &str| OF_PLANS.iter().any(|key| line.trim_start_matches('[').starts_with(key));
+        if lines.clone().any(|line| line.starts_with('[') && is_table(line)) {
+            return FileKind::Plan;
+        }
         let is_body = lines.any(|line| gives(line, "shape") || gives(line, "points"));
         if is_body { FileKind::Body } else { FileKind::Unknown }
     }

@@ -36,6 +36,11 @@ pub fn json_object<'a>(entries: impl IntoIterator<Item = (&'a str, f64)>) -> Str
     text + "}"
 }
 
+/// A JSON number; the word `"inf"` or `"-inf"` for what is infinite, `null` for no number.
+pub fn json_number_or_word(x: f64) -> String {
+    if x.is_infinite() { format!("\"{x}\"") } else { json_number(x) }
+}
+
 /// A JSON number, or `null`.
 #[must_use]
 pub fn json_number(x: f64) -> String {

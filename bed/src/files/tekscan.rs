@@ -117,6 +117,9 @@ pub fn read(text: &str) -> Result<Mapped, FileError> {
         row(text, grid.columns, unit, line, &mut frame.pressure)?;
     }
     full(&grid, frames.last(), last)?;
+    if !ended {
+        return Err(FileError::at(last, "a movie ends with `@@`, which is missing: the file was cut short"));
+    }
     if frames.is_empty() {
         return Err(FileError::at(0, "no frame after `ASCII_DATA`"));
     }

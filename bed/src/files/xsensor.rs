@@ -91,15 +91,26 @@ pub fn read(text: &str) -> Result<Mapped, FileError> {
     let mut head = Head::default();
     let mut grid: Option<Grid> = None;
     let mut blocks: Vec<Block> = Vec::new();
+    // The line of a frame whose sensels are to come.
+    let mut begun: Option<usize> = None;
+    let without =
+        |line| FileError::at(line, "this frame has no `SENSELS`: the file was cut, or lost some lines");
     let mut lines = text.lines().enumerate().map(|(index, line)| (index + 1, line.trim()));
     while let Some((line, text)) = lines.next() {
         if !text.to_ascii_lowercase().starts_with("sensels") {
             if let Some(grid) = grid.as_ref().filter(|_| is_row(text)) {
                 return Err(FileError::at(line, format!("more than {} rows in this frame", grid.rows)));
             }
+            let key = text.split(',').next().unwrap_or_default().trim().trim_matches('"');
+            if key.eq_ignore_ascii_case("frame")
+                && let Some(line) = begun.replace(line)
+            {
+                return Err(without(line));
+            }
             head.take(text, line, grid.as_ref())?;
             continue;
         }
+        begun = None;
         let (sensels, unit) = head.grid(line)?;
         let mut pressure = Vec::new();
         for index in 0..sensels.rows {
@@ -114,6 +125,9 @@ pub fn read(text: &str) -> Result<Mapped, FileError> {
         }
         blocks.push(Block { time: head.time.take(), seconds: head.seconds.take(), pressure });
         grid.get_or_insert(sensels);
+    }
+    if let Some(line) = begun.filter(|_| grid.is_some()) {
+        return Err(without(line));
     }
     let Some(grid) = grid else {
         return Err(FileError::at(0, "no line `SENSELS`: not an XSENSOR-style file"));

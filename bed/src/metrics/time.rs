@@ -6,16 +6,20 @@
 use super::spatial;
 use crate::map::{Frame, Grid, Recording};
 
-/// Frames of the last `cycle` seconds; `None` if less was recorded.
+/// Rounding of times, relative: ten frames of 0.1 s make a second, whatever their sum rounds to.
+const ROUNDING: f64 = 1e-12;
+
+/// Frames of the last `cycle` seconds, between which there may be gaps; `None` if less was recorded.
 fn last_cycle(recording: &Recording, cycle: f64) -> Option<&[Frame]> {
     let frames = recording.frames();
-    let mut seconds = 0.0;
-    let start = frames.iter().rposition(|frame| {
-        seconds += frame.seconds;
-        // Tolerance: ten frames of 0.1 s make a second, whatever their sum rounds to.
-        seconds >= cycle * (1.0 - 1e-12)
-    })?;
-    Some(&frames[start..])
+    let last = frames.last()?;
+    let (end, rounding) = (last.time + last.seconds, ROUNDING * (cycle + last.time));
+    let begin = end - cycle;
+    if frames[0].time > begin + rounding {
+        return None;
+    }
+    let first = frames.iter().position(|frame| frame.time + frame.seconds > begin + rounding)?;
+    Some(&frames[first..])
 }
 
 /// A number for each site, computed from all frames.

@@ -57,7 +57,7 @@ pub fn check_from(plan: &Plan, from: f64) -> Result<(), Refusal> {
     times.push(from);
     times.sort_by(f64::total_cmp);
     times.dedup();
-    // A jump at `from` is measured from the order before it; a plan may begin with any order.
+    // A plan may begin with any order.
     let mut before: Option<(f64, Vec<Order>)> =
         (from > 0.0).then(|| (from, (0..layout.count()).map(|tile| plan.order_before(tile, from)).collect()));
     for time in times {
@@ -65,9 +65,13 @@ pub fn check_from(plan: &Plan, from: f64) -> Result<(), Refusal> {
         for (tile, order) in orders.iter().enumerate() {
             let refuse = |what: String| Refusal { time, tile: Some(tile + 1), what };
             of_tile(layout, order).map_err(refuse)?;
-            if let Some((then, old)) = &before {
-                of_speed(layout, &old[tile], order, time - then).map_err(refuse)?;
+            let Some((then, old)) = &before else { continue };
+            let arrived = plan.order_before(tile, time);
+            if time > *then {
+                of_speed(layout, &old[tile], &arrived, time - then).map_err(refuse)?;
             }
+            // A jump: no time, an infinite speed.
+            of_speed(layout, &arrived, order, 0.0).map_err(refuse)?;
         }
         for (one, other, is_beside) in layout.neighbours() {
             between(layout, [(one, &orders[one]), (other, &orders[other])], is_beside)

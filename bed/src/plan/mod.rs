@@ -176,6 +176,33 @@ pub struct Move {
     pub slope: Option<[f64; 2]>,
 }
 
+/// A quantity on its way from one order to the next.
+struct Ramp {
+    from: f64,
+    to: f64,
+    /// Time at which it begins (s), and duration (s).
+    at: f64,
+    over: f64,
+}
+
+impl Ramp {
+    fn still(value: f64) -> Ramp {
+        Ramp { from: value, to: value, at: 0.0, over: 0.0 }
+    }
+
+    fn at(&self, time: f64) -> f64 {
+        let done = if self.over > 0.0 { ((time - self.at) / self.over).min(1.0) } else { 1.0 };
+        self.from + done * (self.to - self.from)
+    }
+
+    /// Goes on towards another value from where it is, if the move gives one.
+    fn turn(&mut self, change: &Move, to: Option<f64>) {
+        if let Some(to) = to {
+            *self = Ramp { from: self.at(change.at), to, at: change.at, over: change.over };
+        }
+    }
+}
+
 /// What lies on the bed.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Load {
@@ -293,8 +320,8 @@ pub struct Plan {
 }
 
 impl Plan {
-    /// The order of a tile at a time: moves are applied one after the other, each starting from the order at its
-    /// beginning.
+    /// The order of a tile at a time: each move of a quantity starts from its order at that moment, and ends the one before
+    /// it.
     #[must_use]
     pub fn order(&self, tile: usize, time: f64) -> Order {
         self.order_after(tile, time, |change| change.at <= time)
@@ -307,16 +334,15 @@ impl Plan {
     }
 
     fn order_after(&self, tile: usize, time: f64, has_begun: impl Fn(&Move) -> bool) -> Order {
-        let mut order = Order { pressure: self.pressure, command: Command::default() };
+        let [mut pressure, mut heave] = [self.pressure, 0.0].map(Ramp::still);
+        let mut slope = [0.0; 2].map(Ramp::still);
         for change in self.moves.iter().filter(|m| has_begun(m) && m.tiles.contains(&tile)) {
-            let done = if change.over > 0.0 { ((time - change.at) / change.over).min(1.0) } else { 1.0 };
-            let towards = |from: f64, to: Option<f64>| to.map_or(from, |to| from + done * (to - from));
-            order.pressure = towards(order.pressure, change.pressure);
-            order.command.heave = towards(order.command.heave, change.heave);
-            let slope = order.command.slope;
-            order.command.slope = [0, 1].map(|k| towards(slope[k], change.slope.map(|s| s[k])));
+            pressure.turn(change, change.pressure);
+            heave.turn(change, change.heave);
+            (0..2).for_each(|k| slope[k].turn(change, change.slope.map(|s| s[k])));
         }
-        order
+        let command = Command { heave: heave.at(time), slope: slope.map(|own| own.at(time)) };
+        Order { pressure: pressure.at(time), command }
     }
 
     /// The same plan with more moves.

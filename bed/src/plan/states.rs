@@ -112,6 +112,7 @@ pub fn drag(plan: &Plan, history: &History) -> Row {
 #[must_use]
 pub fn tiles(plan: &Plan, history: &History) -> Vec<Row> {
     let Some(last) = history.moments.last() else { return Vec::new() };
+    let whole = Plan { moves: history.moves.clone(), ..plan.clone() };
     let of = |tile: usize| {
         let (place, command) = (NAMES[tile], &last.orders[tile].command);
         [
@@ -119,16 +120,22 @@ pub fn tiles(plan: &Plan, history: &History) -> Vec<Row> {
             row(place, "tilt", command.tilt().to_degrees(), "deg", None),
             row(place, "pressure", 1e-3 * last.gauges[tile], "kPa", Some(1e-3 * plan.layout.most_pressure)),
             row(place, "load", last.borne[tile], "N", None),
-            row(place, "motor duty", 100.0 * duty(plan, &history.moves, tile), "%", None),
+            row(place, "motor duty", 100.0 * duty(&whole, tile), "%", None),
             row(place, "work of lifting", lifted(history, tile), "J", None),
         ]
     };
     (0..plan.layout.count().min(MOST_TILES)).flat_map(of).collect()
 }
 
-/// Share of the run during which a tile's screws turn.
-fn duty(plan: &Plan, moves: &[Move], tile: usize) -> f64 {
-    let turns = |m: &&Move| m.tiles.contains(&tile) && (m.heave.is_some() || m.slope.is_some());
+/// Share of the run during which a tile's screws turn. `plan` has all moves of the run.
+fn duty(plan: &Plan, tile: usize) -> f64 {
+    let command = |t: f64| plan.order(tile, t).command;
+    let turns = |m: &&Move| {
+        m.tiles.contains(&tile)
+            && (m.heave.is_some() || m.slope.is_some())
+            && command(m.at) != command(m.at + 0.5 * m.over)
+    };
+    let moves = &plan.moves;
     let mut spans: Vec<[f64; 2]> =
         moves.iter().filter(turns).map(|m| [m.at, (m.at + m.over).min(plan.seconds)]).collect();
     spans.sort_by(|a, b| a[0].total_cmp(&b[0]));

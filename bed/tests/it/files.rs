@@ -278,3 +278,22 @@ fn nothing_follows_the_end_of_a_movie() {
     assert!(message.contains("ends with `@@`"), "{message}");
     assert!(read(&format!("{text}\n,,\n")).is_ok());
 }
+
+/// A cut after the last row, or within its last number, is seen by what is missing behind it.
+#[test]
+fn what_is_cut_short_is_refused() {
+    let map = mapped(1, 2, &[vec![1.0, 2.5], vec![2.0, 3.25]]);
+    let movie = tekscan::write(&map).expect("even");
+    for cut in [movie.trim_end().trim_end_matches("@@"), movie.trim_end().trim_end_matches("@@").trim_end()] {
+        let said = read(cut).expect_err("cut").to_string();
+        assert!(said.contains("`@@`, which is missing"), "{said}");
+    }
+    let blocks = xsensor::write(&map);
+    let last = blocks.rfind("SENSELS").expect("the second frame");
+    let said = read(&blocks[..last]).expect_err("cut").to_string();
+    assert!(said.contains("has no `SENSELS`"), "{said}");
+    // The first frame lost its sensels: the second one begins.
+    let [from, to] = [blocks.find("SENSELS").expect("one"), blocks.find("FRAME,2").expect("two")];
+    let said = read(&(blocks[..from].to_owned() + &blocks[to..])).expect_err("lost").to_string();
+    assert!(said.contains("has no `SENSELS`"), "{said}");
+}

@@ -101,6 +101,42 @@ fn moves_taken_back_between_moments_are_found() {
     assert_eq!(overridden(&dip([1.0, 2.0], [3.0, 2.0])), [[0; 3]; 0]);
 }
 
+/// What is ordered anew goes on from where it is, and its earlier order ends: both went on together, so that a bladder that
+/// was let down at 7 kPa rose to 9.7 kPa.
+#[test]
+fn an_order_goes_on_from_where_it_is() {
+    let up = Move { at: 0.0, over: 10.0, pressure: Some(10e3), heave: Some(0.02), ..change(&[0]) };
+    let down = Move { at: 5.0, over: 100.0, pressure: Some(4e3), heave: Some(0.0), ..change(&[0]) };
+    let p = plan(1, 1, vec![up, down]);
+    let begin = p.order(0, f64::NEG_INFINITY).pressure;
+    let turn = 0.5 * (begin + 10e3);
+    for (time, pressure, heave) in [
+        (5.0, turn, 0.01),
+        (10.0, turn + 0.05 * (4e3 - turn), 0.0095),
+        (55.0, 0.5 * (turn + 4e3), 0.005),
+        (200.0, 4e3, 0.0),
+    ] {
+        let order = p.order(0, time);
+        assert!((order.pressure - pressure).abs() < 1e-9, "{time}: {order:?}");
+        assert!((order.command.heave - heave).abs() < 1e-15, "{time}: {order:?}");
+    }
+}
+
+/// However far apart moments are, a jump is no slow move.
+#[test]
+fn a_screw_does_not_jump() {
+    for every in [1.0, 10.0, 40.0] {
+        let jump = Move { at: 10.0, over: 0.0, heave: Some(0.001), ..change(&[0]) };
+        let p = Plan { every, ..plan(1, 1, vec![jump]) };
+        let said = check(&p).expect_err("refused").to_string();
+        assert!(said.contains("at 10.0000 s: screw 1 at inf mm/s, expected at most 6.70 mm/s"), "{said}");
+    }
+    // A plan may begin with any order, and pressures may jump.
+    let first = Move { at: 0.0, over: 0.0, heave: Some(0.01), ..change(&[0]) };
+    let valve = Move { at: 10.0, over: 0.0, pressure: Some(5e3), ..change(&[0]) };
+    assert!(check(&plan(1, 1, vec![first, valve])).is_ok());
+}
+
 #[test]
 fn an_alternation_has_a_largest_number_of_cycles() {
     let layout = plan(1, 1, Vec::new()).layout;

@@ -38,6 +38,8 @@ pub struct Assembly {
     tape: Tape<f64>,
     /// Divisor of each residual, so that multiplying an equation by a number changes nothing.
     scales: Vec<f64>,
+    /// The largest size of an equation's terms, at the nominal configuration; 1 without equations.
+    size: f64,
     /// Names of the constraints that the residuals belong to.
     names: Vec<String>,
     /// Number of residuals, the last ones, that follow from the others at the default parameters.
@@ -133,7 +135,7 @@ impl Assembly {
             let known = inputs.iter().position(|s| *s == symbol);
             Rounded::new(known.map_or(f64::NAN, |i| arguments[i]), 0.0)
         };
-        let scales = alg.dag.evaluate(&residuals, &argument).into_iter().map(|r| scale(r.size())).collect();
+        let sizes: Vec<f64> = alg.dag.evaluate(&residuals, &argument).into_iter().map(|r| r.size()).collect();
         let declared = coordinates.iter().map(|&c| &model.coordinates[c]);
         let together = |places: &[usize]| {
             let held = places.iter().filter(|place| independent.contains(place)).count();
@@ -142,7 +144,8 @@ impl Assembly {
         let unit_vectors = UnitVectors::find(&alg.dag, &residuals, &symbols).of(together);
         Self {
             tape: Tape::new(&alg.dag, &roots, &inputs),
-            scales,
+            scales: sizes.iter().map(|size| scale(*size)).collect(),
+            size: sizes.into_iter().reduce(f64::max).unwrap_or(1.0),
             names: k.residual_names.iter().chain(&k.implied_names).map(|p| p.name.clone()).collect(),
             implied: k.implied.len(),
             unit_vectors,
@@ -156,10 +159,10 @@ impl Assembly {
         }
     }
 
-    /// The largest scale of an equation: the size of its terms, to a factor of a thousand; 1 without equations.
+    /// The largest size of an equation's terms, at the nominal configuration; 1 without equations.
     #[must_use]
     pub fn size(&self) -> f64 {
-        self.scales.iter().copied().reduce(f64::max).unwrap_or(1.0)
+        self.size
     }
 
     /// Sets the values of the tunable parameters, in the order of their declaration.

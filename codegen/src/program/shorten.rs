@@ -2,9 +2,9 @@
 
 use super::derived::Program;
 use crate::expr::tape::SampleTable;
-use crate::expr::{ExprId, Node, SymbolId};
+use crate::expr::{Dag, ExprId, Node, SymbolId};
 use crate::value::{self, Effort, Search, States};
-use rustc_hash::FxHashMap as HashMap;
+use rustc_hash::{FxHashMap as HashMap, FxHashSet as HashSet};
 
 /// Number of samples at the end of the table at which round-off is watched, besides the nominal and the worst ones.
 const RANDOM: usize = 2;
@@ -27,9 +27,44 @@ pub(super) fn answers(program: &mut Program, table: &mut SampleTable, effort: Ef
     };
     let groups = program.groups();
     let search = Search { effort, paired: ON_REQUEST };
-    let shorter = value::shorten(&mut program.dag, &groups, &guard, &samples, search);
-    let image: HashMap<ExprId, ExprId> = groups.concat().into_iter().zip(shorter.concat()).collect();
+    let shorten = |dag: &mut Dag, groups: &[Vec<ExprId>]| -> HashMap<ExprId, ExprId> {
+        let shorter = value::shorten(dag, groups, &guard, &samples, search);
+        groups.concat().into_iter().zip(shorter.concat()).collect()
+    };
+    let mut image = shorten(&mut program.dag, &groups);
+    let all: Vec<ExprId> = groups.concat();
+    let given: HashSet<SymbolId> = program.u_dot.iter().map(|quantity| quantity.symbol).collect();
+    let shorter: Vec<ExprId> = all.iter().map(|root| image[root]).collect();
+    let reads = depending(&program.dag, &given, &[&all[..], &shorter].concat());
+    if all.iter().any(|root| !reads.contains(root) && reads.contains(&image[root])) {
+        // A value of what reads given accelerations was found to be one of an answer that does not, since they cancel;
+        // but its function is not given them. Both are shortened apart.
+        let of = |wanted: bool| -> Vec<Vec<ExprId>> {
+            let own = |group: &Vec<ExprId>| {
+                group.iter().copied().filter(|root| reads.contains(root) == wanted).collect()
+            };
+            groups.iter().map(own).collect()
+        };
+        image = shorten(&mut program.dag, &of(false));
+        image.extend(shorten(&mut program.dag, &of(true)));
+    }
     program.map_answers(|e| image[&e]);
+}
+
+/// The nodes below `roots` that depend on some of these symbols.
+fn depending(dag: &Dag, symbols: &HashSet<SymbolId>, roots: &[ExprId]) -> HashSet<ExprId> {
+    let mut found: HashSet<ExprId> = HashSet::default();
+    if symbols.is_empty() {
+        return found;
+    }
+    // Operands come before what reads them.
+    for id in dag.reachable(roots) {
+        let is_one = dag.as_symbol(id).is_some_and(|symbol| symbols.contains(&symbol));
+        if is_one || dag.operands(id).into_iter().flatten().any(|operand| found.contains(&operand)) {
+            found.insert(id);
+        }
+    }
+    found
 }
 
 /// Indices of the watched samples: the nominal one, those where the weakest pivots are smallest, and some random ones.

@@ -525,3 +525,44 @@ fn inverse_dynamics_takes_fewer_operations_than_the_mass_matrix() {
         assert!(ratio <= most, "{name}: {ratio}");
     }
 }
+
+/// Values of `inverse_dynamics` that are those of another answer where given accelerations cancel: the function of that
+/// answer is not given them. Here a disc that rolls, with an arm on a universal joint.
+#[test]
+fn answers_read_given_accelerations_only_where_they_have_them() {
+    let text = r#"
+format = 1
+name = "rolling_arm"
+gravity = "-g*N.z"
+[parameters]
+m = { value = 1, unit = "kg" }
+r = { value = 0.5, unit = "m" }
+g = { value = 9.81, unit = "m/s^2" }
+mp = { value = 0.3, unit = "kg" }
+d = { value = 0.2, unit = "m" }
+a = { value = 0.1, unit = "m" }
+w = { value = 2, unit = "Hz" }
+[joints]
+disc = { kind = "rolling_disc", child = "wheel", radius = "r", at = "a*sin(w*t)*N.x" }
+pend = { kind = "universal", axes = ["z", "x"], parent = "wheel", child = "bob", at = "wheel + d*wheel.x", stiffness = [2, 1.5], rest = [0.1, 0.2] }
+[points]
+tip = "bob - 0.15_m*bob.z"
+[bodies]
+disc = { centre = "wheel", frame = "wheel", mass = "m", disc = "r", axis = "y" }
+bob = { centre = "tip", frame = "bob", mass = "mp", box = ["0.05_m", "0.1_m", "0.3_m"] }
+"#;
+    let model = smartbed_codegen::model::parse("rolling_arm.toml", text).expect("a model");
+    let one =
+        |name: &str| Function { name: name.to_owned(), requests: vec![name.parse().expect("a request")] };
+    let asked = Asked::only(vec![one("inverse_dynamics"), one("linearisation")]);
+    let program =
+        program::derive_asked(&model, &ParameterChoice::default(), program::Settings::default(), &asked)
+            .expect("derives");
+    let given: Vec<_> = program.u_dot.iter().map(|quantity| quantity.symbol).collect();
+    assert!(!given.is_empty());
+    let reads = |function: usize| {
+        let roots = program.function_roots(&program.functions[function]);
+        program.dag.symbols_of_all(&roots).iter().any(|symbol| given.contains(symbol))
+    };
+    assert!(reads(0) && !reads(1));
+}

@@ -148,6 +148,29 @@ fn a_start_is_on_the_branch_that_it_states() {
     assert!((plain[1] - other[1]).abs() > 1.0, "{plain:?}");
 }
 
+/// The residual below which a parameter is accepted is that of the terms, whatever the unit of length.
+#[test]
+fn the_size_of_equations_scales_with_the_mechanism() {
+    let text = crate::models::text_of("parallelogram");
+    let size = |text: &str| crate::models::derived_from(text).assembly.size();
+    let own = size(&text);
+    let lines = |factor: f64| -> String {
+        let scaled = |line: &str| match line.split_once("value = ") {
+            Some((head, rest)) if line.contains("unit = \"m\"") => {
+                let (number, tail) = rest.split_once(',').expect("a unit follows");
+                let number: f64 = number.trim().parse().expect("a number");
+                format!("{head}value = {},{tail}", factor * number)
+            }
+            _ => line.to_owned(),
+        };
+        text.lines().map(scaled).collect::<Vec<_>>().join("\n")
+    };
+    for factor in [1e-3, 1.0 / 32.0, 7.0, 1e3] {
+        let other = size(&lines(factor));
+        assert!((other / own / factor - 1.0).abs() < 1e-9, "{factor}: {other} for {own}");
+    }
+}
+
 #[test]
 fn a_dependent_speed_says_where_it_is_declared() {
     let model = shipped("fourbar");

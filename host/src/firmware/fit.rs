@@ -175,3 +175,23 @@ fn is_set(set: &[String], name: &str) -> bool {
     set.iter()
         .any(|change| change.split('=').next().is_some_and(|path| keys.iter().any(|key| key == path.trim())))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::sheets;
+
+    #[test]
+    fn sheets_with_numbers_of_nodes_keep_their_mesh() {
+        let file = std::env::temp_dir().join(format!("smartbed_fit_{}.toml", std::process::id()));
+        let of = |more: &str| {
+            let text = format!("format = 2\n[parts.net]\nshape = \"sheet\"\n{more}\n");
+            std::fs::write(&file, text).expect("written");
+            sheets(&file).expect("read")
+        };
+        assert_eq!(of("mass = \"5_g\"\nattach = [{ nodes = \"rim\", to = \"a.b\" }]"), ["net"]);
+        for more in ["fixed = [4]", "mass = [1, 2]", "attach = [{ nodes = [4], to = \"ball\" }]"] {
+            assert_eq!(of(more), [] as [&str; 0], "{more}");
+        }
+        std::fs::remove_file(&file).expect("removed");
+    }
+}

@@ -77,13 +77,14 @@ pub(super) fn cycles_are_few(
 fn change(table: &Table, layout: &Layout, seconds: f64, found: &mut Diagnostics) -> Option<Move> {
     let fields = Fields::of("move", table.span, table);
     let at = number(&fields, "at", "s", Bound::NotNegative, found).unwrap_or(0.0);
-    if at > seconds {
+    let over = number(&fields, "over", "s", Bound::NotNegative, found).unwrap_or(0.0);
+    if at > seconds || at == seconds && over > 0.0 {
         let warning =
             Diagnostic::warning(format!("a move at {at} s has no effect: the run ends at {seconds} s"));
         let span = fields.get("at").map_or(table.span, Value::span);
-        found.push(warning.label(span, "after the end").help("an earlier `at`, or a larger run.seconds"));
+        let label = if at > seconds { "after the end" } else { "it only begins at the end" };
+        found.push(warning.label(span, label).help("an earlier `at`, or a larger run.seconds"));
     }
-    let over = number(&fields, "over", "s", Bound::NotNegative, found).unwrap_or(0.0);
     let tiles = tiles(fields.need("tiles", "\"all\"", found)?, layout, found)?;
     let pressure = number(&fields, "pressure", "Pa", Bound::Any, found);
     let heave = number(&fields, "heave", "m", Bound::Any, found);

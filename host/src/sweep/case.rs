@@ -7,7 +7,7 @@ use crate::bed::report::RunReport;
 use crate::csv;
 use crate::failure::Failure;
 use crate::input;
-use crate::number::{json_number, json_string};
+use crate::number::{json_number_or_word, json_string};
 use crate::origin::{Meshes, Origin, seeds_json};
 use crate::plan::Axes;
 use crate::plan_file::PlanFile;
@@ -130,14 +130,18 @@ impl Case {
         for (sites, list) in &report.lists[..3] {
             for row in list {
                 let name = json_string(&format!("{sites} {} {} ({})", row.place, row.metric, row.unit));
-                rows.push(format!("{name}: {}", row.value.map_or_else(|| "null".to_owned(), json_number)));
+                rows.push(format!(
+                    "{name}: {}",
+                    row.value.map_or_else(|| "null".to_owned(), json_number_or_word)
+                ));
             }
         }
         Ok(format!(
-            "{}\"seeds\": {}, \"valid\": {}, \"metrics\": {{{}}}, \"note\": {}}}\n",
+            "{}\"seeds\": {}, \"valid\": {}, \"over_pressure\": {}, \"metrics\": {{{}}}, \"note\": {}}}\n",
             self.head(),
             seeds_json(&read),
             smartbed_bed::plan::states::is_valid(&report.gate),
+            smartbed_bed::plan::states::over(&read.plan, &history).is_some(),
             rows.join(", "),
             json_string(smartbed_bed::metrics::DISCLAIMER)
         ))
@@ -165,18 +169,27 @@ pub struct Table {
     pub rows: Vec<[Vec<String>; 2]>,
     /// Number of cases that are refused.
     pub refused: usize,
+    /// Numbers of the cases, from 1, whose energies do not close, and of those with more pressure than bladders may
+    /// have.
+    pub doubtful: [Vec<usize>; 2],
 }
 
 impl Table {
     /// Reads the files of all cases.
     pub fn read(all: &[Case], folder: &Path) -> Result<Table, Failure> {
-        let (mut read, mut metrics) = (Vec::new(), Vec::new());
+        let (mut read, mut metrics, mut doubtful) = (Vec::new(), Vec::new(), [Vec::new(), Vec::new()]);
         for case in all {
             let file = case.file(folder);
             let text =
                 input::text(&file.display().to_string()).map_err(|e| format!("{}: {e}", file.display()))?;
             let value: serde_json::Value =
                 serde_json::from_str(&text).map_err(|e| format!("{}: {e}", file.display()))?;
+            let is_refused = value[REFUSED].is_string();
+            for (list, holds) in
+                doubtful.iter_mut().zip([value["valid"] == false, value["over_pressure"] == true])
+            {
+                list.extend((holds && !is_refused).then_some(case.number + 1));
+            }
             let own = value["metrics"].as_object().cloned().unwrap_or_default();
             for name in own.keys().filter(|name| !metrics.contains(*name)).cloned().collect::<Vec<String>>() {
                 metrics.push(name);
@@ -190,6 +203,7 @@ impl Table {
             let values = case.values.iter().map(|(_, value)| value.trim_matches('"').to_owned()).chain(why);
             let number = |name: &String| match own.get(name) {
                 Some(serde_json::Value::Number(x)) => x.to_string(),
+                Some(serde_json::Value::String(word)) => word.clone(),
                 _ => String::new(),
             };
             [values.collect(), metrics.iter().map(number).collect()]
@@ -197,7 +211,7 @@ impl Table {
         let rows = all.iter().zip(&read).map(row).collect();
         let keys = all.first().map_or(&[][..], |case| &case.values).iter().map(|(key, _)| key.clone());
         let keys = keys.chain((refused > 0).then(|| REFUSED.to_owned())).collect();
-        Ok(Table { keys, metrics, rows, refused })
+        Ok(Table { keys, metrics, rows, refused, doubtful })
     }
 
     /// As CSV.

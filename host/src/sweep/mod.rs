@@ -19,6 +19,9 @@ use std::path::Path;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
+/// Most cases that a warning names.
+const NAMED: usize = 6;
+
 /// Run a plan of the bed for every combination of the values in its `[sweep]`.
 #[derive(clap::Args, Clone, Debug)]
 #[command(after_help = "Examples:
@@ -106,6 +109,15 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     }
     if let Some(file) = &arguments.parquet {
         write_parquet(file, &found, &all)?;
+    }
+    let why = [
+        "NOT VALID: work and energy do not agree; a smaller dynamics.step, or see `bed run` of the case",
+        "with a bladder above `bed.most_pressure`; a lower order, or regulated air",
+    ];
+    for (cases, why) in found.doubtful.iter().zip(why).filter(|(cases, _)| !cases.is_empty()) {
+        let names: Vec<String> = cases.iter().map(usize::to_string).collect();
+        let names = smartbed_codegen::words::first_of(&names, NAMED);
+        output::say(&format!("warning: {}: case {names}: {why}", table.display()));
     }
     if found.refused == all.len() {
         let words = smartbed_codegen::words::count(all.len(), "case");
