@@ -10,7 +10,7 @@
 use crate::columns::told_apart;
 use crate::reads::{is_speed, mentions};
 use crate::terms::{add, components, dot, negate, node, number, square, times};
-use crate::timed::Command;
+pub use crate::timed::Command;
 use crate::{jumps, timed};
 use smartbed_codegen::id::Id;
 use smartbed_codegen::model::expression::{Expr, ExprKind};

@@ -11,8 +11,7 @@
 pub mod between;
 pub mod impulse;
 
-use crate::observers::Observers;
-use crate::timed::Command;
+use crate::observers::{Command, Observers};
 use smartbed_codegen::Interpreted;
 use smartbed_runtime::mechanism::{Fault, Mechanism as _};
 use smartbed_runtime::real::Scalar;

@@ -6,9 +6,9 @@
 //! no motion follows it.
 
 use super::{CarriedWorld, words};
+use crate::observers::Command;
 use crate::switches::impulse::{self, Placed};
 use crate::switches::{MOST, rounding, too_many};
-use crate::timed::Command;
 use crate::world::carriers::HostCarrier;
 use crate::world::engine::Event;
 use crate::world::ported::Ported;
