@@ -57,21 +57,20 @@ pub fn check_from(plan: &Plan, from: f64) -> Result<(), Refusal> {
     times.push(from);
     times.sort_by(f64::total_cmp);
     times.dedup();
-    // A plan may begin with any order.
-    let mut before: Option<(f64, Vec<Order>)> =
-        (from > 0.0).then(|| (from, (0..layout.count()).map(|tile| plan.order_before(tile, from)).collect()));
+    let mut before: Option<(f64, Vec<Order>)> = None;
     for time in times {
         let orders: Vec<Order> = (0..layout.count()).map(|tile| plan.order(tile, time)).collect();
         for (tile, order) in orders.iter().enumerate() {
             let refuse = |what: String| Refusal { time, tile: Some(tile + 1), what };
             of_tile(layout, order).map_err(refuse)?;
-            let Some((then, old)) = &before else { continue };
             let arrived = plan.order_before(tile, time);
-            if time > *then {
+            if let Some((then, old)) = &before {
                 of_speed(layout, &old[tile], &arrived, time - then).map_err(refuse)?;
             }
-            // A jump: no time, an infinite speed.
-            of_speed(layout, &arrived, order, 0.0).map_err(refuse)?;
+            // A plan may begin with any order; later a jump has no time, and so an infinite speed.
+            if time > 0.0 {
+                of_speed(layout, &arrived, order, 0.0).map_err(refuse)?;
+            }
         }
         for (one, other, is_beside) in layout.neighbours() {
             between(layout, [(one, &orders[one]), (other, &orders[other])], is_beside)

@@ -320,8 +320,8 @@ pub struct Plan {
 }
 
 impl Plan {
-    /// The order of a tile at a time: each move of a quantity starts from its order at that moment, and ends the one before
-    /// it.
+    /// The order of a tile at a time: each move of a quantity starts from its order at that moment, and ends the one
+    /// before it.
     #[must_use]
     pub fn order(&self, tile: usize, time: f64) -> Order {
         self.order_after(tile, time, |change| change.at <= time)

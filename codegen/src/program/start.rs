@@ -1,9 +1,9 @@
 //! The start of a motion: the model's `[start]` as coordinates and speeds.
 //!
 //! In: what `[start]` states. Out: a configuration that satisfies the constraints, on the branch of the nominal one or,
-//! where dependent coordinates are stated, of these; and the speeds: independent ones, or all, where all are state, as `run` completes them. Coordinates that are not
-//! stated are nominal, independent speeds 0. A warning names what is stated
-//! although it follows from the rest.
+//! where dependent coordinates are stated, of these; and the speeds: independent ones, or all, where all are state, as
+//! `run` completes them. Coordinates that are not stated are nominal, independent speeds 0. A warning names what is
+//! stated although it follows from the rest.
 
 use super::derived::Program;
 use super::speeds;

@@ -15,6 +15,7 @@ use crate::run::arguments::Arguments;
 use crate::run::settings::{self, Settings};
 use crate::run::simulate::{Plant, Row, Setup, columns, simulate};
 use crate::run::start::start;
+use crate::switches::Switches;
 use crate::switches::between::Between;
 use clap::ValueEnum;
 use smartbed_codegen::model::Model;
@@ -104,14 +105,10 @@ impl Subject for Mechanism {
     }
 
     fn passes_over(&self, step: f64) -> bool {
-        let passed = self.plant::<f64>(EngineKind::Interpreter).ok().and_then(|mut plant| {
-            let Settings { seconds, step: own, .. } = self.settings;
-            Between::new(&self.observers, seconds, own)
-                .ok()??
-                .passed([seconds, step], &mut plant.switches)
-                .ok()?
-        });
-        passed.is_some()
+        let Settings { seconds, step: own, .. } = self.settings;
+        let Ok(Some(between)) = Between::new(&self.observers, seconds, own) else { return false };
+        let mut switches = Switches::<f64>::new(&self.observers);
+        between.passed([seconds, step], &mut switches).is_ok_and(|passed| passed.is_some())
     }
 
     fn is_smooth(&self) -> bool {

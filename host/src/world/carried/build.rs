@@ -181,7 +181,7 @@ impl CarriedWorld {
                     let point = frame.point(self.room.pos[node]);
                     let own = frame.to_inertial(self.room.vel[node]);
                     self.room.pos[node] = point;
-                    // What is fixed stays where the frame was; where it is attached, it gets its frame's velocity at each state.
+                    // What is fixed stays where the frame was; what is attached gets its frame's velocity at each state.
                     self.room.vel[node] = match self.fixed.held[node] {
                         true => [0.0; 3],
                         false => vec3::add(frame.velocity_at(point), own),

@@ -93,7 +93,8 @@ fn named_twice<'n>(nodes: impl Iterator<Item = &'n usize>) -> Option<usize> {
     nodes.copied().find(|node| !seen.insert(*node))
 }
 
-/// Nodes by number, those of facets by number, or those of a group: `rim` (what the shape holds fixed), `base` (what closes a sheet below).
+/// Nodes by number, those of facets by number, or those of a group: `rim` (what the shape holds fixed), `base` (what
+/// closes a sheet below).
 fn nodes(
     fields: &Fields<'_>,
     table: &Table,
