@@ -5,6 +5,7 @@
 use crate::failure::Failure;
 use crate::file_kind::FileKind;
 use crate::plan::{Read, checked, parse};
+use crate::world::read::settings::refuse_twice;
 use crate::{hash, input, model_argument};
 
 /// The file of a plan. It is read only once, so that later changes of the file have no effect.
@@ -59,8 +60,9 @@ impl PlanFile {
     /// Parses the plan with `settings` applied and checks it against its limits.
     ///
     /// # Errors
-    /// Everything that is wrong in its text, or the first limit that it exceeds.
+    /// Everything that is wrong in its text, a key that is set twice, or the first limit that it exceeds.
     pub fn read(&self, settings: &[String]) -> Result<Read, Failure> {
+        refuse_twice(settings).map_err(Failure::Wrong)?;
         let read = parse(&self.path, &self.text, settings).map_err(|found| model_argument::wrong(&found))?;
         Ok(checked(&self.path, read)?)
     }

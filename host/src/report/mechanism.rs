@@ -21,6 +21,7 @@ use clap::ValueEnum;
 use smartbed_codegen::model::Model;
 use smartbed_codegen::words::count;
 use smartbed_codegen::{Interpreted, Program, program};
+use std::sync::OnceLock;
 use std::time::Duration;
 
 /// A ladder begins at this multiple of the model's own step.
@@ -35,6 +36,8 @@ pub struct Mechanism {
     pub(super) settings: Settings,
     pub(super) program: Program,
     pub(super) observers: Observers,
+    /// What depends on time alone, once it was asked for.
+    between: OnceLock<Option<Between>>,
     pub(super) start: Vec<f64>,
     pub(super) engine: EngineKind,
 }
@@ -61,7 +64,8 @@ impl Mechanism {
         let program = program::derive(&model, &settings.choice).map_err(wrong)?;
         let observers = Observers::derive(&model, &settings.choice).map_err(wrong)?;
         let start = start(&model, &program, &settings)?;
-        Ok(Self { name: name.to_owned(), model, settings, program, observers, start, engine })
+        let between = OnceLock::new();
+        Ok(Self { name: name.to_owned(), model, settings, program, observers, between, start, engine })
     }
 
     /// Time between two rows of output (s).
@@ -106,7 +110,8 @@ impl Subject for Mechanism {
 
     fn passes_over(&self, step: f64) -> bool {
         let Settings { seconds, step: own, .. } = self.settings;
-        let Ok(Some(between)) = Between::new(&self.observers, seconds, own) else { return false };
+        let table = || Between::new(&self.observers, seconds, own).ok().flatten();
+        let Some(between) = self.between.get_or_init(table) else { return false };
         let mut switches = Switches::<f64>::new(&self.observers);
         between.passed([seconds, step], &mut switches).is_ok_and(|passed| passed.is_some())
     }

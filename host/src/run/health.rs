@@ -78,8 +78,8 @@ pub struct Health {
     taken: [f64; 2],
     /// What chatters, as a message.
     chatter: Option<String>,
-    /// The time (s) near which a step passes over what depends on time alone.
-    passed: Option<f64>,
+    /// The part, if it is one of several, and the time (s) near which a step passes over what depends on time alone.
+    passed: Option<(Option<String>, f64)>,
 }
 
 /// Energies at a row (J).
@@ -171,9 +171,10 @@ impl Health {
         self.chatter = warning;
     }
 
-    /// Notes the time (s) near which a step passes over what a load, a law or a command does.
-    pub fn passed_over(&mut self, t: Option<f64>) {
-        self.passed = t;
+    /// Notes the time (s) near which a step passes over what a load, a law or a command does, of a part if it is one of
+    /// several.
+    pub fn passed_over(&mut self, part: Option<&str>, t: f64) {
+        self.passed = Some((part.map(str::to_owned), t));
     }
 
     /// The findings, as messages for the user.
@@ -193,9 +194,10 @@ impl Health {
     }
 
     fn passed_by(&self) -> Option<String> {
-        let t = self.passed?;
+        let (part, t) = self.passed.as_ref()?;
+        let of = part.as_ref().map_or_else(String::new, |part| format!(" of `{part}`"));
         Some(format!(
-            "a load, law or command changes and returns within a step near t = {t:.4} s, which does not see it; take a smaller step"
+            "a load, law or command{of} changes and returns within a step near t = {t:.4} s, which does not see it; take a smaller step"
         ))
     }
 

@@ -153,6 +153,9 @@ fn record(arguments: &Arguments, assembly: &Assembly) -> Result<Done, Failure> {
     let method = if arguments.scalar == ScalarKind::F32 { method + ", in f32" } else { method };
     let (mut kept, film) = records.finish(arguments, &note, &events)?;
     engine.pivots().into_iter().for_each(|(part, pivot)| kept.health.pivot(Some(part), pivot));
+    if let Some((part, t)) = engine.passed([assembly.run.seconds, assembly.run.step]) {
+        kept.health.passed_over(Some(part), t);
+    }
     Ok(Done { method, events, film, warnings, kept })
 }
 

@@ -11,6 +11,7 @@ use crate::number::{json_number_or_word, json_string};
 use crate::origin::{Meshes, Origin, seeds_json};
 use crate::plan::Axes;
 use crate::plan_file::PlanFile;
+use crate::world::read::settings;
 use smartbed_bed::plan::history::RunError;
 use std::path::{Path, PathBuf};
 
@@ -41,14 +42,7 @@ pub fn cases(name: &str, plan: &PlanFile, settings: &[String], axes: &Axes) -> R
     if count > MOST {
         return Err(Failure::Wrong(format!("{name}: its [sweep] has more than {MOST} cases")));
     }
-    let set = |setting: &&String| {
-        setting.split_once('=').is_some_and(|(key, _)| axes.iter().any(|(axis, _)| axis == key.trim()))
-    };
-    if let Some(setting) = settings.iter().find(set) {
-        return Err(Failure::Wrong(format!(
-            "--set {setting}: the [sweep] gives this key its values in every case; leave the setting out, or change the list in the plan"
-        )));
-    }
+    refuse_overlaps(name, settings, axes)?;
     let mut meshes = Meshes::new();
     let one = |number: usize| {
         let (mut rest, mut values) = (number, Vec::new());
@@ -63,6 +57,30 @@ pub fn cases(name: &str, plan: &PlanFile, settings: &[String], axes: &Axes) -> R
         Case { number, plan: plan.clone(), origin, values }
     };
     Ok((0..count).map(one).collect())
+}
+
+/// Refuses settings and keys of the sweep of which one replaces another.
+fn refuse_overlaps(name: &str, settings: &[String], axes: &Axes) -> Result<(), Failure> {
+    let paths: Vec<_> = axes.iter().map(|(key, _)| settings::path(&format!("{key}=0"))).collect();
+    for (n, ((key, _), axis)) in axes.iter().zip(&paths).enumerate() {
+        let is_replaced = |setting: &&String| {
+            settings::path(setting).is_some_and(|own| settings::replaces(axis.as_ref(), &own))
+        };
+        if let Some(setting) = settings.iter().find(is_replaced) {
+            return Err(Failure::Wrong(format!(
+                "--set {setting}: the [sweep] gives this key its values in every case; leave the setting out, or change the list in the plan"
+            )));
+        }
+        let first = (0..n)
+            .find(|&first| paths[first].as_ref().is_some_and(|own| settings::replaces(axis.as_ref(), own)));
+        if let Some(first) = first {
+            return Err(Failure::Wrong(format!(
+                "{name}: `{key}` in [sweep] replaces `{}`; leave one of them out, or give the whole table first",
+                axes[first].0
+            )));
+        }
+    }
+    Ok(())
 }
 
 /// Refuses a key of the sweep that no case has, before any of them is computed. A key may belong to some cases only,

@@ -9,7 +9,6 @@ use super::Switches;
 use crate::observers::Observers;
 use smartbed_codegen::Interpreted;
 use smartbed_runtime::mechanism::{Fault, Mechanism as _};
-use smartbed_runtime::real::Scalar;
 
 /// Values within a step of the run; least and most values of the table, and most of all functions.
 const EACH_STEP: f64 = 16.0;
@@ -37,6 +36,19 @@ pub struct Between {
     spacing: f64,
     /// By function: its values, and the least change that counts.
     functions: Vec<(Vec<f64>, f64)>,
+}
+
+/// The middle (s) of the first of the steps of fixed length (s) of a run over so many seconds that hides something of
+/// what these observers see.
+///
+/// # Errors
+/// The engine's.
+pub fn passed(observers: &Observers, run: [f64; 2]) -> Result<Option<f64>, Fault> {
+    let [seconds, step] = run;
+    match Between::new(observers, seconds, step)? {
+        Some(between) => between.passed(run, &mut Switches::<f64>::new(observers)),
+        None => Ok(None),
+    }
 }
 
 impl Between {
@@ -80,10 +92,10 @@ impl Between {
     ///
     /// # Errors
     /// The engine's.
-    pub fn passed<S: Scalar>(
+    pub fn passed(
         &self,
         [seconds, step]: [f64; 2],
-        switches: &mut Switches<S>,
+        switches: &mut Switches<f64>,
     ) -> Result<Option<f64>, Fault> {
         let mut t = 0.0;
         for i in 1.. {

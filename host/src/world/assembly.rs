@@ -370,6 +370,21 @@ impl Assembly {
         })
     }
 
+    /// The part and the gas line, `supply` or `vent`, that this input of a controller sets although the scene opens it.
+    #[must_use]
+    pub fn opened(&self, input: &str) -> Option<(&str, &'static str)> {
+        self.parts.iter().find_map(|part| {
+            let Kind::Flexible(body) = &part.kind else { return None };
+            let driven = input.strip_prefix(part.name.as_str())?.strip_prefix('.')?;
+            let lines = ["supply", "vent"].into_iter().zip(&body.lines);
+            let opened = lines.filter(|(_, line)| line.as_ref().is_some_and(|own| own.opening > 0.0));
+            opened
+                .map(|(name, _)| name)
+                .find(|name| [name, "valves"].contains(&driven))
+                .map(|name| (&*part.name, name))
+        })
+    }
+
     /// Refuses contacts between parts that no force moves.
     ///
     /// # Errors

@@ -84,6 +84,17 @@ impl Controllers {
                 let error = error.label(place(&first.name, "drives"), "first driven here");
                 return Err(assembly.places.failure(error.help("leave it to one of them")));
             }
+            if let Some((part, line)) = assembly.opened(&own.drives) {
+                let error = Diagnostic::error(format!(
+                    "controllers.{name}: it drives `{}`, so that `opening` has no effect",
+                    own.drives
+                ));
+                let opened = assembly.places.key(&["parts", part, "gas", line, "opening"]);
+                let error = error.label(opened, "replaced by the controller's output from the start on");
+                return Err(assembly
+                    .places
+                    .failure(error.help("leave `opening` out; `bias` is the output at target")));
+            }
             let period = whole_steps(&format!("controllers.{name}"), "period", own.period, assembly.run.step)
                 .map_err(|error| at("period", "between two steps", error))?;
             list.push(Controller {

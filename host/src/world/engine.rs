@@ -205,6 +205,11 @@ pub trait Engine {
     fn pivots(&self) -> Vec<(&str, f64)> {
         Vec::new()
     }
+    /// A mechanism of which steps of one length hide what a load, a law or a command does, in a run over so many seconds
+    /// with a step (s); and the time (s) near which.
+    fn passed(&self, _run: [f64; 2]) -> Option<(&str, f64)> {
+        None
+    }
     /// Warnings to be shown at the end.
     fn warnings(&self) -> Vec<String> {
         Vec::new()

@@ -8,7 +8,7 @@ use super::derived::Derived;
 use super::picture::{INERTIA, Picture};
 use crate::chatter::Chatter;
 use crate::observers::LEDGER;
-use crate::switches::Switches;
+use crate::switches::{Switches, between};
 use smartbed_codegen::Interpreted;
 use smartbed_runtime::mechanism::{Fault, Mechanism as _};
 use smartbed_runtime::real::Scalar;
@@ -141,6 +141,11 @@ impl<S: Scalar> Ported<S> {
     /// Does its motion, or do its forces, depend on time explicitly?
     pub(super) fn reads_time(&self) -> bool {
         self.reads_time
+    }
+
+    /// The time (s) near which a step of a run over so many seconds with a step (s) hides what happens in between.
+    pub(super) fn passed(&self, run: [f64; 2]) -> Option<f64> {
+        between::passed(&self.derived.observers, run).ok().flatten()
     }
 
     /// Is some of its motion prescribed, but not all?

@@ -307,6 +307,18 @@ fn a_sweep_gives_the_same_bytes_in_shards_on_any_cores_and_after_a_break() {
         vain.message().contains("--set load.mass=5_kg: the [sweep] gives this key its values"),
         "{vain:?}"
     );
+    let spelled = smartbed(&["sweep", "ball_on_four", "-o", &one, "--set", "load . \"mass\" = 5"]);
+    assert!(spelled.message().contains("the [sweep] gives this key its values"), "{spelled:?}");
+    let twice =
+        smartbed(&["sweep", "ball_on_four", "-o", &one, "--set", "run.seconds=1", "--set", "run.seconds=2"]);
+    assert!(twice.message().contains("`run.seconds` is set twice; leave one of them out"), "{twice:?}");
+    let plan = written(
+        "sweep_spelled.toml",
+        "format = 1\n[bed]\nrows = 1\ncolumns = 1\n[load]\nshape = \"ball\"\nradius = \"150_mm\"\nmass = 1\n\
+         [sweep]\n\"load.mass\" = [1, 2]\n\"load.\\\"mass\\\"\" = [3]\n",
+    );
+    let same = smartbed(&["sweep", &plan, "-o", &one]);
+    assert!(same.message().contains("in [sweep] replaces `load.mass`; leave one of them out"), "{same:?}");
     assert!(smartbed(&["sweep", "alternating", "-o", &one]).message().contains("it has no [sweep]"));
 }
 

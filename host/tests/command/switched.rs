@@ -217,6 +217,12 @@ fn a_report_of_a_world_sees_a_smooth_pulse() {
         "format = 2\n[parts.m]\nmechanism = \"{model}\"\nlaw = {{ F = \"{law}\" }}\n[run]\nseconds = 1\nstep = \"5_ms\"\n"
     );
     let world = written("world_of_ramps.toml", &text);
+    // A run in steps that hide it is warned of, with the part's name; in shorter ones it is not.
+    let warns = |step: &str| {
+        let said = smartbed(&["run", &world, &format!("--step={step}")]);
+        said.err.contains("law or command of `m` changes and returns within a step near t = 0.75")
+    };
+    assert!(warns("0.5") && !warns("0.001"));
     let done = smartbed(&["run", &world, "--error", "1e-4", "--json"]);
     assert_eq!(done.status, 0, "{done:?}");
     let x = done.json()["last"]["m.x"].as_f64().expect("a place");

@@ -219,7 +219,11 @@ fn what_controllers_and_lines_cannot_do_is_refused_by_name() {
     says(&["--set", "parts.bladder.gas.supply.conductance=\"2_kg\""], "conductance");
     says(&["--set", "parts.bladder.gas.supply.critical_ratio=1"], "must be below 1");
     says(&["--set", "parts.bladder.gas.supply.gauge=\"-200_kPa\""], "the supply has no pressure");
-    let wide = ["--set", "parts.bladder.gas.vent={ conductance = 1000, opening = 1 }"];
+    let wide = ["--set", "parts.bladder.gas.vent={ conductance = 1000 }"];
+    says(
+        &["--set", "parts.bladder.gas.supply.opening=0.5"],
+        "it drives `bladder.valves`, so that `opening` has no effect",
+    );
     says(
         &[&wide[..], &["--set", "controllers.air.limits=[-1, -0.5]"]].concat(),
         "could adapt to that of a line",

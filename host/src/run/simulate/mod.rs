@@ -16,7 +16,7 @@ use crate::engine::{Engine, EngineScalar, explain};
 use crate::failure::Failure;
 use crate::limits::{Angles, check_numbers};
 use crate::progress::Progress;
-use crate::switches::between::Between;
+use crate::switches::between::passed;
 use crate::switches::{MOST, rounding, too_many};
 use adaptive::adaptive;
 pub(super) use recorder::interrupted;
@@ -101,12 +101,8 @@ where
 {
     let Settings { seconds, step, every, .. } = *setup.settings;
     let steps = setup.settings.intervals(step);
-    if let Some(between) =
-        Between::new(setup.observers, seconds, step).map_err(|fault| refused(0.0, fault))?
-    {
-        let passed =
-            between.passed([seconds, step], &mut plant.switches).map_err(|fault| refused(0.0, fault))?;
-        recorder.summary.health.passed_over(passed);
+    if let Some(t) = passed(setup.observers, [seconds, step]).map_err(|fault| refused(0.0, fault))? {
+        recorder.summary.health.passed_over(None, t);
     }
     let mut scratch = vec![S::ZERO; method.scratch(state.x().len())];
     let mut progress = Progress::new("running");

@@ -96,6 +96,10 @@ impl Engine for Apart {
         self.world.pivots()
     }
 
+    fn passed(&self, run: [f64; 2]) -> Option<(&str, f64)> {
+        self.world.passed(run)
+    }
+
     fn warnings(&self) -> Vec<String> {
         self.world.warnings()
     }

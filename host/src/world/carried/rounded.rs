@@ -94,6 +94,10 @@ impl Engine for Single {
         self.own.pivots()
     }
 
+    fn passed(&self, run: [f64; 2]) -> Option<(&str, f64)> {
+        self.own.passed(run)
+    }
+
     fn warnings(&self) -> Vec<String> {
         self.own.warnings()
     }

@@ -8,6 +8,7 @@ use crate::world::accounts::Accounts;
 use crate::world::carriers::HostCarrier;
 use crate::world::engine::{self, Column, Energies, Engine, Event, Settled};
 use crate::world::picture::Picture;
+use crate::world::ported::Ported;
 use crate::world::pushed::Pushed;
 use crate::world::rounding::{wide, wide_shape};
 use crate::world::touching::Touching;
@@ -285,14 +286,11 @@ impl<S: Settle> Engine for CarriedWorld<S> {
     }
 
     fn pivots(&self) -> Vec<(&str, f64)> {
-        let of = |(name, place)| match place {
-            &Place::Carrier(number, _) => match &self.carriers[number] {
-                HostCarrier::Mechanism(ported) => Some((name, ported.pivot.to_f64())),
-                _ => None,
-            },
-            _ => None,
-        };
-        self.names.iter().map(String::as_str).zip(&self.places).filter_map(of).collect()
+        self.mechanisms().map(|(name, own)| (name, own.pivot.to_f64())).collect()
+    }
+
+    fn passed(&self, run: [f64; 2]) -> Option<(&str, f64)> {
+        self.mechanisms().find_map(|(name, own)| Some((name, own.passed(run)?)))
     }
 
     fn warnings(&self) -> Vec<String> {
@@ -334,6 +332,18 @@ impl<S: Settle> Engine for CarriedWorld<S> {
 }
 
 impl<S: Settle> CarriedWorld<S> {
+    /// Names of the mechanisms, and the mechanisms.
+    fn mechanisms(&self) -> impl Iterator<Item = (&str, &Ported<S>)> {
+        let of = |(name, place): (_, &Place<S>)| match *place {
+            Place::Carrier(number, _) => match &self.carriers[number] {
+                HostCarrier::Mechanism(ported) => Some((name, &**ported)),
+                _ => None,
+            },
+            _ => None,
+        };
+        self.names.iter().map(String::as_str).zip(&self.places).filter_map(of)
+    }
+
     /// Observes signs of speeds in laws and loads of mechanisms after a step.
     pub(super) fn watch_chatter(&mut self) -> Result<(), String> {
         let watched =

@@ -32,24 +32,37 @@ pub(crate) fn apply(mut table: Table, settings: &[String], found: &mut Diagnosti
 /// # Errors
 /// A message with the key.
 pub fn refuse_twice(settings: &[String]) -> Result<(), String> {
-    let key = |setting: &String| {
-        dotted(setting).split_once('=').map_or_else(String::new, |(key, _)| key.trim().to_owned())
-    };
-    let keys: Vec<String> = settings.iter().map(key).collect();
-    let replaced = |n: usize| {
-        let inside = |key: &&String| {
-            key.strip_prefix(&keys[n]).is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
-        };
-        keys[..n].iter().find(inside)
-    };
-    let again = (1..keys.len()).find_map(|n| Some((n, replaced(n)?)));
+    let paths: Vec<Option<Vec<String>>> = settings.iter().map(|setting| path(setting)).collect();
+    let replaced = |n: usize| paths[..n].iter().flatten().find(|first| replaces(paths[n].as_ref(), first));
+    let again = (1..paths.len()).find_map(|n| Some((n, replaced(n)?)));
     again.map_or(Ok(()), |(n, first)| {
-        let cure = match *first == keys[n] {
+        let cure = match paths[n].as_ref() == Some(first) {
             true => "leave one of them out",
             false => "this replaces the whole table: leave one of them out, or give the table first",
         };
-        Err(format!("--set {}: `{first}` is set twice; {cure}", settings[n]))
+        Err(format!("--set {}: `{}` is set twice; {cure}", settings[n], first.join(".")))
     })
+}
+
+/// Does a setting of the path `later` leave nothing of one of the path `first`: is it the same key, or a table around
+/// it?
+pub fn replaces(later: Option<&Vec<String>>, first: &[String]) -> bool {
+    later.is_some_and(|later| first.starts_with(later))
+}
+
+/// The names that lead to the key of a setting, however they are spelled: `contacts`, `0`, `friction` for
+/// `contacts[0]."friction" = 0.1`. None if it is no setting.
+pub fn path(setting: &str) -> Option<Vec<String>> {
+    let (text, table) = toml(&dotted(setting), 0);
+    let (key, mut value) = table?.entries.into_iter().next()?;
+    let mut names = vec![key.name];
+    while is_path(&value, &text) {
+        let Value::Table(mut inner) = value else { break };
+        let (key, next) = inner.entries.pop()?;
+        names.push(key.name);
+        value = next;
+    }
+    Some(names)
 }
 
 /// The setting with the numbers of entries of lists as names: `contacts.0.friction=0.1` for `contacts[0].friction=0.1`.
@@ -80,18 +93,23 @@ fn toml(setting: &str, file: u32) -> (String, Option<Table>) {
     (quoted, table)
 }
 
-/// Is this value part of a path, `b` in `b.c = 1`, rather than a table in braces, which stands for all of its keys?
-fn is_path(value: &Value, found: &Diagnostics) -> bool {
-    let Span { start, file, .. } = value.span();
-    let text = found.source.files.get(file as usize).and_then(|file| file.text.get(start..));
-    matches!(value, Value::Table(_)) && !text.is_some_and(|text| text.starts_with('{'))
+/// Is this value of a setting's `text` part of a path, `b` in `b.c = 1`, rather than a table in braces, which stands for
+/// all of its keys?
+fn is_path(value: &Value, text: &str) -> bool {
+    matches!(value, Value::Table(_))
+        && !text.get(value.span().start..).is_some_and(|text| text.starts_with('{'))
+}
+
+/// The text in which this value stands.
+fn text_of<'a>(value: &Value, found: &'a Diagnostics) -> &'a str {
+    found.source.files.get(value.span().file as usize).map_or("", |file| &file.text)
 }
 
 /// Values in `given` replace those of the same keys; paths lead into tables, and into lists by the numbers of entries.
 fn merge(table: &mut Table, given: Table, found: &mut Diagnostics) {
     for (key, value) in given.entries {
         let known = table.entries.iter_mut().find(|(own, _)| own.name == key.name);
-        let is_path = is_path(&value, found);
+        let is_path = is_path(&value, text_of(&value, found));
         match (known, value) {
             (Some((_, Value::Table(own))), Value::Table(inner)) if is_path => merge(own, inner, found),
             (Some((_, Value::Array(own, _))), Value::Table(inner)) if is_path => {
@@ -107,7 +125,7 @@ fn merge(table: &mut Table, given: Table, found: &mut Diagnostics) {
 fn merge_list(list: &Key, own: &mut [Value], given: Table, found: &mut Diagnostics) {
     let count = own.len();
     for (key, value) in given.entries {
-        let is_path = is_path(&value, found);
+        let is_path = is_path(&value, text_of(&value, found));
         match (key.name.parse().ok().and_then(|number: usize| own.get_mut(number)), value) {
             (Some(Value::Table(own)), Value::Table(inner)) if is_path => merge(own, inner, found),
             (Some(entry), value) => *entry = value,
