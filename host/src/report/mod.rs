@@ -40,6 +40,7 @@ pub mod subject;
 mod whole;
 pub mod work_precision;
 pub mod world;
+mod world_reference;
 
 pub use arguments::Arguments;
 pub use gather::{check_name, section};

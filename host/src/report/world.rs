@@ -15,7 +15,6 @@ use crate::failure::Failure;
 use crate::model_argument;
 use crate::plot::{Recording, svg};
 use crate::run::rows as drawn;
-use crate::scene::dop853::Dop853;
 use crate::world::Assembly;
 use crate::world::assembly::{Controlling, Sensing, Transducer};
 use crate::world::carried::CarriedWorld;
@@ -25,9 +24,6 @@ use crate::world::feedback::Feedback;
 use crate::world::rigid::RigidWorld;
 use crate::world::run::run;
 use smartbed_codegen::words::count;
-use smartbed_runtime::mechanism::Fault;
-use smartbed_runtime::ode::step_size::Tolerance;
-use smartbed_runtime::ode::{DormandPrince, State, dormand_prince};
 use std::cell::Cell;
 use std::path::Path;
 use std::time::Duration;
@@ -38,10 +34,8 @@ const COARSE: f64 = 8.0;
 const STABLE: f64 = 0.9;
 /// A world with contacts has a reference if two halvings differ by at most this (m or rad).
 const TOUCHING: f64 = 1e-4;
-/// Most halvings of the reference's step.
-const HALVINGS: u32 = 8;
 /// Steps between two checks of the clock.
-const LOOK: usize = 16;
+pub(super) const LOOK: usize = 16;
 /// Rows of a graph.
 const ROWS: usize = 500;
 
@@ -97,12 +91,12 @@ fn lags(assembly: &Assembly) -> bool {
 /// A world with its engine at the start.
 pub struct World {
     name: String,
-    assembly: Assembly,
+    pub(super) assembly: Assembly,
     start: Start,
     /// Indices of the rows' values that are coordinates.
     coordinates: Vec<usize>,
     /// Step of the reference, if there is one (s).
-    finest: Cell<f64>,
+    pub(super) finest: Cell<f64>,
 }
 
 impl World {
@@ -169,12 +163,12 @@ impl World {
         Ok((own / each as f64, (1..=samples).map(|i| each * (i * count).div_ceil(samples)).collect()))
     }
 
-    fn sample(&self, engine: &mut dyn Engine) -> Result<Vec<f64>, Stop> {
+    pub(super) fn sample(&self, engine: &mut dyn Engine) -> Result<Vec<f64>, Stop> {
         let state = engine.state()?;
         Ok(self.coordinates.iter().map(|n| state[*n]).collect())
     }
 
-    fn trace(&self, method: Option<&str>, longest: f64, time: Time) -> Result<Trace, Stop> {
+    pub(super) fn trace(&self, method: Option<&str>, longest: f64, time: Time) -> Result<Trace, Stop> {
         let deadline = Deadline::within(time.limit);
         let mut start = self.start.clone();
         if let (Start::Carried(world), Some(method)) = (&mut start, method) {
@@ -207,103 +201,6 @@ impl World {
             }
         }
         Ok(Trace { samples, evaluations: None, elapsed: clock::now() - begin })
-    }
-
-    /// Runs with the world's own step, halved as long as the next run fits into the time.
-    fn halved(&self, time: Time) -> Result<Trace, Stop> {
-        let deadline = clock::now() + time.limit;
-        let mut step = self.assembly.run.step.min(time.seconds / time.samples as f64);
-        let mut best = self.trace(None, step, time)?;
-        for _ in 0..HALVINGS {
-            let left = deadline.saturating_sub(clock::now());
-            // The next run takes twice as many steps, each with at most as many sweeps.
-            if left < best.elapsed.mul_f64(2.5) {
-                break;
-            }
-            match self.trace(None, 0.5 * step, Time { limit: left, ..time }) {
-                Ok(finer) => (step, best) = (0.5 * step, finer),
-                Err(Stop::Late { .. }) => break,
-                Err(refused) => return Err(refused),
-            }
-        }
-        self.finest.set(step);
-        Ok(best)
-    }
-
-    fn dop853(
-        &self,
-        world: &CarriedWorld,
-        Time { seconds, samples: count, limit }: Time,
-    ) -> Result<Trace, Stop> {
-        let deadline = Deadline::within(limit);
-        let (mut world, mut shown) = (world.clone(), world.clone());
-        let mut fault = None;
-        let begin = clock::now();
-        let start = world.numbers().to_vec();
-        let rates = |t: f64, x: &[f64], x_dot: &mut [f64]| match world.rates(t, x) {
-            Ok(found) => x_dot.copy_from_slice(&found),
-            Err(why) => {
-                fault = Some(why);
-                x_dot.fill(f64::NAN);
-            }
-        };
-        let mut solver = Dop853::new(rates, 0.0, start, 1e-13, self.assembly.run.step);
-        solver.longest = self.longest(&shown);
-        let mut samples = Vec::new();
-        for i in 1..=count {
-            let end = seconds * i as f64 / count as f64;
-            while solver.t < end {
-                solver.advance(end).map_err(|t| format!("t = {t} s: no step of DOP853 was small enough"))?;
-                deadline.check(solver.t)?;
-            }
-            shown.put(end, &solver.y)?;
-            samples.push(self.sample(&mut shown)?);
-        }
-        let evaluations = Some(solver.evaluations as u64);
-        Ok(Trace { samples, evaluations, elapsed: clock::now() - begin })
-    }
-
-    fn dormand_prince(
-        &self,
-        world: &CarriedWorld,
-        Time { seconds, samples: count, limit }: Time,
-    ) -> Result<Trace, Stop> {
-        let deadline = Deadline::within(limit);
-        let mut world = world.clone();
-        let mut x = world.numbers().to_vec();
-        let mut low = vec![0.0; x.len()];
-        let mut memory = vec![0.0; dormand_prince::scratch(x.len())];
-        let tolerance = Tolerance { absolute: 1e-12, relative: 1e-12 };
-        let words = |fault: Fault| fault.reason().to_owned();
-        let mut adaptive =
-            DormandPrince::new(x.len(), tolerance, self.assembly.run.step, &mut memory).map_err(words)?;
-        let (mut t, mut samples, begin) = (0.0, Vec::new(), clock::now());
-        let longest = self.longest(&world);
-        for i in 1..=count {
-            let end = seconds * i as f64 / count as f64;
-            loop {
-                let (before, to) = (t, end.min(t + longest));
-                let done = world.with(|mut island| {
-                    let mut state = State::resume(&mut x, &mut low)?;
-                    adaptive.advance_to(&mut island, &mut t, to, LOOK as u32, &mut state)
-                });
-                match done {
-                    Ok(_) if to < end => deadline.check(t)?,
-                    Ok(_) => break,
-                    // The limit of steps was reached, but time advanced.
-                    Err(Fault::StepSize) if t > before => deadline.check(t)?,
-                    Err(fault) => return Err(words(fault).into()),
-                }
-            }
-            world.put(end, &x)?;
-            samples.push(self.sample(&mut world)?);
-        }
-        Ok(Trace { samples, evaluations: None, elapsed: clock::now() - begin })
-    }
-
-    /// The longest step of a reference (s): where loads or commands depend on time, the scene's, so that it misses none.
-    fn longest(&self, world: &CarriedWorld) -> f64 {
-        if world.reads_time() { self.assembly.run.step } else { f64::INFINITY }
     }
 
     /// The world, if its equations are smooth and it has state to integrate.

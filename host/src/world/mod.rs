@@ -16,6 +16,7 @@ pub mod controllers;
 pub mod derived;
 pub mod engine;
 pub mod feedback;
+pub mod observing;
 mod passing;
 pub mod picture;
 pub mod places;
