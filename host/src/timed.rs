@@ -4,7 +4,7 @@
 //! (`jumps.rs` knows which expressions do); all functions of time alone, which steps must not pass over.
 
 use crate::jumps;
-use crate::reads::{is_state, is_time, is_vector, mentions, visit};
+use crate::reads::{Dependence, is_time, is_vector, mentions, visit};
 use crate::terms::{components, node};
 use smartbed_codegen::model::expression::{Expr, ExprKind};
 use smartbed_codegen::model::{Model, SpeedMeaning};
@@ -56,9 +56,8 @@ pub(crate) fn switches(model: &Model) -> (Vec<Switching>, Vec<Expr>) {
         (command.switches, command.values) = (own.len(), values.len());
         (!own.is_empty()).then_some((command, own, values))
     });
-    // Those of coordinates that are commanded, such as end stops, are found while a load acts.
     let others = laws_and_loads(model).flat_map(|e| switches_of(model, e));
-    (commands.collect(), others.filter(|e| mentions(model, e, &is_time)).collect())
+    (commands.collect(), others.collect())
 }
 
 /// Everything by which time may move the mechanism: what it is, its expression, its values (none of what gives speeds).
@@ -127,21 +126,17 @@ fn switches_of(model: &Model, expr: &Expr) -> Vec<Expr> {
 
 /// Those of kinks.
 fn kinks_of(model: &Model, expr: &Expr) -> Vec<Expr> {
-    // A coordinate is one that is commanded: others are state.
-    let moves = |e: &Expr| is_time(e) || matches!(e.kind, ExprKind::Coordinate(_));
-    let mut found = arguments_of_time(model, expr, &|e| jumps::switch(model, e));
-    found.retain(|e| mentions(model, e, &moves));
-    found
+    arguments_of_time(model, expr, &|e| jumps::switch(model, e))
 }
 
-/// Arguments in an expression, and in the definitions that it reads, that are no functions of the state: each factor of
+/// Arguments in an expression, and in the definitions that it reads, that are functions of time alone: each factor of
 /// them, since two that change sign at once, or shortly one after the other, leave no trace in their product.
 fn arguments_of_time(model: &Model, expr: &Expr, arguments: &dyn Fn(&Expr) -> Vec<Expr>) -> Vec<Expr> {
     let mut found = Vec::new();
     visit(model, expr, &mut |e| {
         found.extend(arguments(e).iter().flat_map(|argument| jumps::factors(model, argument)));
     });
-    found.retain(|e| !mentions(model, e, &|e| is_state(model, e)));
+    found.retain(|e| Dependence::of(model, e).is_time_alone());
     found
 }
 
@@ -176,9 +171,7 @@ fn of_time(model: &Model, e: &Expr) -> Option<Expr> {
 
 /// A number that depends on the time and on no state.
 fn is_of_time(model: &Model, e: &Expr) -> bool {
-    !is_vector(model, e)
-        && mentions(model, e, &is_time)
-        && !mentions(model, e, &|own| is_vector(model, own) || is_state(model, own))
+    !is_vector(model, e) && Dependence::of(model, e).is_time_alone()
 }
 
 /// The terms of a sum that depend on the time alone, as a sum.

@@ -28,7 +28,7 @@ impl Mechanism {
         plant: &mut Plant<Box<dyn engine::Engine<S>>, S>,
         seconds: f64,
     ) -> Result<Cuts, Stop> {
-        let found = Cuts::of(&mut plant.switches, seconds, self.settings.step);
+        let found = Cuts::of(&mut plant.switches, seconds, self.settings.look);
         found.map_err(|fault| explain(fault).to_owned().into())
     }
 

@@ -56,6 +56,9 @@ pub struct Settings {
     pub seconds: f64,
     /// Step (s); the first one of the adaptive method.
     pub step: f64,
+    /// Time (s) within which a function of time switches there and back at most once: the step, or the model's own
+    /// where that is shorter.
+    pub look: f64,
     /// Integration method.
     pub method: Method,
     /// A row is written after every this many steps of `step`.
@@ -79,9 +82,11 @@ impl Settings {
     pub fn new<'m>(model: &'m Model, arguments: &Arguments) -> Result<(Cow<'m, Model>, Self), Failure> {
         let (choice, starts) = changes(model, &arguments.set)?;
         let model = choice.applied(model).map_err(|found| model_argument::wrong(&found))?;
+        let step = arguments.step.unwrap_or(model.run.step);
         let mut settings = Self {
             seconds: arguments.seconds.unwrap_or(model.run.seconds),
-            step: arguments.step.unwrap_or(model.run.step),
+            step,
+            look: step.min(model.run.step),
             method: method(&model, arguments)?,
             every: arguments.every.unwrap_or(model.run.every),
             tolerance: arguments.tolerance.unwrap_or(TOLERANCE),

@@ -38,6 +38,9 @@ const BEGINNING: f64 = 1.0 / 64.0;
 /// Of a time that is searched, the part that is left by each value of the golden section.
 const GOLDEN: f64 = 0.618_033_988_749_894_8;
 
+/// A step that is longer than a part by this share of it is one part.
+const WHOLE: f64 = 1e-6;
+
 /// Most switches at which a step is cut.
 pub const MOST: usize = 64;
 
@@ -204,6 +207,22 @@ impl<S: Scalar> Switches<S> {
             }
         }
         Ok(None)
+    }
+
+    /// The same over a step of fixed length, in parts, in each of which a function switches there and back once at most.
+    ///
+    /// # Errors
+    /// The engine's.
+    pub fn within(&mut self, [from, to]: [f64; 2], part: f64) -> Result<Option<[f64; 2]>, Fault> {
+        // The last part ends with the step: one part may be all of it.
+        let last = to - (1.0 + WHOLE) * part;
+        if self.any()
+            && from < last
+            && let Some(kink) = self.next(from, last, part)?
+        {
+            return Ok(Some(kink));
+        }
+        self.first(from.max(last), to)
     }
 
     /// The same over a long time ahead, in parts, in each of which a function switches there and back once at most.

@@ -159,7 +159,8 @@ impl<S: Scalar> Surface<S> for Cuboid<S> {
 
 impl<S: Scalar> Cuboid<S> {
     /// The face by which a line from a place along a unit vector enters the box: distance of the place from its plane
-    /// (m), < 0 behind it, and its outward normal. None where the line misses the box (slabs, Kay and Kajiya 1986).
+    /// (m), < 0 behind it, and its outward normal. None where the line misses the box, or has left it before the place
+    /// (slabs, Kay and Kajiya 1986).
     #[must_use]
     pub fn entered(&self, place: Vec3<S>, way: Vec3<S>) -> Option<(S, Vec3<S>)> {
         let far = S::from_f64(f64::INFINITY);
@@ -178,7 +179,7 @@ impl<S: Scalar> Cuboid<S> {
             }
             leave = leave.min(last);
         }
-        face.filter(|_| enter <= leave)
+        face.filter(|_| enter <= leave && leave >= S::ZERO)
     }
 
     /// For a point inside: the nearest face; of equally near ones the first in the order of the axes.

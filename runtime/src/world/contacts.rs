@@ -208,7 +208,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         let bounds = points.fold(around, |bounds, point| {
             Some(bounds.unwrap_or(Extent { low: point, high: point }).with(point))
         });
-        let size = bounds.map_or(S::ZERO, |bounds| bounds.diagonal()) + self.largest();
+        let size = self.reach_of_ports(bounds.map_or(S::ZERO, |bounds| bounds.diagonal()));
         let mut fastest = S::ZERO;
         for twists in memory.twists.iter().take(2) {
             for Twist { velocity, angular } in twists.iter().take(frames.len()) {
@@ -224,7 +224,20 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         S::from_f64(2.0) * h * fastest.max(square.sqrt())
     }
 
-    /// Largest distance of a shape's surface from its port (m).
+    /// How far from a port what moves with it can touch (m): the surfaces of its shapes, and held nodes; those of a
+    /// half-space within so much of everything.
+    pub(super) fn reach_of_ports(&self, everything: S) -> S {
+        let held = self.island.attachments.iter().map(|own| vec3::norm(own.place));
+        let shapes = self.things.iter().filter_map(|thing| match thing {
+            Thing::Rigid { shape, port: Some(_), place } => {
+                Some(shape.reach().unwrap_or(everything) + vec3::norm(place.origin))
+            }
+            _ => None,
+        });
+        shapes.chain(held).fold(S::ZERO, S::max)
+    }
+
+    /// Largest distance of a shape's surface from its port, or from the origin (m).
     pub(super) fn largest(&self) -> S {
         self.things.iter().fold(S::ZERO, |most, thing| {
             let Thing::Rigid { shape, place, .. } = thing else { return most };

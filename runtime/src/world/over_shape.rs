@@ -11,7 +11,8 @@
 //! ```
 //! or behind all of them (a sheet is touched from both sides); at a rim it must not point into the mesh. Otherwise the
 //! face counts by which a line along a facet's normal enters the box, the nearest of them: gap and normal are those of
-//! its plane. A box that no such line meets does not touch the node.
+//! its plane, but a node outside the box is no nearer to it than to its surface, however near to that plane. A box that
+//! no such line meets does not touch the node.
 
 use super::detect::Meeting;
 use super::scenery::{Mesh, Scenery, Standing};
@@ -84,7 +85,8 @@ impl<S: Scalar> Scenery<'_, S> {
             if !(flush && near.feature == Feature::Face) {
                 let around = self.around(mesh, node);
                 if around.count > 0 && !around.allows(way) {
-                    (gap, normal) = self.over_a_face(&around, x, cuboid, standing)?;
+                    let (height, face) = self.over_a_face(&around, x, cuboid, standing)?;
+                    (gap, normal) = (if near.gap > S::ZERO { height.max(near.gap) } else { height }, face);
                     sharp = false;
                 }
             }

@@ -445,7 +445,7 @@ impl Scene {
                 scratch: &mut scratch,
                 pressing: &mut pressing,
                 struck: [one, other],
-                overlaps: false,
+                overlaps: &mut vec![false; kinds.len()],
                 pressed: &mut vec![false; kinds.len()],
             };
             let start = world.island.energy(0.0, state.x()).expect("energy").total();

@@ -191,9 +191,16 @@ fn repeat(name: &Key, body: &Value, sections: &mut Sections, found: &mut Diagnos
     }
     for entry in each {
         let Some(copy) = placeholders(entry, found) else { continue };
-        for (key, value) in &body.entries {
-            if key.name != "each" {
-                add(key, substitute(value, &copy, found), sections, found);
+        for (key, value) in body.entries.iter().filter(|(key, _)| key.name != "each") {
+            match value {
+                Value::Table(_) | Value::Array(..) => {
+                    add(key, substitute(value, &copy, found), sections, found);
+                }
+                other => {
+                    let expected =
+                        "a section with entries to repeat; what is of the whole model stands outside";
+                    found.push(wrong_kind(&key.name, expected, other));
+                }
             }
         }
     }
@@ -247,8 +254,8 @@ fn substitute_text(text: &Text, copy: &Copy, found: &mut Diagnostics) -> Text {
         let name = &text.text[open + 1..close];
         match copy.iter().find(|(known, _)| known == name) {
             Some((_, by)) => {
-                replacements
-                    .push((open..close + 1, as_operand(by, [&text.text[..open], &text.text[close + 1..]])));
+                let beside = [&text.text[..open], &text.text[close + 1..]].map(|part| replaced(part, copy));
+                replacements.push((open..close + 1, as_operand(by, beside.each_ref().map(String::as_str))));
             }
             None => found.push(
                 Diagnostic::error(format!("unknown placeholder `{{{name}}}`"))
@@ -264,20 +271,27 @@ fn substitute_text(text: &Text, copy: &Copy, found: &mut Diagnostics) -> Text {
     if replacements.is_empty() { text.clone() } else { text.replace(&replacements) }
 }
 
+/// A text with every placeholder replaced as it is, to see what stands beside one.
+fn replaced(text: &str, copy: &Copy) -> String {
+    copy.iter().fold(text.to_owned(), |text, (name, by)| text.replace(&format!("{{{name}}}"), by))
+}
+
 /// A text to be put between two others: in parentheses where it is a sum, a product or a negative number, and they take
 /// it for an operand, such as `{c}.abs()` with c = -3.
-fn as_operand(text: &str, [before, after]: [&str; 2]) -> String {
+fn as_operand(whole: &str, [before, after]: [&str; 2]) -> String {
+    let (text, before, after) = (whole.trim(), before.trim_end(), after.trim_start());
     let is_name = |c: char| c.is_alphanumeric() || matches!(c, '_' | '.');
-    let stands_alone = before.trim().is_empty() && after.trim().is_empty();
+    // A whole expression, or a whole argument.
+    let stands_alone = (before.is_empty() || before.ends_with(['(', ',']))
+        && (after.is_empty() || after.starts_with([')', ',']));
     let is_operand = text.starts_with(|c: char| is_name(c) || c == '-' || c == '(')
         && text.ends_with(|c: char| is_name(c) || c == ')')
         && text.contains(is_name);
     let takes = |c: Option<char>, marks: &str| c.is_none_or(|c| marks.contains(c));
-    let is_taken = takes(before.trim_end().chars().next_back(), "(,+-*/=")
-        && takes(after.trim_start().chars().next(), "),+-*/.^");
+    let is_taken = takes(before.chars().next_back(), "(,+-*/=") && takes(after.chars().next(), "),+-*/.^");
     match !stands_alone && !text.chars().all(is_name) && is_operand && is_taken {
         true => format!("({text})"),
-        false => text.to_owned(),
+        false => whole.to_owned(),
     }
 }
 
@@ -291,6 +305,11 @@ mod tests {
             ("-3", "", ".abs()*1_N*N.y", "(-3)"),
             ("50+50", "2*", "", "(50+50)"),
             ("-2", "a + ", " * b", "(-2)"),
+            ("1 + 2 ", "2*", "", "(1 + 2)"),
+            // A whole argument, such as an exponent.
+            ("-2", "q.powi(", ")", "-2"),
+            ("1 - q", "min(", ", 2)", "1 - q"),
+            ("1 - q", "3*(", " + 2)", "(1 - q)"),
             // A whole text, part of a name or of a number with a unit, a sign, what follows a name.
             ("-3", "", "", "-3"),
             ("-3", "", "_N*N.y", "-3"),

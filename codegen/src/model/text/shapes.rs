@@ -47,8 +47,10 @@ impl Builder<'_> {
     pub(super) fn solid(&mut self, fields: &Fields<'_>) -> Result<Option<Solid>, ()> {
         let given: Vec<_> =
             WORDS.into_iter().filter_map(|word| fields.get(word.0).map(|value| (word, value))).collect();
-        let axis = fields.get("axis").and_then(|axis| self.axis_of(axis)).unwrap_or(Axis::Z);
         let Some(&((word, count, example), value)) = given.first() else { return Ok(None) };
+        // A box has no axis: to it, and to a body without a shape, `axis` is an unknown field.
+        let axis = if word == "box" { None } else { fields.get("axis") };
+        let axis = axis.and_then(|axis| self.axis_of(axis)).unwrap_or(Axis::Z);
         if let Some(((other, ..), value)) = given.get(1) {
             self.found.push(
                 Diagnostic::error(format!("body `{}` has two shapes", fields.name))

@@ -34,7 +34,7 @@ where
     S: EngineScalar,
     F: FnMut(&Row) -> Result<(), Failure>,
 {
-    let Settings { seconds, step, tolerance, .. } = *setup.settings;
+    let Settings { seconds, step, look, tolerance, .. } = *setup.settings;
     plant.watch(setup.observers, seconds, step).map_err(|fault| refused(0.0, fault))?;
     let n = state.x().len();
     let mut memory = vec![S::ZERO; dormand_prince::scratch(n)];
@@ -61,7 +61,7 @@ where
         }
         let ahead = (t + method.next.to_f64()).min(seconds);
         if next_kink.is_none() && looked < ahead {
-            next_kink = plant.switches.next(looked, ahead, step).map_err(|f| refused(t, f))?;
+            next_kink = plant.switches.next(looked, ahead, look).map_err(|f| refused(t, f))?;
             looked = ahead;
         }
         let kink = next_kink;

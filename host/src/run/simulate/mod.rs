@@ -99,7 +99,7 @@ where
     S: EngineScalar,
     F: FnMut(&Row) -> Result<(), Failure>,
 {
-    let Settings { seconds, step, every, .. } = *setup.settings;
+    let Settings { seconds, step, look, every, .. } = *setup.settings;
     let steps = setup.settings.intervals(step);
     if let Some(t) = passed(setup.observers, [seconds, step]).map_err(|fault| refused(0.0, fault))? {
         recorder.summary.health.passed_over(None, t);
@@ -112,7 +112,7 @@ where
         let (h, end) = if is_short { (seconds - t, seconds) } else { (step, n as f64 * step) };
         let mut from = t;
         for cut in 0.. {
-            let kink = plant.switches.first(from, end).map_err(|fault| refused(from, fault))?;
+            let kink = plant.switches.within([from, end], look).map_err(|fault| refused(from, fault))?;
             let to = kink.map_or(end, |[before, _]| before);
             let part = if from == t && to == end { h } else { to - from };
             let is_step = part > rounding::<S>(to);

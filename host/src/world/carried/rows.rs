@@ -233,18 +233,19 @@ impl<S: Settle> Engine for CarriedWorld<S> {
         let accounts = [self.t, drive, damping, drag, impact, friction];
         let airs: Vec<f64> = self.airs.iter().flat_map(|air| air.save(&self.fixed.cells)).collect();
         let state: Vec<f64> = self.x.iter().chain(&self.low).map(|x| x.to_f64()).collect();
-        [&accounts[..], &state, &airs, self.pushed()].concat()
+        let touching = self.touching.as_ref().map_or_else(Vec::new, Touching::save);
+        [&accounts[..], &state, &airs, &touching].concat()
     }
 
     fn load(&mut self, numbers: &[f64]) -> Result<(), String> {
         let n = self.x.len();
         let air = 6 + 2 * n + SAVED * self.airs.len();
-        if numbers.len() != air + self.pushed().len() {
+        if numbers.len() != air + self.touching.as_ref().map_or(0, |touching| touching.save().len()) {
             return Err(engine::other_world());
         }
-        let (numbers, pushed) = numbers.split_at(air);
+        let (numbers, pairs) = numbers.split_at(air);
         if let Some(touching) = &mut self.touching {
-            touching.load(pushed);
+            touching.load(pairs);
         }
         let &[t, drive, damping, drag, impact, friction, ref state @ ..] = numbers else {
             return Err(engine::other_world());

@@ -50,7 +50,7 @@ impl Touching {
         }
         subset.active = own.iter().map(|pair| self.active[*pair]).collect();
         if let (Some(to), Some(of)) = (&mut subset.located, located) {
-            to.overlaps = of.overlaps;
+            to.overlaps = own.iter().map(|pair| of.overlaps[*pair]).collect();
         }
         (subset, own)
     }
@@ -60,7 +60,7 @@ impl Touching {
         self.forces.clear();
         self.pushed = Pushed::new(self.pairs.len());
         if let Some(located) = &mut self.located {
-            (located.overlaps, located.pressed) = (false, false);
+            located.pressed = false;
         }
     }
 
@@ -70,9 +70,9 @@ impl Touching {
         for (own, pair) in pairs.iter().enumerate() {
             self.pushed.take(*pair, &of.pushed, own);
             self.active[*pair] = of.active[own];
-        }
-        if let (Some(to), Some(of)) = (&mut self.located, &of.located) {
-            to.overlaps |= of.overlaps;
+            if let (Some(to), Some(of)) = (&mut self.located, &of.located) {
+                to.overlaps[*pair] = of.overlaps[own];
+            }
         }
     }
 

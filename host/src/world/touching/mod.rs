@@ -113,7 +113,8 @@ struct Located<S> {
     scratch: Vec<S>,
     pressing: Vec<Pressing<S>>,
     struck: [Vec<Struck<S>>; 2],
-    overlaps: bool,
+    /// By pair: does it overlap, because a step used up its splits?
+    overlaps: Vec<bool>,
     /// Whether the forces shown are those of the present state.
     pressed: bool,
 }
@@ -147,7 +148,7 @@ impl<S: Scalar> Touching<S> {
             scratch: vec![S::ZERO; LocatedMemory::<S>::scratch(method, n)],
             pressing: vec![Pressing::empty(); room],
             struck: [0; 2].map(|_| vec![Struck::new(Touch::empty().contact, none); room]),
-            overlaps: false,
+            overlaps: vec![false; pairs.len()],
             pressed: false,
         });
         let bodies = |thing: usize| match &things[thing] {
@@ -179,11 +180,20 @@ impl<S: Scalar> Touching<S> {
         }
     }
 
-    /// Takes what [`Pushed::values`] gave: pairs that pressed go on as they are.
-    pub(in crate::world) fn load(&mut self, pushed: &[f64]) {
+    /// What the next step needs to know of the pairs, for a checkpoint: forces, and which overlap.
+    pub(in crate::world) fn save(&self) -> Vec<f64> {
+        let overlaps = self.located.iter().flat_map(|own| &own.overlaps);
+        self.pushed.values().iter().copied().chain(overlaps.map(|own| f64::from(u8::from(*own)))).collect()
+    }
+
+    /// Takes as many numbers as [`Touching::save`] gave: pairs that pressed go on as they are.
+    pub(in crate::world) fn load(&mut self, numbers: &[f64]) {
+        let (pushed, overlaps) = numbers.split_at(self.pushed.values().len());
         self.pushed.load(pushed);
         self.moved();
         self.active = (0..self.pairs.len()).map(|pair| self.pushed.presses(pair)).collect();
+        let own = self.located.iter_mut().flat_map(|own| &mut own.overlaps);
+        own.zip(overlaps).for_each(|(own, number)| *own = *number > 0.0);
     }
 
     /// Answers about ports that impulses ask for.
@@ -270,7 +280,7 @@ impl<S: Scalar> Touching<S> {
             scratch: &mut own.scratch,
             pressing: &mut own.pressing,
             struck: [struck, lifts],
-            overlaps: own.overlaps,
+            overlaps: &mut own.overlaps,
             pressed: &mut self.active,
         };
         let mut world = World { island, things: &self.things, pairs: &self.pairs };
@@ -330,12 +340,11 @@ impl<S: Scalar> Touching<S> {
                 scratch: &mut own.scratch,
                 pressing: &mut own.pressing,
                 struck: [struck, lifts],
-                overlaps: own.overlaps,
+                overlaps: &mut own.overlaps,
                 pressed: &mut self.active,
             };
             let report =
                 world.step_located(&own.kinds, own.method, (t, h), state, &mut memory, &mut watch)?;
-            own.overlaps = memory.overlaps;
             self.show_pressing(report.pressing);
             let (settled, forced) = (report.settled, report.forced);
             return Ok(Stepped { accounts: report.accounts, settled, forced, leaving: S::ZERO });

@@ -51,13 +51,16 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
     /// Selects the contacts that push from here on, and whether each sticks or slides.
     pub(super) fn hold_at_start(&mut self, t: S, way: &mut PartialStep<S>) -> Result<(), Fault> {
         let (rate, deepest) = (way.rounding.rate, -S::from_f64(OVERLAP) * way.rounding.gap);
-        let overlaps = |touch: &Touch<S>| touch.gap < deepest;
-        *way.overlaps &= way.touches().iter().any(overlaps);
+        let touches = way.memory.touches[0].get(..way.known).unwrap_or_default();
+        for (pair, overlaps) in way.overlaps.iter_mut().enumerate() {
+            *overlaps &= touches.iter().any(|touch| touch.pair == pair && touch.gap < deepest);
+        }
         way.held = 0;
         let rests = |touch: &&Touch<S>| touch.start[0].abs() <= way.rounding.still && !touch.sharp;
         for touch in way.memory.touches[0].iter().take(way.known).filter(rests) {
             let own = way.pressing.get_mut(way.held).ok_or(Fault::TooManyContacts)?;
-            let kept = if *way.overlaps && overlaps(touch) { touch.gap } else { S::ZERO };
+            let overlaps = way.overlaps.get(touch.pair).is_some_and(|overlaps| *overlaps);
+            let kept = if overlaps && touch.gap < deepest { touch.gap } else { S::ZERO };
             // Twice: it goes on as it went. What is off by rounding alone is put back.
             let off = if kept < S::ZERO || touch.gap.abs() <= -deepest { S::ZERO } else { touch.gap.abs() };
             let off = S::from_f64(2.0) * off;

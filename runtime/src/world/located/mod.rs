@@ -50,8 +50,8 @@ pub struct LocatedMemory<'a, S> {
     pub pressing: &'a mut [Pressing<S>],
     /// Two lists of contacts of an impact.
     pub struck: [&'a mut [Struck<S>]; 2],
-    /// Whether a step that used up its splits has left overlaps. False at the start; kept from step to step.
-    pub overlaps: bool,
+    /// By pair: whether a step that used up its splits has left overlaps. False at the start; kept from step to step.
+    pub overlaps: &'a mut [bool],
     /// By pair: whether it pressed at the end of the last step. False at the start; kept from step to step. Only what
     /// has pressed may be off a facet and still touch it, because it slides on a smooth surface through the nodes.
     pub pressed: &'a mut [bool],
@@ -110,7 +110,8 @@ struct PartialStep<'w, 'm, S> {
     memory: &'w mut StepMemory<'m, S>,
     pressing: &'w mut [Pressing<S>],
     struck: [&'w mut [Struck<S>]; 2],
-    overlaps: &'w mut bool,
+    /// By pair: whether it overlaps by more than rounding.
+    overlaps: &'w mut [bool],
     /// By pair: whether it has pressed in the last piece.
     pressed: &'w mut [bool],
     /// Number of contacts at the start of the piece, and how many of them push.
@@ -145,7 +146,7 @@ impl<'m, S: Scalar> LocatedMemory<'m, S> {
             memory: &mut self.step,
             pressing: self.pressing,
             struck: [struck, lifts],
-            overlaps: &mut self.overlaps,
+            overlaps: &mut *self.overlaps,
             pressed: &mut *self.pressed,
             known: 0,
             held: 0,
@@ -254,7 +255,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         }
         if left > S::ZERO {
             (report.forced, report.pressing) = (true, 0);
-            *way.overlaps = true;
+            way.overlaps.fill(true);
             way.pressed.fill(false);
             way.memory.counts = [0; 2];
             let rest = self.finish((t + (h - left), left), way, watch)?;
@@ -353,9 +354,9 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         Pressed::read_twists(self, twists);
         let own = &self.island.memory;
         let origins = own.frames.iter().map(|frame| frame.origin);
-        let reach = self.largest();
+        let reach = self.reach_of_ports(S::ZERO);
         let farthest = origins.chain(own.pos.iter().copied()).fold(S::ZERO, |m, x| m.max(vec3::norm(x)));
-        let size = reach + farthest;
+        let size = self.largest() + farthest;
         let speed = twists.iter().fold(S::ZERO, |most, twist| {
             most.max(vec3::norm(twist.velocity) + reach * vec3::norm(twist.angular))
         });

@@ -21,13 +21,21 @@ impl<S: Scalar> PartialStep<'_, '_, S> {
         self.touches().iter().any(|touch| touch.start[0] < -self.rounding.rate)
     }
 
-    /// Is there an overlap that was no contact in the last piece? Facets that turn towards each other catch what is
-    /// behind them already.
-    fn catches(&self, earlier: usize) -> bool {
-        let earlier = self.memory.touches[1].get(..earlier).unwrap_or_default();
+    /// Notes the pairs with an overlap that was no contact in the last piece. Facets that turn towards each other catch
+    /// what is behind them already.
+    fn note_caught(&mut self, earlier: usize) {
+        let [now, before] = &self.memory.touches;
+        let earlier = before.get(..earlier).unwrap_or_default();
         let deepest = -S::from_f64(OVERLAP) * self.rounding.gap;
         let known = |touch: &Touch<S>| earlier.iter().any(|own| own.is(touch.pair, touch.id));
-        self.touches().iter().any(|touch| touch.gap < deepest - touch.sagitta && !known(touch))
+        for touch in now.iter().take(self.known) {
+            if touch.gap < deepest - touch.sagitta
+                && !known(touch)
+                && let Some(overlaps) = self.overlaps.get_mut(touch.pair)
+            {
+                *overlaps = true;
+            }
+        }
     }
 
     /// Ends bounces that have died out: if each contact that closes bounced so low in the last piece, of this `length`,
@@ -51,7 +59,8 @@ impl<S: Scalar> PartialStep<'_, '_, S> {
             };
             let (lost, highest) = (S::ONE - touch.contact.restitution, S::from_f64(HIGHEST) * gap);
             let again = is_first || earlier.iter().any(|own| own.is(touch.pair, touch.id));
-            let has_sunk = is_first && !*self.overlaps && touch.gap < deepest - touch.sagitta;
+            let overlaps = self.overlaps.get(touch.pair).is_some_and(|overlaps| *overlaps);
+            let has_sunk = is_first && !overlaps && touch.gap < deepest - touch.sagitta;
             let has_died_out = has_sunk || (again && lost * height <= gap);
             lost <= S::ZERO || height > highest || !has_died_out
         };
@@ -80,7 +89,9 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         let earlier = way.known;
         way.memory.touches.swap(0, 1);
         self.find_touches(t, way)?;
-        *way.overlaps |= length > S::ZERO && way.catches(earlier);
+        if length > S::ZERO {
+            way.note_caught(earlier);
+        }
         if !way.closes() {
             return Ok(false);
         }

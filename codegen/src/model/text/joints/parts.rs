@@ -353,9 +353,10 @@ impl<'a> Parts<'a> {
         if stiffness.is_none() && rest.is_none() && damping.is_none() {
             return;
         }
-        let none = Value::Number(0.0, self.key.span);
+        // A damper alone; `rest` without stiffness is refused as that of any spring.
+        let none = rest.is_none().then_some(Value::Number(0.0, self.key.span));
         let mut fields = vec![("coordinate", self.text(coordinate))];
-        fields.push(("stiffness", stiffness.clone().unwrap_or(none)));
+        fields.extend(stiffness.clone().or(none).map(|stiffness| ("stiffness", stiffness)));
         fields.extend(rest.clone().map(|rest| ("rest", rest)));
         fields.extend(damping.clone().map(|damping| ("damping", damping)));
         let entry = self.table(fields);
