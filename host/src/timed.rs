@@ -56,7 +56,12 @@ pub(crate) fn switches(model: &Model) -> (Vec<Switching>, Vec<Expr>) {
         (command.switches, command.values) = (own.len(), values.len());
         (!own.is_empty()).then_some((command, own, values))
     });
-    let others = laws_and_loads(model).flat_map(|e| switches_of(model, e));
+    // Kinks of what is commanded, such as its end stops, cost no more than an order: only what jumps there counts.
+    let jumps = |e| arguments_of_time(model, e, &|e| jumps::sign(e).into_iter().collect());
+    let others = laws_and_loads(model).flat_map(|e| {
+        let stated = switches_of(model, e).into_iter().filter(|e| mentions(model, e, &is_time));
+        stated.chain(jumps(e).into_iter().filter(|e| !mentions(model, e, &is_time)))
+    });
     (commands.collect(), others.collect())
 }
 

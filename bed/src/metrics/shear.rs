@@ -27,7 +27,9 @@ pub fn resultant(sites: &[Site], shear: &[[f64; 2]]) -> [f64; 2] {
 #[must_use]
 pub fn slip(frame: &Frame, contact: f64, friction: f64) -> Option<f64> {
     let sites = frame.pressure.iter().zip(&frame.shear).filter(|(p, _)| **p > contact);
-    sites.map(|(p, t)| size(t) / (friction * p)).reduce(f64::max)
+    // Without friction nothing is sheared.
+    let index = |shear: f64, most: f64| if shear > 0.0 { shear / most } else { 0.0 };
+    sites.map(|(p, t)| index(size(t), friction * p)).reduce(f64::max)
 }
 
 /// Largest pressure (Pa) with the same risk without shear, p (1 + c |tau|/tau_0). In swine shear lowers the pressure

@@ -365,8 +365,8 @@ impl Plan {
     pub const MOST_CYCLES: usize = 10_000;
 
     /// Alternating pressure: two groups of tiles, like the squares of a chess board, are low in turn for five twelfths
-    /// of a cycle; between these times both are high for a twelfth (of 600 s: 250 s, 50 s, 250 s, 50 s). After
-    /// [`Plan::MOST_CYCLES`] cycles both stay high.
+    /// of a cycle; between these times both are high for a twelfth (of 600 s: 250 s, 50 s, 250 s, 50 s). The second group
+    /// rises to `high` at once. After [`Plan::MOST_CYCLES`] cycles both stay high.
     #[must_use]
     pub fn alternating(layout: &Layout, low: f64, high: f64, cycle: f64, seconds: f64) -> Vec<Move> {
         let group = |k: usize| -> Vec<usize> {
@@ -388,7 +388,7 @@ impl Plan {
             [(0.0, 0, low), (5.0, 0, high), (6.0, 1, low), (11.0, 1, high)]
                 .map(|(at, k, pressure)| turn(start + at * twelfth, k, pressure))
         };
-        (0..cycles).flat_map(one).collect()
+        std::iter::once(turn(0.0, 1, high)).chain((0..cycles).flat_map(one)).collect()
     }
 
     /// The bed at a time, with regulated pressures.

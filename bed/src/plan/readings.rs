@@ -1,8 +1,9 @@
 //! Readings of the instruments of all tiles during a run.
 //!
 //! In: a run, the instruments of a tile, a seed. Out: readings at each moment, with delay, hold and noise. Screws are
-//! assumed to stand at their orders; pressures are interpolated linearly between moments. Instruments are simulated for
-//! the last quarter of a second before each moment, a pressure sensor for as long as it remembers.
+//! assumed to stand at their orders, and regulated air to have its pressure; that of sealed air is interpolated linearly
+//! between moments. Instruments are simulated for the last quarter of a second before each moment, a pressure sensor
+//! for as long as it remembers.
 
 use super::Plan;
 use super::history::History;
@@ -58,14 +59,17 @@ pub fn readings(
         let own = seed.wrapping_mul(64).wrapping_add(tile as u64);
         let mut sensors = TileSensors::new(instruments, own, gauge)?;
         let mut before: Option<(f64, f64)> = None;
+        let mut last = None;
         for moment in &history.moments {
             let (end, now) = ((moment.time * TICKS).round() as u64, moment.gauges[tile]);
             let since = before.map_or(end, |(time, _)| (time * TICKS).round() as u64 + 1);
             let (then, old) = before.unwrap_or((moment.time, now));
-            let mut last = None;
             let watched = since.max(end.saturating_sub(WATCHED));
             let at = |tick: u64| {
                 let time = tick as f64 / TICKS;
+                if !plan.layout.is_sealed {
+                    return (time, told.order(tile, time).pressure);
+                }
                 let share = if moment.time > then { (time - then) / (moment.time - then) } else { 1.0 };
                 (time, old + share * (now - old))
             };
@@ -78,7 +82,8 @@ pub fn readings(
                 let read = sensors.observe(tick, heights, gauge);
                 last = Some(Reading { time: moment.time, tile, read, heights, gauge });
             }
-            found.extend(last);
+            // Moments closer than a tick have the same reading.
+            found.extend(last.map(|last| Reading { time: moment.time, ..last }));
             before = Some((moment.time, now));
         }
     }

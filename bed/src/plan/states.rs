@@ -130,20 +130,17 @@ pub fn tiles(plan: &Plan, history: &History) -> Vec<Row> {
 /// Share of the run during which a tile's screws turn. `plan` has all moves of the run.
 fn duty(plan: &Plan, tile: usize) -> f64 {
     let command = |t: f64| plan.order(tile, t).command;
-    let turns = |m: &&Move| {
-        m.tiles.contains(&tile)
-            && (m.heave.is_some() || m.slope.is_some())
-            && command(m.at) != command(m.at + 0.5 * m.over)
-    };
-    let moves = &plan.moves;
-    let mut spans: Vec<[f64; 2]> =
-        moves.iter().filter(turns).map(|m| [m.at, (m.at + m.over).min(plan.seconds)]).collect();
-    spans.sort_by(|a, b| a[0].total_cmp(&b[0]));
-    let (mut turned, mut until) = (0.0, 0.0);
-    for [from, to] in spans {
-        turned += (to - from.max(until)).max(0.0);
-        until = to.max(until);
-    }
+    let turns = |m: &&Move| m.tiles.contains(&tile) && (m.heave.is_some() || m.slope.is_some());
+    // Between the times at which moves begin or end, be it before a later order ends them, a screw turns or stands.
+    let moves = plan.moves.iter().filter(turns);
+    let mut times: Vec<f64> =
+        moves.flat_map(|m| [m.at, m.at + m.over].map(|t| t.min(plan.seconds))).collect();
+    times.sort_by(f64::total_cmp);
+    let turned: f64 = times
+        .windows(2)
+        .filter(|span| command(span[0]) != command(0.5 * (span[0] + span[1])))
+        .map(|span| span[1] - span[0])
+        .sum();
     if plan.seconds > 0.0 { turned / plan.seconds } else { 0.0 }
 }
 

@@ -141,9 +141,24 @@ fn a_screw_does_not_jump() {
 fn an_alternation_has_a_largest_number_of_cycles() {
     let layout = plan(1, 1, Vec::new()).layout;
     let moves = |cycle: f64| Plan::alternating(&layout, 1600.0, 4000.0, cycle, 40.0);
-    assert_eq!(moves(10.0).len(), 4 * 4);
+    assert_eq!(moves(10.0).len(), 1 + 4 * 4);
     for cycle in [1e-9, 1e-300, 0.0] {
-        assert_eq!(moves(cycle).len(), 4 * Plan::MOST_CYCLES, "{cycle}");
+        assert_eq!(moves(cycle).len(), 1 + 4 * Plan::MOST_CYCLES, "{cycle}");
+    }
+}
+
+#[test]
+fn the_first_cycle_of_an_alternation_is_as_high_as_the_others() {
+    let mut p = plan(1, 2, Vec::new());
+    (p.pressure, p.seconds) = (3000.0, 240.0);
+    p.moves = Plan::alternating(&p.layout, 1000.0, 5000.0, 120.0, 240.0);
+    // Both tiles after a ramp of 4 s: 50 s, 10 s, 50 s, 10 s.
+    for (time, pressures) in [(10.0, [1e3, 5e3]), (55.0, [5e3, 5e3]), (70.0, [5e3, 1e3]), (115.0, [5e3, 5e3])]
+    {
+        for start in [0.0, 120.0] {
+            let own = [0, 1].map(|tile| p.order(tile, start + time).pressure);
+            assert_eq!(own, pressures, "{time} s after {start} s");
+        }
     }
 }
 

@@ -72,7 +72,7 @@ fn a_slow_sensor_reads_the_same_however_rarely_it_is_read() {
         // A ramp from 0 through a lag T: t - T (1 - e^(-t/T)); what is read was sampled last at a multiple of the
         // period.
         let ramp = |t: f64| if t > 0.0 { t - lag * (1.0 - (-t / lag.max(1e-9)).exp()) } else { 0.0 };
-        for every in [0.5, 2.0] {
+        for every in [0.5, 2.0, 10.0] {
             plan.every = every;
             let history = run(&plan, |_| true).expect("runs");
             for reading in readings(&plan, &history, exact, 1).expect("instruments") {
@@ -103,4 +103,28 @@ fn readings_are_the_same_from_the_same_seed_and_as_wrong_as_they_are_said_to_be(
     let broken = Instruments { encoder: 2e-3, ..Instruments::default() };
     let apart = readings(&plan, &history, broken, 3).expect("instruments");
     assert!(Errors::of(&apart).disagree > 0);
+}
+
+#[test]
+fn a_pressure_that_jumps_is_read_before_and_after_it_however_far_apart_moments_are() {
+    // From 3 kPa to 2 kPa at 10 s; a sample is read 10 ms later.
+    let (mut plan, _) = plan();
+    let jump = Move { at: 10.0, over: 0.0, pressure: Some(2000.0), heave: None, ..plan.moves[0].clone() };
+    (plan.moves, plan.pressure, plan.seconds) = (vec![jump], 3000.0, 20.0);
+    let mut exact = Instruments::default();
+    (exact.pressure.noise, exact.pressure.bias, exact.pressure.resolution) = (0.0, 0.0, 0.0);
+    for every in [0.5, 2.0, 10.0] {
+        plan.every = every;
+        let history = run(&plan, |_| true).expect("runs");
+        for reading in readings(&plan, &history, exact, 1).expect("instruments") {
+            let expected = if reading.time > 10.1 { 2000.0 } else { 3000.0 };
+            assert!((reading.read.pressure - expected).abs() < 0.1, "every {every}: {reading:?}");
+        }
+    }
+    // Moments closer than a tick of 1 ms have readings, too.
+    (plan.every, plan.seconds) = (4e-4, 4e-3);
+    let history = run(&plan, |_| true).expect("runs");
+    let found = readings(&plan, &history, exact, 1).expect("instruments");
+    assert_eq!(found.len(), 2 * history.moments.len());
+    assert!(found.iter().all(|reading| (reading.read.pressure - 3000.0).abs() < 1e-9), "{found:?}");
 }

@@ -88,6 +88,12 @@ fn tiles_tell_what_they_have_done() {
     );
     assert_eq!(value(&tiles, "tile 2", "motor duty"), Some(50.0));
     assert!((value(&tiles, "tile 4", "heave").expect("heave") - 10.0).abs() < 1e-12 && drag < 1e-12);
+    // From 10 s to 50 s, but from 20 s on, for 5 s, to another height.
+    let mut p = plan(1, 1, Vec::new());
+    let to = |at: f64, over: f64, heave: f64| Move { at, over, heave: Some(heave), ..change(&[0]) };
+    p.moves = vec![to(10.0, 40.0, 0.008), to(20.0, 5.0, 0.004)];
+    let history = run(&p, |_| true).expect("a run");
+    assert_eq!(value(&states::tiles(&p, &history), "tile 1", "motor duty"), Some(37.5));
     let slope = 1.0_f64.to_radians().tan();
     let (tiles, drag, _) = all(Move { slope: Some([slope, 0.0]), ..change(&[0]) }, 1, 2);
     // d sin(beta) of a rim 130 mm above the star, over the gap of 6 mm.

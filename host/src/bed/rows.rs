@@ -1,7 +1,7 @@
 //! Rows of metrics as CSV and as text, and how they are written.
 
 use crate::failure::Failure;
-use crate::number::{json_number, json_string};
+use crate::number::{json_number_or_word, json_string};
 use crate::output;
 use smartbed_bed::metrics::report::Row;
 use std::fmt::Write as _;
@@ -29,7 +29,7 @@ pub(super) fn csv(metrics: &[(&'static str, Vec<Row>)]) -> String {
 
 /// Metrics as keys of a JSON object, each with the list of its rows.
 pub(super) fn json(metrics: &[(&'static str, Vec<Row>)]) -> Vec<String> {
-    let null = |x: Option<f64>| x.map_or_else(|| "null".to_owned(), json_number);
+    let null = |x: Option<f64>| x.map_or_else(|| "null".to_owned(), json_number_or_word);
     let row = |row: &Row| {
         format!(
             "{{\"place\": {}, \"metric\": {}, \"value\": {}, \"unit\": {}, \"threshold\": {}}}",

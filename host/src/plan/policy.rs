@@ -11,6 +11,9 @@ use smartbed_codegen::diagnostic::{Diagnostic, Diagnostics};
 use smartbed_codegen::model::Fields;
 use smartbed_codegen::model::document::{Table, Value, wrong_kind};
 
+/// Keys of the planner alone.
+const OF_PLANNER: [&str; 6] = ["slots", "ramp", "hold", "least", "lower", "tilt"];
+
 /// Policies by name.
 const KINDS: [&str; 2] = ["planner", "alternating"];
 
@@ -36,6 +39,14 @@ pub(super) fn read(table: &Table, run: [f64; 2], pressure: f64, found: &mut Diag
     };
     let name =
         KINDS.into_iter().find(|k| Some(*k) == one_of(&text.text, text.span, ("policy", &KINDS), found))?;
+    let idle = OF_PLANNER.into_iter().find_map(|key| Some((key, fields.get(key)?)));
+    if let Some((key, value)) = idle.filter(|_| name != "planner") {
+        let error = Diagnostic::error(format!("`{key}` has no effect on the policy `{name}`"));
+        found.push(
+            error.label(value.span(), "of the planner alone").help("leave it out, or kind = \"planner\""),
+        );
+        return None;
+    }
     let mut get = |key: &'static str, of: &str, usual: f64| {
         number(&fields, key, of, Bound::Positive, found).unwrap_or(usual)
     };

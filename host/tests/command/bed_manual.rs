@@ -174,6 +174,7 @@ fn every_refusal_of_a_plan_has_its_cause_and_cure() {
         "[run]\nseconds = 1e9".to_owned(),
         "[run]\nseconds = 15".to_owned(),
         "[[move]]\ntiles = []\nheave = 0".to_owned(),
+        "[policy]\nkind = \"alternating\"\nslots = 3".to_owned(),
         "[run]\nparts = 101".to_owned(),
         "[run]\nparts = 8\nfall = 4".to_owned(),
         "[patient]\n[dynamics]\nscalar = \"f32\"".to_owned(),

@@ -15,6 +15,7 @@ mod friction;
 mod islands;
 mod joined;
 mod moreau;
+mod near_misses;
 mod pinned;
 mod places;
 mod reading;
