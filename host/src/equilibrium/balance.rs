@@ -129,8 +129,18 @@ impl Search<'_> {
     /// Bounds of the rounding errors of the slopes by the state. The state counts as exact but for its own last digit:
     /// a spring of length 0 has its direction from a length that is nothing but what is left of the way.
     pub(super) fn slope_errors(&mut self) -> DMatrix<f64> {
-        let n = self.state.len();
         let [q, u, inputs] = [&self.q, &self.u, &self.inputs].map(|values| exact(values));
+        self.errors_of_slopes([q, u, inputs])
+    }
+
+    /// The same with the rounding of dependent coordinates.
+    pub(super) fn slope_bounds(&mut self) -> DMatrix<f64> {
+        let (q, u, inputs) = self.with_rounding();
+        self.errors_of_slopes([q, u, inputs])
+    }
+
+    fn errors_of_slopes(&mut self, [q, u, inputs]: [Vec<Rounded>; 3]) -> DMatrix<f64> {
+        let n = self.state.len();
         match self.rounded.function(0, (Rounded::ZERO, &q, &u, &inputs, &[])) {
             Ok(near) => DMatrix::from_row_iterator(n, n, near[..n * n].iter().map(|x| finite(x.error))),
             Err(_) => DMatrix::zeros(n, n),

@@ -137,6 +137,8 @@ impl Told {
 
 /// Applies what the command line holds, and chooses the unknowns.
 fn hold(arguments: &Arguments, program: &Program, search: &mut Search) -> Result<(), Failure> {
+    refuse_twice("--input", &arguments.input)?;
+    refuse_twice("--hold", &arguments.hold)?;
     for given in &arguments.input {
         let (name, value) = model_argument::assignment("--input", given)?;
         let names = program.inputs.iter().map(|i| i.name.as_str());
@@ -159,6 +161,20 @@ fn hold(arguments: &Arguments, program: &Program, search: &mut Search) -> Result
         }
     }
     search.look_for(if arguments.trim { Unknown::Inputs } else { Unknown::State });
+    Ok(())
+}
+
+/// Refuses an option that names the same thing twice: the first would have no effect.
+fn refuse_twice(option: &str, all: &[String]) -> Result<(), Failure> {
+    let mut names: Vec<String> = Vec::new();
+    for given in all {
+        let (name, _) = model_argument::assignment(option, given)?;
+        if names.contains(&name) {
+            let what = format!("{option} {given}: `{name}` is given twice; leave one of them out");
+            return Err(Failure::Wrong(what));
+        }
+        names.push(name);
+    }
     Ok(())
 }
 

@@ -3,11 +3,16 @@
 //! In: a [`Search`] with its present state. Out: the rates there, which of them have to vanish, their derivatives by
 //! the unknowns, Newton's step, and how far from balance they are.
 
-use super::search::{Flat, Rates, Search, Slopes, Unknown};
+use super::search::{Entry, Flat, Rates, Search, Slopes, Unknown};
 use nalgebra::{DMatrix, DVector};
 
 /// Derivatives by a coordinate below this fraction of the largest are rounding: nothing depends on it.
 pub(super) const NO_SLOPE: f64 = 1e-12;
+/// The same of the largest of all rates, where those of the own one are compared first: a soft spring beside a stiff
+/// one is no rounding.
+const NO_SLOPE_OF_ALL: f64 = 1e-15;
+/// Where a coordinate that moves is looked at too, from where it is, in units of its half range.
+const FURTHER_ON: [f64; 2] = [0.37, -0.61];
 /// Passes of scaling rows and columns to entries of size 1.
 const PASSES: usize = 8;
 
@@ -48,7 +53,42 @@ impl Search<'_> {
                 "the slopes of the accelerations are not finite: a root of 0, or two points that coincide",
             );
         }
-        Ok(Rates { x_dot, slopes, pivot })
+        let depends = if self.moves() { self.dependence(&x_dot, &slopes.a) } else { DMatrix::default() };
+        Ok(Rates { x_dot, slopes, pivot, depends })
+    }
+
+    /// Which rates depend on which entries of the state: here, and on a coordinate that moves also further on, since its
+    /// slope may vanish where it is, as on the crest of a wave.
+    fn dependence(&mut self, x_dot: &DVector<f64>, a: &DMatrix<f64>) -> DMatrix<bool> {
+        let mut depends = self.above_rounding(a);
+        let (here, n) = (self.place(), self.state.len());
+        let vectors = self.unit_vectors();
+        let moves = |j: usize| x_dot[j] != 0.0 && !vectors.iter().flatten().any(|&own| own == j);
+        let moving: Vec<usize> = (0..n).filter(|&j| !self.state[j].is_speed && moves(j)).collect();
+        for j in moving {
+            let Entry { place, scale, .. } = self.state[j];
+            for part in FURTHER_ON {
+                let mut q = here.0.clone();
+                q[place] += part * scale;
+                let Ok(q) = self.configurations.follow(0.0, &here.0, &q) else { continue };
+                self.q = q;
+                if let Ok(near) = self.near() {
+                    let there = self.above_rounding(&DMatrix::from_row_slice(n, n, &near[..n * n]));
+                    (0..n).for_each(|i| depends[(i, j)] |= there[(i, j)]);
+                }
+            }
+        }
+        self.return_to(here);
+        depends
+    }
+
+    /// Which slopes here are more than rounding.
+    fn above_rounding(&mut self, a: &DMatrix<f64>) -> DMatrix<bool> {
+        let (bounds, largest) = (self.slope_bounds(), a.amax());
+        DMatrix::from_fn(a.nrows(), a.ncols(), |i, j| {
+            let least = (NO_SLOPE * a.row(i).amax()).max(NO_SLOPE_OF_ALL * largest).max(bounds[(i, j)]);
+            a[(i, j)].is_finite() && a[(i, j)].abs() > least
+        })
     }
 
     /// The identity, without one column for each vector of unit length e: its columns are Householder's reflection of
@@ -98,15 +138,13 @@ impl Search<'_> {
     /// Rates that have to vanish: accelerations, and rates of coordinates on which these rates depend. The heading of a
     /// disc moves its place, but neither of them its accelerations: both may change.
     pub(super) fn rows(&self, here: &Rates) -> Vec<usize> {
-        let largest = here.slopes.a.amax();
         let mut rows: Vec<usize> = (0..self.state.len()).filter(|&i| self.state[i].is_speed).collect();
         let vectors = if self.moves() { self.unit_vectors() } else { Vec::new() };
         // Rows are appended while they are gone through: each brings the coordinates that its rate depends on.
         let mut next = 0;
         while self.moves() && next < rows.len() {
             let i = rows[next];
-            let matters = |j: usize| here.slopes.a[(i, j)].abs() > NO_SLOPE * largest;
-            let found: Vec<usize> = (0..self.state.len()).filter(|&j| matters(j)).collect();
+            let found: Vec<usize> = (0..self.state.len()).filter(|&j| here.depends[(i, j)]).collect();
             // What depends on one Euler parameter to first order depends on all four a little further on.
             let whole = vectors.iter().filter(|v| v.iter().any(|j| found.contains(j))).flatten();
             for &j in found.iter().chain(whole) {

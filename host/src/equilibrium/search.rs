@@ -145,6 +145,8 @@ pub(super) struct Rates {
     pub slopes: Slopes,
     /// The worst pivot, relative to nominal.
     pub pivot: f64,
+    /// By rate and by entry of the state: does the rate depend on it, where the state moves?
+    pub depends: DMatrix<bool>,
 }
 
 /// Half of a range; 1 if it has no width.

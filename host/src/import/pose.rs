@@ -71,10 +71,13 @@ pub fn angles(m: &Matrix) -> Vector {
     let across = m[0][0].hypot(m[1][0]);
     let pitch = libm::atan2(-m[2][0], across);
     // At a pitch of a quarter turn roll and yaw are about the same axis: all of it counts as yaw.
-    match across > 1e-12 {
-        true => [libm::atan2(m[2][1], m[2][2]), pitch, libm::atan2(m[1][0], m[0][0])],
-        false => [0.0, pitch, libm::atan2(-m[0][1], m[1][1])],
+    if across <= 1e-12 {
+        return [0.0, pitch, libm::atan2(-m[0][1], m[1][1])];
     }
+    let yaw = libm::atan2(m[1][0], m[0][0]);
+    // What turns the rest of the matrix, so that an error of yaw near a quarter turn of pitch is undone.
+    let (s, c) = (libm::sin(yaw), libm::cos(yaw));
+    [libm::atan2(s * m[0][2] - c * m[1][2], c * m[1][1] - s * m[0][1]), pitch, yaw]
 }
 
 /// Entries xx, yy, zz, xy, xz, yz along other axes: R I R'.

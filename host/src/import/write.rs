@@ -173,8 +173,8 @@ fn back(axis: Vector) -> Vec<String> {
 
 /// The coordinate axis along which a vector lies, if any: its index, and whether it points the other way.
 fn letter(axis: Vector) -> Option<(usize, bool)> {
-    let unit = axis.map(|x| x / pose::norm(axis));
-    unit.iter().position(|x| x.abs() == 1.0).map(|n| (n, unit[n] < 0.0))
+    let along = axis.iter().position(|x| *x != 0.0)?;
+    axis.iter().skip(along + 1).all(|x| *x == 0.0).then_some((along, axis[along] < 0.0))
 }
 
 const LETTERS: [&str; 3] = ["x", "y", "z"];

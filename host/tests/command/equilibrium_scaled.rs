@@ -274,3 +274,54 @@ fn messages_name_the_cause() {
     let guess = asked(&["slider_crank", "--set", "b=0.3"]);
     assert!(guess.message().contains("near `b` = 0.300000, the guess of what depends"), "{guess:?}");
 }
+
+/// Coordinates that move and on which accelerations depend, though their slope is 0 where the search ends: on the crest
+/// of a wave, where a blade hangs straight below the axis; or though a spring elsewhere is 1e10 times as stiff.
+#[test]
+fn what_moves_over_waves_is_no_steady_motion() {
+    let road = model(
+        "wavy_road",
+        "[coordinates]\nx = { unit = \"m\" }\nz = { unit = \"m\", range = [-0.3, 0.3] }\n[points]\nP = \"x*N.x + z*N.z\"\n\
+         [bodies]\nb = { centre = \"P\", mass = 400 }\n[forces]\n\
+         f = { point = \"P\", force = \"(-3e4*(z - 0.05_m*cos(2*pi*x/3_m)) - 800*u_z)*N.z\" }\n",
+    );
+    let blade = model(
+        "tilted_rotor",
+        "gravity = \"-9.81_m/1_s/1_s*(cos(0.3)*N.z + sin(0.3)*N.x)\"\n[coordinates]\n\
+         psi = { unit = \"rad\", speed = { independent = false } }\nth = { unit = \"rad\", range = [-3, 3], nominal = 0.3 }\n\
+         [frames]\nhub = { rotations = [[\"z\", \"psi\"]] }\narm = { parent = \"hub\", rotations = [[\"y\", \"th\"]] }\n\
+         [points]\nP = \"-0.5_m*arm.z\"\n[bodies]\nb = { centre = \"P\", mass = 2 }\n\
+         [torques]\nd = { frame = \"arm\", torque = \"-0.1*u_th*hub.y\", reaction = \"hub\" }\n\
+         [constraints.motion]\nmotor = \"u_psi - 6\"\n[start]\nth = 0.5\n",
+    );
+    let soft = model(
+        "soft_beside_stiff",
+        "[coordinates]\nx = { unit = \"m\", range = [-1, 1] }\ny = { unit = \"m\", range = [-1, 1] }\n\
+         [points]\nP = \"x*N.x\"\nQ = \"(x + y)*N.x\"\n[bodies]\nb = { centre = \"P\", mass = 2 }\n\
+         c = { centre = \"Q\", mass = 0.01 }\n[springs]\ns = { coordinate = \"x\", stiffness = 0.05, rest = 0 }\n\
+         t = { coordinate = \"y\", stiffness = 1e9, rest = 0 }\n",
+    );
+    for (arguments, name) in [
+        (&[&*road, "--hold", "u_x=10"][..], "x"),
+        (&[&*road, "--hold", "u_x=10", "--set", "x=0.1"], "x"),
+        (&[&*blade], "psi"),
+        (&[&*soft, "--hold", "u_x=1"], "x"),
+    ] {
+        let done = asked(arguments);
+        assert_eq!(done.status, 1, "{arguments:?}: {done:?}");
+        let said = done.message();
+        assert!(
+            said.contains(&format!("`{name}`")) && said.contains("cannot stay constant"),
+            "{arguments:?}: {said}"
+        );
+    }
+    // A level road and a rotor about the vertical do move steadily.
+    let level = std::fs::read_to_string(&road).expect("a model").replace("0.05_m", "0_m");
+    let level = written("level_road.toml", &level);
+    assert_eq!(asked(&[&level, "--hold", "u_x=10"]).status, 0);
+    let upright = std::fs::read_to_string(&blade).expect("a model").replace("(0.3)", "(0)");
+    assert_eq!(asked(&[&written("upright_rotor.toml", &upright)]).status, 0);
+    // The first of two values would have no effect.
+    let twice = asked(&[&level, "--hold", "u_x=10", "--hold", "u_x=1"]);
+    assert!(twice.message().contains("`u_x` is given twice"), "{twice:?}");
+}

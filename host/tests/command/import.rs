@@ -313,6 +313,54 @@ fn origins_may_turn_by_quaternions() {
     assert_eq!(model("quat_xyzw=\"0 0 0 1\""), model(""));
 }
 
+/// Two turns about y that come within 1e-12 to 1e-8 rad of a quarter turn, around one about x: the steps written give
+/// the product of all three to rounding.
+#[test]
+fn pitches_near_a_quarter_turn_keep_the_rotation() {
+    for short in [2e-12, 1e-11, 3e-10, 1e-8] {
+        let first = std::f64::consts::FRAC_PI_3;
+        let second = std::f64::consts::FRAC_PI_6 - short;
+        let text = format!(
+            r#"<robot name="r"><link name="a"/><link name="m"/><link name="b"><inertial><mass value="1"/>
+  <inertia ixx="1" iyy="2" izz="2.5"/></inertial></link>
+  <joint name="f" type="fixed"><parent link="a"/><child link="m"/><origin rpy="0 {first} 0"/></joint>
+  <joint name="j" type="continuous"><parent link="m"/><child link="b"/><origin rpy="0.3 {second} 0"/></joint></robot>"#
+        );
+        let model = made(&text, Base::Fixed).model;
+        let turned =
+            model.split("turned = [").nth(1).and_then(|text| text.split("]]").next()).expect("turned");
+        let product =
+            turned.split(']').fold([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]], |m, step| {
+                let mut words =
+                    step.split('"').filter(|word| word.chars().any(|c| c.is_ascii_alphanumeric()));
+                let (Some(axis), Some(angle)) = (words.next(), words.next()) else { return m };
+                let axis = ["x", "y", "z"].iter().position(|own| *own == axis).expect("an axis");
+                let angle = angle
+                    .trim()
+                    .trim_end_matches("*deg")
+                    .parse::<f64>()
+                    .unwrap_or_else(|_| panic!("{angle}"));
+                times(&m, &turn(axis, angle))
+            });
+        let exact = times(&turn(1, first + second), &turn(0, 0.3));
+        let off = (0..9).map(|k| (product[k / 3][k % 3] - exact[k / 3][k % 3]).abs()).fold(0.0, f64::max);
+        assert!(off < 1e-15 * 8.0, "{short:e}: {off:e} by {turned}");
+    }
+}
+
+/// The rotation by an angle about x, y or z.
+fn turn(axis: usize, angle: f64) -> [[f64; 3]; 3] {
+    let (s, c) = angle.sin_cos();
+    let (i, j) = ((axis + 1) % 3, (axis + 2) % 3);
+    let mut m = [[0.0; 3]; 3];
+    (m[axis][axis], m[i][i], m[j][j], m[i][j], m[j][i]) = (1.0, c, c, -s, s);
+    m
+}
+
+fn times(a: &[[f64; 3]; 3], b: &[[f64; 3]; 3]) -> [[f64; 3]; 3] {
+    std::array::from_fn(|i| std::array::from_fn(|j| (0..3).map(|k| a[i][k] * b[k][j]).sum()))
+}
+
 /// Two joints whose limits coincide, one of each kind, then one without limits; a name that is a word of Rust, one of
 /// models.
 #[test]
