@@ -283,7 +283,7 @@ fn what_moves_over_waves_is_no_steady_motion() {
         "wavy_road",
         "[coordinates]\nx = { unit = \"m\" }\nz = { unit = \"m\", range = [-0.3, 0.3] }\n[points]\nP = \"x*N.x + z*N.z\"\n\
          [bodies]\nb = { centre = \"P\", mass = 400 }\n[forces]\n\
-         f = { point = \"P\", force = \"(-3e4*(z - 0.05_m*cos(2*pi*x/3_m)) - 800*u_z)*N.z\" }\n",
+         f = { point = \"P\", force = \"(-3e4_N/1_m*(z - 0.05_m*cos(2*pi*x/3_m)) - 800_N/1_m*1_s*u_z)*N.z\" }\n",
     );
     let blade = model(
         "tilted_rotor",
@@ -291,8 +291,8 @@ fn what_moves_over_waves_is_no_steady_motion() {
          psi = { unit = \"rad\", speed = { independent = false } }\nth = { unit = \"rad\", range = [-3, 3], nominal = 0.3 }\n\
          [frames]\nhub = { rotations = [[\"z\", \"psi\"]] }\narm = { parent = \"hub\", rotations = [[\"y\", \"th\"]] }\n\
          [points]\nP = \"-0.5_m*arm.z\"\n[bodies]\nb = { centre = \"P\", mass = 2 }\n\
-         [torques]\nd = { frame = \"arm\", torque = \"-0.1*u_th*hub.y\", reaction = \"hub\" }\n\
-         [constraints.motion]\nmotor = \"u_psi - 6\"\n[start]\nth = 0.5\n",
+         [torques]\nd = { frame = \"arm\", torque = \"-0.1_J*1_s*u_th*hub.y\", reaction = \"hub\" }\n\
+         [constraints.motion]\nmotor = \"u_psi - 6/1_s\"\n[start]\nth = 0.5\n",
     );
     let soft = model(
         "soft_beside_stiff",

@@ -335,11 +335,10 @@ fn pitches_near_a_quarter_turn_keep_the_rotation() {
                     step.split('"').filter(|word| word.chars().any(|c| c.is_ascii_alphanumeric()));
                 let (Some(axis), Some(angle)) = (words.next(), words.next()) else { return m };
                 let axis = ["x", "y", "z"].iter().position(|own| *own == axis).expect("an axis");
-                let angle = angle
-                    .trim()
-                    .trim_end_matches("*deg")
-                    .parse::<f64>()
-                    .unwrap_or_else(|_| panic!("{angle}"));
+                let angle = match angle.strip_suffix("*deg") {
+                    Some(degrees) => degrees.parse::<f64>().expect("an angle").to_radians(),
+                    None => angle.parse().expect("an angle"),
+                };
                 times(&m, &turn(axis, angle))
             });
         let exact = times(&turn(1, first + second), &turn(0, 0.3));
