@@ -2,29 +2,16 @@
 //!
 //! In: the assembly's contacts, and the role of each part in them. Out: [`Touching`] before the first step.
 
-use super::{Pairs, Touching};
+use super::{Pairs, Touchable, Touching};
 use crate::world::assembly::{Assembly, Kind, Law, mixed};
 use smartbed_runtime::ode::Method;
 use smartbed_runtime::rigid::law::Kind as Impact;
-use smartbed_runtime::surface::Frame;
 use smartbed_runtime::vec3::Vec3;
 use smartbed_runtime::world::{Pair, Place, Thing};
-use std::ops::Range;
 
 /// Largest depth below a facet at which contact is detected, as a fraction of a body's thickness, or of the size of two
 /// facets.
 const DEPTH: f64 = 0.25;
-
-/// The role of a part in contacts.
-#[derive(Clone, Debug)]
-pub(in crate::world) enum Touchable {
-    /// A shape on a port, or fixed in space.
-    Shape(Option<usize>, Frame<f64>),
-    /// Nodes and facets.
-    Mesh(Range<usize>, Range<usize>),
-    /// It cannot be touched.
-    Nothing,
-}
 
 impl Touching {
     /// For the assembly's contacts, whose text has been checked; `of` gives the role of each part, `size` the numbers of ports, nodes, answers and

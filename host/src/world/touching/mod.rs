@@ -13,7 +13,6 @@ use super::books::{Books, Watch};
 use super::engine::Event;
 use super::pushed::Pushed;
 use crate::contact_force::ContactForce;
-pub(super) use made::Touchable;
 use room::Room;
 use smartbed_runtime::mechanism::Fault;
 use smartbed_runtime::ode::{Method, State};
@@ -65,6 +64,17 @@ pub(super) struct Touching<S = f64> {
     located: Option<Located<S>>,
     /// Made when a step first asks for it.
     means: Option<Means<S>>,
+}
+
+/// The role of a part in contacts.
+#[derive(Clone, Debug)]
+pub(super) enum Touchable {
+    /// A shape on a port, or fixed in space.
+    Shape(Option<usize>, Frame<f64>),
+    /// Nodes and facets.
+    Mesh(Range<usize>, Range<usize>),
+    /// It cannot be touched.
+    Nothing,
 }
 
 /// Pairs with the parts of each, and which of them can move.
