@@ -69,8 +69,9 @@ impl Angles {
         match beyond {
             None => Ok(()),
             Some((name, x)) => Err(format!(
-                "an angle of {x:.6e} rad (from {name}) is beyond the domain of sine and cosine, {:e} rad in this \
+                "an angle of {x:.6e} rad ({}) is beyond the domain of sine and cosine, {:e} rad in this \
                  precision; subtract whole turns from it",
+                if name.is_empty() { "a constant".to_owned() } else { format!("from {name}") },
                 self.largest
             )),
         }

@@ -146,7 +146,8 @@ fn arguments_of_time(model: &Model, expr: &Expr, arguments: &dyn Fn(&Expr) -> Ve
 }
 
 /// Functions of time alone that commands read, and those that laws, loads and gravity read: each part of them that is a
-/// number and depends on the time but not on the state; of sums the part that does.
+/// number and depends on the time but not on the state, of sums the part that does. Of what reads the time through
+/// names only, the whole: what the names stand for are commands themselves.
 pub(crate) fn functions(model: &Model) -> [Vec<Expr>; 2] {
     let commands = commands(model).into_iter().map(|(_, read, _)| read);
     [of_all(model, commands), of_all(model, laws_and_loads(model).chain(&model.gravity))]
@@ -160,7 +161,18 @@ fn laws_and_loads(model: &Model) -> impl Iterator<Item = &Expr> {
 fn of_all<'e>(model: &Model, expressions: impl Iterator<Item = &'e Expr>) -> Vec<Expr> {
     let mut found: Vec<Expr> = Vec::new();
     for expression in expressions {
-        visit(model, expression, &mut |e| found.extend(of_time(model, e)));
+        let mut inside: Vec<*const Expr> = Vec::new();
+        visit(model, expression, &mut |e| {
+            if inside.contains(&std::ptr::from_ref(e)) {
+                return;
+            }
+            if let Some(own) = of_time(model, e) {
+                if !mentions(model, e, &is_time) {
+                    e.visit(&mut |part| inside.push(std::ptr::from_ref(part)));
+                }
+                found.push(own);
+            }
+        });
     }
     found
 }

@@ -11,6 +11,8 @@ use super::search::{End, Entry, Found, Place, Rates, Search, Unknown};
 const PLACES: usize = 64;
 /// Number of places at which it is looked up which coordinates the rates depend on.
 const PROBES: usize = 4;
+/// Values (SI) from which inputs are searched for that have no slope at 0.
+const OTHER_INPUTS: [f64; 3] = [1.0, -1.0, 1e3];
 /// A range is a whole turn up to this fraction.
 const ROUNDING: f64 = 1e-9;
 const TURN: f64 = std::f64::consts::TAU;
@@ -25,7 +27,8 @@ impl Search<'_> {
         let start = self.place();
         let first = self.settle(here);
         if self.unknown == Unknown::Inputs {
-            return self.result(first);
+            let end = self.from_other_inputs(&start, first);
+            return self.result(end);
         }
         let (first, is_within) = self.within_ranges(first);
         if is_within {
@@ -46,6 +49,34 @@ impl Search<'_> {
         }
         self.return_to(nearest.1);
         self.result(nearest.2)
+    }
+
+    /// The end of a search for inputs; if it is no equilibrium, that from other values of inputs without a slope at 0,
+    /// such as the speed of a rotor whose thrust goes with its square.
+    fn from_other_inputs(&mut self, start: &Place, first: End) -> End {
+        if first.fault.is_none() {
+            return first;
+        }
+        let ended = self.place();
+        self.return_to(start.clone());
+        let idle: Vec<usize> = match self.rates() {
+            Ok(here) => {
+                self.free_inputs.iter().copied().filter(|&i| here.slopes.b.column(i).amax() == 0.0).collect()
+            }
+            Err(_) => Vec::new(),
+        };
+        for value in OTHER_INPUTS {
+            self.return_to(start.clone());
+            idle.iter().for_each(|&i| self.inputs[i] = value);
+            if let Ok(here) = self.rates() {
+                let end = self.settle(here);
+                if end.fault.is_none() {
+                    return end;
+                }
+            }
+        }
+        self.return_to(ended);
+        first
     }
 
     /// How far the coordinates are from the start, in units of half their ranges.

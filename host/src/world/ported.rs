@@ -143,6 +143,11 @@ impl<S: Scalar> Ported<S> {
         self.reads_time
     }
 
+    /// Has it the same equations and commands?
+    pub(super) fn is_copy_of(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.derived, &other.derived)
+    }
+
     /// The time (s) near which a step of a run over so many seconds with a step (s) hides what happens in between.
     pub(super) fn passed(&self, run: [f64; 2]) -> Option<f64> {
         between::passed(&self.derived.observers, run).ok().flatten()

@@ -325,3 +325,16 @@ fn what_moves_over_waves_is_no_steady_motion() {
     let twice = asked(&[&level, "--hold", "u_x=10", "--hold", "u_x=1"]);
     assert!(twice.message().contains("`u_x` is given twice"), "{twice:?}");
 }
+
+#[test]
+fn a_rotor_whose_thrust_goes_with_the_square_of_its_speed_is_trimmed() {
+    let rotor = model(
+        "squared_thrust",
+        "gravity = \"-9.81_m/1_s/1_s*N.z\"\n[inputs]\nw = { unit = \"rad/s\" }\n[coordinates]\nz = { unit = \"m\", range = [-1, 1] }\n\
+         [points]\nP = \"z*N.z\"\n[bodies]\nb = { centre = \"P\", mass = 2 }\n[forces]\n\
+         f = { point = \"P\", force = \"1e-4_N*(w*1_s).powi(2)*N.z\" }\n",
+    );
+    let done = asked(&[&rotor, "--trim", "--json"]);
+    assert_eq!(done.status, 0, "{done:?}");
+    close(number(&done.json()["inputs"]["w"]).abs(), (2.0 * 9.81 / 1e-4_f64).sqrt(), 1e-9, "w");
+}

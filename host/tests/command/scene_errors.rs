@@ -150,6 +150,10 @@ fn every_refusal_of_a_scene_has_its_cause_and_cure() {
         format!("{BLADDER}, vent = {{ conductance = 1e6, opening = 1 }} }}")
             .replace("gauge = 0", "gauge = 1000"),
         format!("{BLADDER}, vent = {{ critical_ratio = 1, conductance = 1e-8 }} }}"),
+        format!(
+            "{BLADDER}, supply = {{ gauge = 1000, conductance = 1e-8, opening = 1 }} }}\n[controllers.a]\nreads = \"cube.gauge\"\n\
+             drives = \"cube.supply\"\ntarget = 0\nperiod = 0.001"
+        ),
         controlled("reads = \"ball.w\"\ndrives = \"ball.F\"\ntarget = 0\nperiod = 0.001"),
         controlled("reads = \"ball.z\"\ndrives = \"ball.F\"\ntarget = 0\nperiod = 0.001"),
         controlled("reads = \"ball.z\"\ndrives = \"ball.F\"\ntarget = [[1, 0]]\nperiod = 0.001"),

@@ -254,8 +254,15 @@ fn substitute_text(text: &Text, copy: &Copy, found: &mut Diagnostics) -> Text {
         let name = &text.text[open + 1..close];
         match copy.iter().find(|(known, _)| known == name) {
             Some((_, by)) => {
-                let beside = [&text.text[..open], &text.text[close + 1..]].map(|part| replaced(part, copy));
-                replacements.push((open..close + 1, as_operand(by, beside.each_ref().map(String::as_str))));
+                let operand = match by.chars().all(is_name) {
+                    true => by.clone(),
+                    false => {
+                        let beside =
+                            [&text.text[..open], &text.text[close + 1..]].map(|part| replaced(part, copy));
+                        as_operand(by, beside.each_ref().map(String::as_str))
+                    }
+                };
+                replacements.push((open..close + 1, operand));
             }
             None => found.push(
                 Diagnostic::error(format!("unknown placeholder `{{{name}}}`"))
@@ -271,6 +278,11 @@ fn substitute_text(text: &Text, copy: &Copy, found: &mut Diagnostics) -> Text {
     if replacements.is_empty() { text.clone() } else { text.replace(&replacements) }
 }
 
+/// Does it belong to a name or a number?
+fn is_name(c: char) -> bool {
+    c.is_alphanumeric() || matches!(c, '_' | '.')
+}
+
 /// A text with every placeholder replaced as it is, to see what stands beside one.
 fn replaced(text: &str, copy: &Copy) -> String {
     copy.iter().fold(text.to_owned(), |text, (name, by)| text.replace(&format!("{{{name}}}"), by))
@@ -280,7 +292,6 @@ fn replaced(text: &str, copy: &Copy) -> String {
 /// it for an operand, such as `{c}.abs()` with c = -3.
 fn as_operand(whole: &str, [before, after]: [&str; 2]) -> String {
     let (text, before, after) = (whole.trim(), before.trim_end(), after.trim_start());
-    let is_name = |c: char| c.is_alphanumeric() || matches!(c, '_' | '.');
     // A whole expression, or a whole argument.
     let stands_alone = (before.is_empty() || before.ends_with(['(', ',']))
         && (after.is_empty() || after.starts_with([')', ',']));

@@ -291,7 +291,15 @@ impl<S: Settle> Engine for CarriedWorld<S> {
     }
 
     fn passed(&self, run: [f64; 2]) -> Option<(&str, f64)> {
-        self.mechanisms().find_map(|(name, own)| Some((name, own.passed(run)?)))
+        // Copies of one mechanism do the same at the same times.
+        let mut looked: Vec<&Ported<S>> = Vec::new();
+        self.mechanisms().find_map(|(name, own)| {
+            if looked.iter().any(|other| own.is_copy_of(other)) {
+                return None;
+            }
+            looked.push(own);
+            Some((name, own.passed(run)?))
+        })
     }
 
     fn warnings(&self) -> Vec<String> {

@@ -14,8 +14,8 @@ use smartbed_runtime::world::{Pair, Place, Thing};
 const DEPTH: f64 = 0.25;
 
 impl Touching {
-    /// For the assembly's contacts, whose text has been checked; `of` gives the role of each part, `size` the numbers of ports, nodes, answers and
-    /// state values.
+    /// For the assembly's contacts, whose text has been checked; `of` gives the role of each part, `size` the numbers of
+    /// ports, nodes, answers and state values.
     pub(in crate::world) fn new(
         assembly: &Assembly,
         of: &[Touchable],
