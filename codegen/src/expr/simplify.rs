@@ -295,9 +295,9 @@ fn div(dag: &mut Dag, a: ExprId, b: ExprId) -> Option<ExprId> {
             let reciprocal = dag.number(c.reciprocal()); // x / c = (1/c) x
             Some(dag.mul(reciprocal, a))
         }
-        _ if dag.is_zero(b) => None,                               // no number
-        _ if dag.is_zero(a) => Some(a),                            // 0 / x = 0
-        _ if a == b => Some(dag.one()),                            // x / x = 1
+        (_, Node::Number(_)) => None,   // x / 0 is no number, nor is 0 / 0
+        _ if dag.is_zero(a) => Some(a), // 0 / x = 0
+        _ if a == b => Some(dag.one()), // x / x = 1
         (Node::Negate(x), Node::Negate(y)) => Some(dag.div(x, y)), // -x / -y = x / y
         (Node::Negate(x), _) => {
             let quotient = dag.div(x, b); // -x / y = -(x / y)
