@@ -27,7 +27,7 @@ impl Search<'_> {
         let start = self.place();
         let first = self.settle(here);
         if self.unknown == Unknown::Inputs {
-            let end = self.from_other_inputs(&start, first);
+            let end = self.trimmed_elsewhere(&start, first);
             return self.result(end);
         }
         let (first, is_within) = self.within_ranges(first);
@@ -53,7 +53,7 @@ impl Search<'_> {
 
     /// The end of a search for inputs; if it is no equilibrium, that from other values of inputs without a slope at 0,
     /// such as the speed of a rotor whose thrust goes with its square.
-    fn from_other_inputs(&mut self, start: &Place, first: End) -> End {
+    fn trimmed_elsewhere(&mut self, start: &Place, first: End) -> End {
         if first.fault.is_none() {
             return first;
         }
