@@ -51,6 +51,9 @@ pub(crate) type Switching = (Command, Vec<Expr>, Vec<Expr>);
 
 /// The commands that may have a kink or a jump in time, and the functions at whose zeros a law or a load may.
 pub(crate) fn switches(model: &Model) -> (Vec<Switching>, Vec<Expr>) {
+    if !model.reads_time() {
+        return (Vec::new(), Vec::new());
+    }
     let commands = commands(model).into_iter().filter_map(|(mut command, read, values)| {
         let own = switches_of(model, read);
         (command.switches, command.values) = (own.len(), values.len());
@@ -149,6 +152,9 @@ fn arguments_of_time(model: &Model, expr: &Expr, arguments: &dyn Fn(&Expr) -> Ve
 /// number and depends on the time but not on the state, of sums the part that does. Of what reads the time through
 /// names only, the whole: what the names stand for are commands themselves.
 pub(crate) fn functions(model: &Model) -> [Vec<Expr>; 2] {
+    if !model.reads_time() {
+        return [Vec::new(), Vec::new()];
+    }
     let commands = commands(model).into_iter().map(|(_, read, _)| read);
     [of_all(model, commands), of_all(model, laws_and_loads(model).chain(&model.gravity))]
 }
